@@ -1,4 +1,4 @@
-"""Figures on the pages of tests: a test, its residual, before and after, the table, the estimate.
+"""Figures in reports: a test, its residuals, before and after, the table, the estimated error.
 
 Each takes plain documents (deviations in µm or arcsec, positions in mm or deg) and returns what a
 page draws in its language, the same for the same input.
@@ -45,7 +45,7 @@ def reversal_figure(result: Document, axis: str) -> Drawing:
 
 
 def residual_figure(result: Document, name: str) -> Drawing | None:
-    """Return the figure of the residuals of a circular test by run. None without a fit."""
+    """Return the figure of a circular test's residuals by run, or None without a fit."""
     charts = residual_charts(result)
     return _drawing(charts, _LOW, "residual", name) if charts else None
 
@@ -53,7 +53,7 @@ def residual_figure(result: Document, name: str) -> Drawing | None:
 def before_after_figure(
     before: Document, predicted: Document | None, axis: str, after: Document | None = None
 ) -> Drawing:
-    """Return the figure of the test before, predicted and after, side by side on one scale.
+    """Return the figures of the test before, predicted and after, side by side on one scale.
 
     ``predicted`` or ``after`` may be None.
 
@@ -79,7 +79,7 @@ def before_after_figure(
 
 
 def table_figure(entry: Document, axis: str) -> Drawing:
-    """Return the figure of the correction over position together with the wanted correction."""
+    """Return the figure of a table's correction over position, with the wanted correction."""
     return _drawing([table_chart(entry)], _HEIGHT, "correction", axis)
 
 

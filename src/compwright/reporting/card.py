@@ -121,7 +121,7 @@ def _language(card: Document) -> Language:
 
 
 def _content(card: Document) -> dict[str, Any]:
-    """Return the common contents of both forms of the card, in the card's language."""
+    """Return the contents that the Markdown form and the page of a card share."""
     language = _language(card)
     title = card.get("title") or say("card.no_title")
     content = {
@@ -165,7 +165,7 @@ def _content(card: Document) -> dict[str, Any]:
 
 
 def _resolved(value: Any, language: Language) -> Any:
-    """Return content with its sentences in a language. Numbers keep their decimal point."""
+    """Return card contents with all sentences translated. Numbers keep their decimal point."""
     if isinstance(value, Mapping):
         return {key: _resolved(one, language) for key, one in value.items()}
     if isinstance(value, list | tuple):
@@ -176,7 +176,7 @@ def _resolved(value: Any, language: Language) -> Any:
 
 
 def _note(card: Document, language: Language) -> str | Sentence:
-    """Return a note on untranslated parts of the card, and on the form of its numbers."""
+    """Return a note that parts of the card are not translated, and how its numbers are written."""
     if language == "en":
         return ""
     steps = [*(card.get("steps") or ()), *(card.get("restore_steps") or ())]
@@ -185,9 +185,7 @@ def _note(card: Document, language: Language) -> str | Sentence:
 
 
 def _limits(axes: Document, circles: Document) -> list[Sentence]:
-    """Return a sentence for each limit of the predicted axes and circles, then the rule of a
-    guarded decision.
-    """
+    """Return a sentence on each predicted limit, then the decision rule with its guard bands."""
     decisions: list[Sentence] = []
     rules: list[Sentence] = []
     limited = [
@@ -212,9 +210,7 @@ def _limits(axes: Document, circles: Document) -> list[Sentence]:
 
 
 def changes_content(changes: Document | None) -> dict[str, Any] | None:
-    """Return a table of the changes in the control's files: the first rows, the number of further
-    rows, and of unchanged lines.
-    """
+    """Return the first changes of control files as a table, and how many rows are not shown."""
     if changes is None:
         return None
     rows = [
@@ -278,9 +274,7 @@ def _axis_content(axis: Document, language: Language) -> dict[str, Any]:
 
 
 def _around_points(points: object, language: Language) -> list[str] | None:
-    """Return the sentence about the needed points in three parts: before the number, the number,
-    after it.
-    """
+    """Return the sentence on how many points a table needs, split before and after the number."""
     if points is None:
         return None
     before, _, after = say("card.points", points="\n").text(language).partition("\n")
@@ -298,7 +292,7 @@ def _numbering(numbering: Document | None, language: Language) -> dict[str, Any]
 
 
 def _with_parameter(value: object, typed: object) -> str | Sentence:
-    """Return a value, with the control's parameter name in front where there is one."""
+    """Return a value to type at the control, with the name of its parameter if there is one."""
     return say("card.with_unit", text=typed, unit=_typed(value)) if typed else _typed(value)
 
 
@@ -427,7 +421,7 @@ def _bullets(heading: str, items: Sequence[str | Sentence]) -> list[str]:
 
 
 def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
-    """Return a Markdown table with padded cells, so that its source is readable too."""
+    """Return a Markdown table with padded cells, readable also as plain text."""
     widths = [max(3, *(len(row[column]) for row in [head, *rows])) for column in range(len(head))]
     lines = [
         "| " + " | ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)) + " |"

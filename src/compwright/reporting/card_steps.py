@@ -1,4 +1,4 @@
-"""The steps of a commissioning card as lines: what differs by axis for each axis, the rest once."""
+"""The steps of a commissioning card as lines, with common sentences of several axes only once."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _EVIDENCE = {"confirmed": say("card.confirmed"), "inferred": say("card.inferred"
 
 
 def step_content(step: Document, language: Language) -> dict[str, Any]:
-    """Return a step as a page shows it: title, lines, evidence."""
+    """Return a step's title, lines and evidence, as the page of the card shows them."""
     mark = evidence_mark(step.get("evidence"))
     return {
         "title": plain(step.get("title") or ""),
@@ -50,9 +50,7 @@ def step_lines(step: Document, language: Language) -> list[dict[str, Any]]:
 
 
 def _common_once(lines: Sequence[str]) -> list[dict[str, Any]]:
-    """Return the lines of several axes as ``text`` and ``tick``. Sentences of all of them appear
-    once, above and below.
-    """
+    """Return the lines of several axes with a flag for a tick box; common sentences only once."""
     if len(lines) < 2:
         return [{"text": line, "tick": False} for line in lines]
     each = [_SENTENCE.split(line) for line in lines]
@@ -67,9 +65,7 @@ def _common_once(lines: Sequence[str]) -> list[dict[str, Any]]:
 
 
 def _filled(words: str, heads: Sequence[object], row: Sequence[object], language: Language) -> str:
-    """Return a sentence with the values of one table row in place of each ‹head›. The axis comes
-    first.
-    """
+    """Return a sentence with each ‹column head› replaced by the value in a table row of an axis."""
     for head, cell in zip(heads, row, strict=True):
         words = words.replace(f"‹{plain(head)}›", in_language(cell, language))
     if words.startswith(f"{_AXIS[language]} "):
@@ -78,7 +74,7 @@ def _filled(words: str, heads: Sequence[object], row: Sequence[object], language
 
 
 def alike_once(lines: Sequence[str], language: Language) -> list[str]:
-    """Return the lines. Equal lines for several axes become one line with all their names."""
+    """Return the lines, with lines that differ only in the axis joined into one line."""
     groups: dict[str, list[tuple[str, str]]] = {}
     of_axis = re.compile(rf"(?i:{_AXIS[language]}) (\w+)\b")
     for line in lines:

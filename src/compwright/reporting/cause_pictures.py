@@ -1,4 +1,4 @@
-"""Small pictures of the causes of a circular test: what each looks like alone, much exaggerated.
+"""Small pictures of the causes in a circular test: the shape that each alone would draw.
 
 The shapes are those of ISO 230-4:1996, annex B, in both directions (`estimation.circle_model` has
 the formulas).
@@ -43,12 +43,12 @@ _MIRRORED: Final = frozenset({"lateral_play", "straightness"})
 
 
 def _since(angle: float, direction: float) -> float:
-    """Return the angle, rad, travelled since the first axis last reversed (at 0° and 180°)."""
+    """Return the angle (rad) travelled since the first axis last reversed, at 0° or 180°."""
     return (direction * angle) % math.pi
 
 
 def cause_pictures(causes: Sequence[CircleCause]) -> dict[str, Any] | None:
-    """Return the pictures of the causes that get a next step, as lines of points."""
+    """Return the pictures, as lines of points, of the causes for which there is a next step."""
     pictures: list[dict[str, Any]] = []
     for cause in significant_causes(causes):
         kind, second = cause.name.removesuffix("_first"), cause.name.endswith("_second")
@@ -82,7 +82,7 @@ def cause_pictures(causes: Sequence[CircleCause]) -> dict[str, Any] | None:
 def _line(
     kind: str, sign: float, direction: float, centre: tuple[float, float], *, second: bool
 ) -> str:
-    """Return one run as points of a polyline, in the order of its motion."""
+    """Return the path of one run as points of an SVG polyline, in the order of its motion."""
     points = []
     for number in range(360 // _STEP + 1):
         # Half a step aside: at a reversal point itself a step has no side.

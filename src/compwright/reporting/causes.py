@@ -1,6 +1,4 @@
-"""The causes in a circular result as text, ranked by effect. Terminal, figures and report use the
-same.
-"""
+"""The causes in a circular result as text, ranked by effect, for terminal, figures and report."""
 
 from __future__ import annotations
 
@@ -51,8 +49,7 @@ _PARTS: Final = (
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleCause:
-    """One cause: ``value`` and ``error`` (standard error, NaN if unknown) in ``unit``, peak-to-peak
-    ``effect`` and ``share``.
+    """One cause in a circular test: value, standard error, effect (µm), share of all effects.
 
     ``effect`` in µm, ``share`` of all effects from 0 to 1. ``parts`` are its details (each end of a
     lost motion, the scale errors next to their mismatch), which count in it. ``plain`` and
@@ -89,14 +86,12 @@ class CircleCause:
         return _UNITS.get(self.unit, self.unit)
 
     def text(self, value: float | None) -> str:
-        """Return another value of the same quantity as text, with the decimals of the unit. Empty
-        for None.
-        """
+        """Return a value in the unit of the cause as text, with that unit's number of decimals."""
         return "" if value is None else number(value, decimals_of_unit(self.unit))
 
     @property
     def shown(self) -> bool:
-        """Whether the value is large enough for its own line."""
+        """Whether the value is large enough for its own line in the output."""
         return self.share >= LEAST_SHARE and self.effect >= LEAST_EFFECT
 
     @property
@@ -106,13 +101,12 @@ class CircleCause:
 
     @property
     def significant(self) -> bool:
-        """Whether the value or a part of it is known. Two ends may cancel in the mean."""
+        """Whether the value, or that of a part such as one end, exceeds two standard errors."""
         return self.known or any(part.known for part in self.parts)
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Return the effects, µm, at the ends of the 95 % interval of the value. They are never
-        below zero.
+        """Return the effects (µm, never below 0) at the ends of the value's 95 % interval.
 
         An effect is taken as proportional to its value, which holds for all causes but cyclic
         errors of both directions, where it is close. A value of zero has no proportion: then both
@@ -136,7 +130,7 @@ def machine_title(machine: Mapping[str, Any]) -> Sentence:
 
 
 def ranked_causes(result: Mapping[str, Any]) -> list[CircleCause]:
-    """Return the causes of a circular result, the largest effect first. Empty without a diagnosis.
+    """Return the causes in a circular result by falling effect; none if it was not diagnosed.
 
     Of the evaluation document. A cause without a value is left out: ``not_applicable`` says why.
     """
@@ -155,7 +149,7 @@ def _given(result: Mapping[str, Any]) -> Mapping[str, Any]:
 
 
 def _whole(name: str) -> str:
-    """Return the cause of which ``name`` is a part, or ``name`` itself."""
+    """Return the JSON name of the cause with the part ``name``, or ``name`` if it is no part."""
     for part in _PARTS:
         if name.endswith(f"_{part}"):
             return name.removesuffix(f"_{part}")
@@ -190,7 +184,7 @@ def _finite(value: object, otherwise: float = 0.0) -> float:
 
 
 def _split(name: str) -> tuple[str, str, str]:
-    """Return the parts of a JSON name: kind, ``first`` or ``second`` or empty, and the detail."""
+    """Return the parts of a cause's JSON name: kind, axis ("first", "second" or "") and detail."""
     part = next((part for part in _PARTS if name.endswith(f"_{part}")), "")
     rest = name.removesuffix(f"_{part}") if part else name
     for which in ("first", "second"):
@@ -200,9 +194,7 @@ def _split(name: str) -> tuple[str, str, str]:
 
 
 def cause_words(name: str, axes: Any) -> Sentence:
-    """Return the text for a cause with its axis names. For a part of a cause: only the name of the
-    part.
-    """
+    """Return the text for a cause with its axis names, or only for a part of a cause."""
     kind, which, part = _split(name)
     axis = axes[("first", "second").index(which)] if which else ""
     if part:
@@ -223,7 +215,7 @@ def full_cause_words(name: str, axes: Any) -> Sentence:
 
 
 def named_in_words(value: Any, axes: Any) -> Any:
-    """Return a value or a sentence with the JSON names of causes replaced by text."""
+    """Return a value or sentence with JSON names of causes, as in messages, replaced by text."""
     if isinstance(value, SentenceText):
         return SentenceText(named_in_words(value.sentence, axes))
     if isinstance(value, Sentence):
@@ -251,7 +243,7 @@ def _printed(name: str, vendor: Mapping[str, Any]) -> tuple[float | None, bool]:
 
 
 def findings_in_words(result: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Return the findings of a result, with the causes that they name as text."""
+    """Return the findings of a result, with JSON names of causes replaced by text."""
     axes = result.get("axes") or ("first", "second")
     return [
         {**finding, "message": named_in_words(finding["message"], axes)}

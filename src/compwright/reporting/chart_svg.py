@@ -1,4 +1,4 @@
-"""Charts as plain SVG inside a page, side by side on one scale. No plotting library is needed.
+"""Charts as plain SVG inside a page, without a plotting library, side by side on one scale.
 
 A page of many axes is painted in no time. Letters are those of the page.
 
@@ -60,9 +60,7 @@ _MOST_POINTS: Final = 1000
 
 @dataclass(frozen=True, slots=True)
 class _Scale:
-    """The scale of one direction: values from ``low`` to ``high`` are drawn from ``first`` to
-    ``last`` points.
-    """
+    """A linear scale: values ``low`` to ``high`` are drawn at ``first`` to ``last`` (points)."""
 
     low: float
     high: float
@@ -78,9 +76,7 @@ class _Scale:
 
 @dataclass(frozen=True, slots=True)
 class Drawing:
-    """Charts on one scale, ``height`` points high with all texts. ``description``: the text for
-    screen readers.
-    """
+    """Several charts side by side on one scale. ``description``: the text for screen readers."""
 
     charts: tuple[Chart, ...]
     height: float
@@ -128,7 +124,7 @@ class Drawing:
 def _frame(
     chart: Chart, x: _Scale, y: _Scale, rows: list[tuple[float, str]], language: Language
 ) -> Iterator[str]:
-    """Yield grid, lines and numbers of both axes. ``rows``: values with their numbers."""
+    """Yield grid, lines and numbers of both axes. ``rows``: the numbers of the vertical axis."""
     columns, decimals = _along(x, _STEPS_OF_A_TURN if chart.degrees else _STEPS)
     rows_at, below = y.at([value for value, _ in rows]), x.at(columns)
     grid = "".join(f"M{x.first:.2f},{at:.2f}H{x.last:.2f}" for at in rows_at)
@@ -145,7 +141,7 @@ def _frame(
 
 
 def _along(x: _Scale, steps: Sequence[float]) -> tuple[list[float], int]:
-    """Return the numbers along an axis, as many as fit, and their decimals."""
+    """Return as many numbers as fit along the horizontal axis, and how many decimals they have."""
     for most in range(_MOST_NUMBERS, 1, -1):
         columns, decimals = _ticks(x.low, x.high, most, steps)
         wide = max((len(_written(value, decimals)) for value in columns), default=0)
@@ -155,7 +151,7 @@ def _along(x: _Scale, steps: Sequence[float]) -> tuple[list[float], int]:
 
 
 def _ticks(low: float, high: float, most: int, steps: Sequence[float]) -> tuple[list[float], int]:
-    """Return about ``most`` round numbers from low to high, and their decimals."""
+    """Return about ``most`` round numbers from low to high, and how many decimals they have."""
     least = (high - low) / max(most, 1)
     power = 10.0 ** math.floor(math.log10(least))
     step = next(
@@ -185,7 +181,7 @@ def _content(chart: Chart, x: _Scale, y: _Scale) -> Iterator[str]:
 
 
 def _rings(chart: Chart, x: _Scale, y: _Scale) -> Iterator[str]:
-    """Yield a ring around each marked point, and its name. Marks at one place share one text."""
+    """Yield a ring around each marked point and its name. Marks that coincide share one text."""
     places: dict[tuple[float, float], list[str]] = {}
     for mark in chart.marks:
         (across,), (up,) = x.at([mark.x]), y.at([mark.y])
@@ -211,7 +207,7 @@ _Box = tuple[float, float, float, float]
 
 
 def _boxes(places: Iterable[tuple[float, float]]) -> list[_Box]:
-    """Return the areas of rings."""
+    """Return the rectangles that the rings around marked points occupy."""
     r = _RING
     return [(across - r, up - r, across + r, up + r) for across, up in places]
 
@@ -219,9 +215,7 @@ def _boxes(places: Iterable[tuple[float, float]]) -> list[_Box]:
 def _free_box(
     across: float, up: float, width: float, x: _Scale, y: _Scale, taken: Sequence[_Box]
 ) -> _Box:
-    """Return the area of the name of a ring: on the side of it that covers the least of ``taken``,
-    inside of the panel.
-    """
+    """Return the rectangle for the name of a ring where it overlaps other texts least."""
     sides = [1.0, -1.0] if across < (x.first + x.last) / 2 else [-1.0, 1.0]
     boxes = []
     for lift in (2.0, 12.0, -8.0, 22.0, -18.0):
@@ -234,14 +228,14 @@ def _free_box(
 
 
 def _common(one: _Box, other: _Box) -> float:
-    """Return the area that two boxes have in common."""
+    """Return the area in which two rectangles overlap."""
     wide = min(one[2], other[2]) - max(one[0], other[0])
     high = min(one[3], other[3]) - max(one[1], other[1])
     return max(wide, 0.0) * max(high, 0.0)
 
 
 def _filled(band: Band, x: _Scale, y: _Scale) -> Iterator[str]:
-    """Yield the area of a band, one piece for each range where both limits are known."""
+    """Yield the filled area between a band's limits, one piece per range of known values."""
     for first, last in _stretches(
         [low + high for low, high in zip(band.low, band.high, strict=True)]
     ):
@@ -286,7 +280,7 @@ def _markers(curve: ChartCurve, x: Sequence[float], y: Sequence[float]) -> str:
 
 
 def _stretches(values: Sequence[float]) -> Iterator[tuple[int, int]]:
-    """Yield start and end of each range where values are known."""
+    """Yield start and end index of each range without gaps (NaN)."""
     first = None
     if all(map(math.isfinite, values)):
         yield from [(0, len(values))] if values else []
@@ -340,7 +334,7 @@ def _path(
 
 
 def _words(chart: Chart, x: _Scale, y: _Scale, *, named: bool) -> Iterator[str]:
-    """Yield the texts around a chart. ``named``: whether its vertical axis has a name."""
+    """Yield title and other texts around a chart. ``named``: also name the vertical axis."""
     above = y.last - 5.0
     if chart.note:
         yield _word(x.first, above, chart.note)
@@ -358,7 +352,7 @@ def _words(chart: Chart, x: _Scale, y: _Scale, *, named: bool) -> Iterator[str]:
 
 
 def _legend(charts: Sequence[Chart], bottom: float, language: Language) -> Iterator[str]:
-    """Yield the legend of all charts: + above −, under a heading."""
+    """Yield the legend of all charts: each quantity as a heading, below it + above −."""
     columns, wide = _legend_columns(charts)
     if not columns:
         return

@@ -32,9 +32,7 @@ _MOST_MARKED: Final = 150  # nodes of a table that markers can still tell apart
 
 @dataclass(frozen=True, slots=True)
 class CurveLook:
-    """The style of one approach direction. ``dashes``: lengths of line and gap in line widths,
-    empty for a solid line.
-    """
+    """The style of the curves of one approach direction: marker, dashes and colour."""
 
     key: str
     sign: str
@@ -86,7 +84,7 @@ class Band:
 
 @dataclass(frozen=True, slots=True)
 class ChartMark:
-    """A ring around a point, with a name ``text``."""
+    """A point to be marked with a ring and the name ``text``."""
 
     x: float
     y: float
@@ -95,8 +93,7 @@ class ChartMark:
 
 @dataclass(slots=True, kw_only=True)
 class Chart:
-    """One chart: its ``title``, further texts, names of the axes, and curves. ``degrees``:
-    positions of a rotary axis.
+    """One chart: title, texts, curves, bands and marks. ``degrees``: positions are in degrees.
 
     Words at the ``right`` of it or in a line below (``note``).
     """
@@ -112,12 +109,12 @@ class Chart:
     marks: list[ChartMark] = field(default_factory=list)
 
     def named(self) -> Iterator[Band | ChartCurve]:
-        """Yield the entries of the chart's legend."""
+        """Yield the bands and curves of the chart that have an entry in the legend."""
         parts: list[Band | ChartCurve] = [*self.bands, *self.curves]
         yield from (part for part in parts if part.label)
 
     def written(self, language: Language) -> Chart:
-        """Return the chart with its texts in the language."""
+        """Return the chart with its texts translated."""
         return replace(
             self,
             title=in_language(self.title, language),
@@ -142,8 +139,7 @@ class Chart:
 
 
 def result_chart(result: Document) -> Chart:
-    """Return the chart of one positioning test by direction: readings, means, mean ± k s (as ISO
-    230-2:1997 figure 2).
+    """Return the chart of a positioning test: readings, means, mean ± k s (ISO 230-2, figure 2).
 
     ``result`` is an entry of ``results`` of an evaluation document. Its ``deviations_positive`` /
     ``deviations_negative`` per target, where given, are drawn as points; ``coverage`` (default 2)
@@ -194,9 +190,7 @@ def result_chart(result: Document) -> Chart:
 
 
 def reversal_chart(result: Document) -> Chart:
-    """Return the chart of the reversal B_i of one positioning test over the targets, with its
-    extreme marked.
-    """
+    """Return the chart of a test's reversal B_i over the targets, with its extreme marked."""
     targets = result.get("targets", [])
     positions = [_number(target.get("position")) for target in targets]
     values = [_number(target.get("reversal")) for target in targets]
@@ -212,9 +206,7 @@ def reversal_chart(result: Document) -> Chart:
 
 
 def residual_charts(result: Document) -> list[Chart]:
-    """Return the charts of the residuals of a circular test over the angle, one for each direction.
-    Empty without a fit.
-    """
+    """Return a circular test's residuals over the angle, a chart per direction, if it has a fit."""
     fitted = result.get("fitted") or ()
     charts = []
     for key, look in zip(("ccw", "cw"), LOOKS, strict=True):
@@ -237,8 +229,7 @@ def residual_charts(result: Document) -> list[Chart]:
 
 
 def expected_chart(predicted: Document, coverage: float) -> Chart:
-    """Return the chart of the expected means of each direction, with ± ``coverage`` times the
-    scatter ``s`` of a reading.
+    """Return the chart of the expected means per direction, ± ``coverage`` times ``s``.
 
     ``predicted`` holds ``positions`` (m), ``positive``, ``negative`` (m) or None, and ``s``.
     """
@@ -258,8 +249,7 @@ def expected_chart(predicted: Document, coverage: float) -> Chart:
 
 
 def table_chart(entry: Document) -> Chart:
-    """Return the chart of the correction over position in both directions, with nodes and the
-    wanted correction.
+    """Return the chart of a table's correction per direction, its points, and the wanted one.
 
     ``entry`` holds ``table`` (``positions``, ``correction_positive``, ``correction_negative``,
     ``unit``) as in the prediction document, and ``wanted`` (``positions``, ``positive``,
@@ -292,8 +282,7 @@ def table_chart(entry: Document) -> Chart:
 
 
 def estimate_chart(estimate: Document, result: Document) -> Chart:
-    """Return the chart of the estimated deviation ± 2 standard deviations, with the measured means
-    as markers.
+    """Return the chart of the estimated deviation ± 2 standard deviations, and measured means.
 
     ``estimate`` holds ``positions`` (g), ``mean_positive``, ``mean_negative``, ``std_positive``,
     ``std_negative`` (g) in the unit of the positioning result ``result``.
@@ -335,9 +324,7 @@ def _add_band(
     look: CurveLook,
     label: str | Sentence = "",
 ) -> None:
-    """Add the band y ± half to a chart. ``label``: also draw its limits. Nothing where half is
-    unknown.
-    """
+    """Add the band y ± half to a chart, where half is known. ``label``: also draw its limits."""
     if not _any_known(half):
         return
     low = [value - width for value, width in zip(y, half, strict=True)]
@@ -355,9 +342,7 @@ def _add_band(
 
 
 def covered(charts: Sequence[Chart]) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return the common range of positions and of deviations of several charts, (low, high)
-    each.
-    """
+    """Return the ranges (low, high) of positions and of deviations that several charts cover."""
     positions, deviations = [math.inf, -math.inf], [0.0, 0.0]
     for chart in charts:
         for curve in chart.curves:
@@ -388,9 +373,7 @@ def _with_margin(limits: Sequence[float], share: float, least: float = 0.0) -> t
 
 
 def legend_of(charts: Sequence[Chart]) -> dict[str, Band | ChartCurve]:
-    """Return the legend of all charts by name, each entry once, similar ones together, + before
-    −.
-    """
+    """Return the curves and bands of all charts by their name in the legend, each name once."""
     entries: dict[str, Band | ChartCurve] = {}
     for chart in charts:
         for part in chart.named():
@@ -426,9 +409,7 @@ def title_of(result: Document) -> Sentence:
 
 
 def parameter_line(result: Document, most: int = 4) -> str | Sentence:
-    """Return the parameters of both directions together as text, or those of the only measured
-    direction.
-    """
+    """Return the parameters of both directions together, or of the only one, as a line."""
     given = {
         key: value for key, value in (result.get("parameters") or {}).items() if value is not None
     }
@@ -465,7 +446,7 @@ def prediction_line(predicted: Document, before: Document, most: int) -> str | S
 
 
 def quantiles(name: str, one: Document) -> Sentence:
-    """Return the median and the 5-95 % range of a parameter as text."""
+    """Return the predicted median and 5-95 % range of a parameter as text."""
     return say(
         "chart.quantiles",
         symbol=name,
@@ -489,7 +470,7 @@ def _number(value: object) -> float:
 
 
 def numbers(values: Sequence[object] | None) -> list[float]:
-    """Return the numbers in a list of a document. null becomes NaN, a gap in the curve."""
+    """Return the numbers in a list of a JSON document; null becomes NaN, a gap in the curve."""
     return [_number(value) for value in values or []]
 
 

@@ -1,6 +1,4 @@
-"""The report page of one circular test: figures, parameters, causes, printed vendor results, next
-steps, conditions.
-"""
+"""The report page of a circular test: figures, parameters, causes, next steps, conditions."""
 
 from __future__ import annotations
 
@@ -32,9 +30,7 @@ _AGREES: Final = 2.0
 
 
 def circle_page(result: Document, index: int, job: Sequence[str] | None = None) -> dict[str, Any]:
-    """Return the page of a circular test. ``index``: its number in the report; ``job``: lines for
-    all circles of its machine.
-    """
+    """Return the contents of a circular test's page. ``job``: lines of a job for its machine."""
     name = plain(result.get("name") or "")
     causes = ranked_causes(result)
     axes = result.get("axes") or ("first", "second")
@@ -84,9 +80,7 @@ def machine_block(machine: Document, results: Sequence[Document]) -> dict[str, A
 
 
 def _parameters(result: Document) -> TextTable:
-    """Return the parameters of both directions, with U where it is stated, and the vendor's printed
-    values.
-    """
+    """Return the table of parameters, with uncertainty U and the vendor's printed values."""
     values, printed = result.get("parameters") or {}, printed_parameters(result)
     stated = result.get("uncertainty") or {}
     rows = []
@@ -118,7 +112,7 @@ def _parameters(result: Document) -> TextTable:
 
 
 def _reasons(result: Document) -> list[tuple[Sentence, str]]:
-    """Return the reasons for missing values, with their names as text."""
+    """Return the reasons for missing values, each with the names of these values."""
     reasons: dict[str, list[Sentence]] = {}
     for key, reason in (result.get("not_applicable") or {}).items():
         words = say("head.causes") if key == "diagnosis" else _words(plain(key), result)
@@ -130,15 +124,14 @@ def _reasons(result: Document) -> list[tuple[Sentence, str]]:
 
 
 def _words(name: str, result: Document) -> Sentence:
-    """Return the text for a cause or a parameter."""
+    """Return the text for the JSON name of a cause or a parameter."""
     if name in (result.get("parameters") or {}):
         return parameter_words(name)
     return full_cause_words(name, result.get("axes") or ("first", "second"))
 
 
 def _causes(causes: Sequence[CircleCause]) -> TextTable:
-    """Return the causes with their parts, the largest effect first, and next to them the vendor's
-    printed values.
+    """Return the table of causes and their parts by falling effect, with the vendor's values.
 
     In brackets where it says itself that it is not valid, and how the two compare.
     """
@@ -181,7 +174,7 @@ def _values(cause: CircleCause, *, printed: bool) -> list[str | Sentence]:
 
 
 def _comparison(cause: CircleCause) -> str | Sentence:
-    """Return a comparison of our value with the printed one."""
+    """Return whether the value of a cause agrees with the vendor's printed value."""
     if cause.printed is None:
         return ""
     agrees = abs(cause.value - cause.printed) <= _AGREES * cause.error

@@ -1,4 +1,4 @@
-"""The next steps for a cause that a circular test shows: who does them, and what to check first.
+"""The next steps for causes in a circular test: who takes them, and what to check first.
 
 Common practice of the workshop, in the order in which it costs least; no standard prescribes it.
 """
@@ -31,9 +31,7 @@ _WORD: Final = re.compile(r"[A-Za-z_][\w./-]*")
 
 
 def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Sentence]:
-    """Return the next steps for the largest significant causes, one sentence each, and why larger
-    causes are missing.
-    """
+    """Return the next step for each large significant cause, and which larger are uncertain."""
     shown = [cause for cause in causes if cause.shown]
     significant = significant_causes(causes)
     last = shown.index(significant[-1]) if significant else _MOST
@@ -53,14 +51,12 @@ def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Senten
 
 
 def _mended(cause: CircleCause) -> str:
-    """Return the name of the cause that is to be mended. Lost motion of opposite sign at the two
-    ends is lateral play: no backlash value corrects it.
-    """
+    """Return the cause to be mended: lateral play if lost motion has opposite signs at the ends."""
     return cause.name if cause.known else cause.name.replace("backlash", "lateral_play")
 
 
 def significant_causes(causes: Sequence[CircleCause]) -> list[CircleCause]:
-    """Return the largest significant causes."""
+    """Return the first significant causes by effect, and further ones with a large share."""
     found = [cause for cause in causes if cause.shown and cause.significant]
     return found[:_MOST] + [cause for cause in found[_MOST:] if cause.share >= _LARGE]
 
@@ -78,9 +74,7 @@ def next_step(cause: str, axes: Sequence[str]) -> Sentence | None:
 
 
 def machine_job(machine: Mapping[str, Any], results: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return job lines for the circles of one machine: their common results without
-    contradictions.
-    """
+    """Return lines of a job that correct what the circles of one machine show consistently."""
     contradicted = {
         (one["cause"], circle["of"])
         for one in machine["contradictions"]
@@ -109,7 +103,7 @@ def job_lines(causes: Sequence[str], result: Mapping[str, Any]) -> list[str]:
 def _job(
     results: Sequence[Mapping[str, Any]], planes: Container[str], *, lost: bool, scale: bool
 ) -> list[str]:
-    """Return job lines that correct what a table can correct. Empty where there is nothing.
+    """Return lines of a job that correct squareness, lost motion or scale by tables, if any.
 
     The squareness of ``planes`` (axes in the order of the alphabet), ``lost`` motion, ``scale``.
     Scale is that of the positioning tests, which the circles check.

@@ -1,6 +1,4 @@
-"""Circular tests in the reports of ``run`` and ``verify``: figure, and a table of values before,
-expected, and after.
-"""
+"""Circular tests in the reports of ``run`` and ``verify``: figure and values before and after."""
 
 from __future__ import annotations
 
@@ -67,7 +65,7 @@ def circle_blocks(
 
 @dataclass(frozen=True, slots=True)
 class CircleFigure:
-    """The figure of a circular test in a page. ``prefix`` makes its ids unique."""
+    """The figure of a circular test in a page. ``prefix`` makes its element ids unique."""
 
     result: Document
     prefix: str
@@ -81,7 +79,7 @@ class CircleFigure:
 
 
 def limit_rows(circles: Mapping[str, Document]) -> list[dict[str, Any]]:
-    """Return a table row for each limit of each circle of a prediction or verification."""
+    """Return a table row for each limit of each predicted or verified circle."""
     return [
         _limit_row(index, name, circle, key)
         for index, (name, circle) in enumerate(circles.items(), 1)
@@ -119,7 +117,7 @@ def _with_unit(text: str, unit: str) -> str | Sentence:
 
 
 def rules(circle: Document) -> list[Sentence]:
-    """Return the decision rule for the limits of a circle. Empty without limits."""
+    """Return the decision rule for a circle's limits, or nothing if it has no limits."""
     return sections.rule_lines(circle.get("accept") or {}, "µm", after="after" in circle)
 
 

@@ -1,6 +1,4 @@
-"""The parameters of a circular test as text, next to the vendor's printed values. Terminal and
-pages use the same.
-"""
+"""The parameters of a circular test as text, next to the values that the vendor printed."""
 
 from __future__ import annotations
 
@@ -43,7 +41,7 @@ _PRINTED: Final = (
 
 @dataclass(frozen=True, slots=True)
 class ParameterRow:
-    """One line of parameters: its name, its letter, and the values for ccw, cw and both."""
+    """A row of parameters of a circular test: its name, letter, and keys for ccw, cw and both."""
 
     words: Sentence
     letter: str
@@ -56,7 +54,7 @@ class ParameterRow:
 
 
 def parameter_rows(result: Mapping[str, Any]) -> list[ParameterRow]:
-    """Return the lines with a value. Lines with the same numbers as another are left out."""
+    """Return the rows that have a value, without rows that repeat the numbers of another."""
     values = result.get("parameters") or {}
     rows = []
     for letter, name, keys in _ROWS:
@@ -69,7 +67,7 @@ def parameter_rows(result: Mapping[str, Any]) -> list[ParameterRow]:
 
 
 def printed_parameters(result: Mapping[str, Any]) -> dict[str, str]:
-    """Return the vendor's printed parameters for the edition of the result, µm, by letter."""
+    """Return the vendor's printed parameters (µm) by letter, for the edition of the result."""
     edition = str(result.get("standard")).rpartition(":")[2]
     block = (result.get("vendor") or {}).get(f"ISO230_4 {edition}")
     if not isinstance(block, Mapping):

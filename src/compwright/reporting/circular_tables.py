@@ -1,4 +1,4 @@
-"""Circular results at the terminal, for 80 columns. Computes nothing.
+"""Circular results as terminal output of 80 columns. Computes nothing.
 
 This module loads rich; whoever serves a command that may not print tables imports it inside a
 function.
@@ -96,9 +96,7 @@ def _short(value: float | None) -> str:
 
 
 def _centre(result: Mapping[str, Any]) -> str:
-    """Return the centre of the common least-squares circle, or of the only direction's circle, as
-    text.
-    """
+    """Return the least-squares centre as text: of both directions, or of the only one."""
     given = {name: point for name, point in result["centre"].items() if point is not None}
     name = "common" if "common" in given else next(iter(given))
     places = ", ".join(
@@ -128,7 +126,7 @@ def _deviation(value: float | None, *, signed: bool) -> str:
 
 
 def _printed(result: Mapping[str, Any]) -> list[Text]:
-    """Return the vendor's printed values for this edition in one line."""
+    """Return a line with the values that the vendor's software printed for this edition."""
     printed = [f"{letter} {values}" for letter, values in printed_parameters(result).items()]
     return [Text(f"Printed in the file: {', '.join(printed)} µm", style="dim")] if printed else []
 
@@ -146,7 +144,7 @@ def _not_applicable(result: Mapping[str, Any]) -> list[Text]:
 
 
 def _listed(names: Sequence[str], result: Mapping[str, Any]) -> str:
-    """Return the names of causes and the letters of parameters, each once. A long list is cut."""
+    """Return names of causes and letters of parameters as one text, each once and cut if long."""
     causes = result["diagnosis"] or {}
     return ", ".join(dict.fromkeys(_shortened(name, causes, result["axes"]) for name in names))
 

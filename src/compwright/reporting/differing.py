@@ -24,9 +24,7 @@ _ABSENT: Final = "not there"
 
 
 def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return the doubts, for each axis whether the control has the planned values, then every
-    difference. Other values are counted.
-    """
+    """Return doubts, whether each axis has the planned values, and differences, at the terminal."""
     shown = doubt_lines(document["doubts"], say("doubts.compare"))
     for name, axis in document["axes"].items():
         same = axis["verdict"] == "loaded" and not axis["differences"]
@@ -70,9 +68,7 @@ def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def diff_tables(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return the differences axis by axis, then between axes, then of the whole machine. The rest
-    is counted.
-    """
+    """Return the differences by axis, between axes, and of the whole machine, at the terminal."""
     if document["same"]:
         shown: list[RenderableType] = [Text("same: both enter the same values", style="green")]
         return [*shown, *finding_lines(document["findings"])]
@@ -106,12 +102,12 @@ def diff_tables(document: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def _both(entries: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
-    """Return the entries that exist on both sides."""
+    """Return the entries that have both an old and a new value."""
     return [entry for entry in entries if None not in (entry["old"], entry["new"])]
 
 
 def _correction(change: Mapping[str, Any] | None, *, known: bool = True) -> str:
-    """Return the change of a correction as text. ``known``: whether it is known."""
+    """Return the change of a correction as text, or that it is unchanged or not ``known``."""
     if change is None:
         same, entries = "the correction is the same", "only its entries are compared"
         return same if known else entries
@@ -124,9 +120,7 @@ def _correction(change: Mapping[str, Any] | None, *, known: bool = True) -> str:
 
 
 def entry_tables(entries: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
-    """Return differing entries as a table. Entries of only one side are counted, and a long table
-    is cut visibly.
-    """
+    """Return differing entries as a table, cut if long; entries of one side only are counted."""
     both = _both(entries)
     alone = [
         f"{count} only in {side}"
@@ -154,7 +148,7 @@ def entry_tables(entries: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
 
 
 def other_tables(groups: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
-    """Return tables of the differing values outside the plan's axes, counted by parameter.
+    """Return tables of differing values that are not compensation values, grouped by parameter.
 
     What is not known to compensate; parameters that only one side has as one number where they are
     many.

@@ -58,7 +58,7 @@ def evaluation_list(
 
 
 def _apart(results: Iterable[_Result]) -> dict[tuple[str, str], list[_Result]]:
-    """Return the results by kind and standard, positioning tests first."""
+    """Return the results grouped by kind of test and standard, positioning tests first."""
     parts: dict[tuple[str, str], list[_Result]] = {}
     for result in sorted(results, key=lambda result: bool(result["kind"] == "circular")):
         parts.setdefault((result["kind"], result["standard"]), []).append(result)
@@ -73,7 +73,7 @@ class _ListCell:
 
 @dataclass(frozen=True, slots=True)
 class _ListColumn:
-    """A column of cells. ``right``: it contains numbers; ``cut``: it gets the remaining width."""
+    """A column of a list. ``right``: align right (numbers); ``cut``: use the width that is left."""
 
     head: str
     cells: Sequence[_ListCell]
@@ -87,7 +87,7 @@ class _ListColumn:
 
 @dataclass(frozen=True, slots=True)
 class _ListColumns:
-    """Columns as lines of text. They are drawn ten times faster than tables of the library rich."""
+    """A table as lines of text, drawn ten times faster than a table of the library rich."""
 
     columns: Sequence[_ListColumn]
 
@@ -111,7 +111,7 @@ class _ListColumns:
 
 
 def _fitted(text: str, width: int, *, right: bool) -> str:
-    """Return the text in ``width`` columns of a terminal. A long text loses its middle."""
+    """Return a text padded to ``width`` terminal columns, or shortened in its middle."""
     size = cell_len(text)
     if size > width:
         tail = (width - 1) * 2 // 3
@@ -156,9 +156,7 @@ def _files(results: Sequence[_Result], folder: str) -> _ListColumn:
 
 
 def _named(result: _Result, folder: str) -> str:
-    """Return the file name of a test. For several files: the first one and the number of the
-    others.
-    """
+    """Return the file name of a test, with the number of further files, such as "x.csv +1"."""
     first, *more = [source["file"] for source in result["sources"]] or [result["name"]]
     return f"{_shown(first, folder)}{f' +{len(more)}' if more else ''}"
 
@@ -180,8 +178,7 @@ def _warnings(results: Sequence[_Result]) -> _ListColumn:
 
 
 def _gravest(findings: Sequence[Mapping[str, str]]) -> _ListCell:
-    """Return the code of the most important finding: an error, else a doubt, else the first
-    warning.
+    """Return the code of the most severe finding: an error, else a doubt, else a warning.
 
     Of the whole result; else the warning that stands first on the page of the test; an info is
     none.
@@ -269,7 +266,7 @@ def _tests(count: int, kind: str) -> str:
 
 
 def _common_folder(files: Iterable[str]) -> str:
-    """Return the common folder of all files. Empty where there is none."""
+    """Return the folder that contains all files, or "" if they have no common one."""
     folders = [PurePath(file).parent for file in files]
     common = folders[0] if folders else PurePath()
     for folder in folders:

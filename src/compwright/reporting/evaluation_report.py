@@ -71,7 +71,7 @@ def evaluation_report(view: Document) -> bytes:
 
 
 def _names_apart(results: Sequence[Document]) -> list[Document]:
-    """Return the tests. Equal names give way to the file, then to the file and a number."""
+    """Return the tests with different names: those with equal names get file name or number."""
     files = [", ".join(plain(one["file"]) for one in each.get("sources") or ()) for each in results]
     numbered = [f"{file} ({number})" for number, file in enumerate(files, 1)]
     named = list(results)
@@ -142,7 +142,7 @@ def _page(result: Document, index: int, job: list[str] | None) -> dict[str, Any]
 
 
 def parameters_alone(result: Document) -> dict[str, Any]:
-    """Return the table of parameters of one test, with U where it is stated."""
+    """Return the table of one test's parameters, with the uncertainty U where it is stated."""
     column = {
         "title": say("head.value"),
         "values": result.get("parameters"),

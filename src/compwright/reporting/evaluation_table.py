@@ -229,14 +229,14 @@ def _last(result: _Result) -> list[Cell]:
 
 
 def _in_use(results: Iterable[_Result], part: Callable[[_Result], Mapping[str, Any]]) -> list[str]:
-    """Return the names of ``part`` that occur in any result, in the order of the tables."""
+    """Return the names in ``part`` of any result, such as parameters, in the usual order."""
     names = dict.fromkeys(name for result in results for name in part(result))
     order = {name: place for place, name in enumerate(PARAMETERS)}
     return sorted(names, key=lambda name: order.get(name, len(order)))
 
 
 def _text(value: object) -> str:
-    """Return the text or the name of a file as one line."""
+    """Return a text or file name as one line, with control characters made visible."""
     return visible(str(value))
 
 
@@ -276,7 +276,7 @@ def _fill(sheet: Any, heads: Sequence[str], rows: Sequence[Sequence[Cell]]) -> N
 
 
 def _undated(content: bytes) -> bytes:
-    """Return a workbook without the time of its creation."""
+    """Return a workbook without its time of creation, so that equal results give equal bytes."""
     stream = BytesIO()
     with (
         zipfile.ZipFile(BytesIO(content)) as made,

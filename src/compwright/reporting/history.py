@@ -29,7 +29,7 @@ _STYLES: Final = {"good": "green", "loaded": "green", "bad": "red", "not_active"
 
 
 def history_tables(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return the renderables of a ``compwright/history/1`` document."""
+    """Return a history (JSON document ``compwright/history/1``) as terminal output."""
     shown: list[RenderableType] = []
     for machine in document["machines"]:
         title = " · ".join(filter(None, (machine["name"], machine["serial"]))) or "no name given"

@@ -28,9 +28,7 @@ def parameter_name(parameter: str) -> str:
 
 
 def trend_lines(one: Mapping[str, Any]) -> Iterator[str]:
-    """Yield the rates of an axis or plane that exceed three standard errors, and its jumps, as
-    text.
-    """
+    """Yield the significant rates of change (beyond three standard errors) and jumps as text."""
     tests = one["tests"]
     for parameter, trend in one["trends"].items():
         name, unit = parameter_name(parameter), unit_text(trend["unit"])
@@ -49,7 +47,7 @@ def trend_lines(one: Mapping[str, Any]) -> Iterator[str]:
 
 
 def limit_lines(one: Mapping[str, Any]) -> Iterator[str]:
-    """Yield the limits of an axis or plane that will be reached, and when, as text."""
+    """Yield as text when an axis or plane will reach a limit, if its values change."""
     for parameter, trend in one["trends"].items():
         if trend["crosses"] is not None:
             limit = f"{number(trend['limit'])} {unit_text(trend['unit'])}"
@@ -57,7 +55,7 @@ def limit_lines(one: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _when(crosses: Mapping[str, str]) -> str:
-    """Return median and interval of a date, by month."""
+    """Return the month in which a limit is probably reached, with its interval, as text."""
     late = _month(crosses["latest"]) if crosses["latest"] else "later than in 30 years"
     if not crosses["day"]:
         return f"not before {_month(crosses['earliest'])}"
@@ -73,7 +71,7 @@ def _signed(value: float) -> str:
 
 
 def change_line(change: Mapping[str, Any], tests: Sequence[Mapping[str, Any]]) -> str:
-    """Return a change as text, with its tests and its probability on an unchanged machine."""
+    """Return a jump between tests as text, with its probability if the machine had not changed."""
     before, after = (tests[change[which]] for which in ("before", "after"))
     name = change["parameter"]
     unit = "µm/m" if name == "squareness" else unit_text(change["unit"])
@@ -103,7 +101,7 @@ def _date(test: Mapping[str, Any]) -> str:
 
 
 def _odds(chance: float) -> str:
-    """Return a probability as text in round numbers."""
+    """Return a small probability as text, such as "once in 300"."""
     if chance < 1e-6:
         return "less than once in a million"
     return f"once in {float(f'{1.0 / chance:.1g}'):,.0f}".replace(",", " ")

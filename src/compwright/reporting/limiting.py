@@ -24,7 +24,7 @@ _SHORT: Final = {
 
 
 def limits_block(predicted: Document, unit: object) -> dict[str, Any] | None:
-    """Return the bars of the causes that limit an axis. None where there is nothing to show.
+    """Return a bar for each cause that limits an axis, or None if no causes are known.
 
     A row for each cause in ``limits`` of an axis of the prediction document, its bar as long as its
     part of the parameter.
@@ -59,7 +59,7 @@ def _bar(value: float, whole: float) -> float:
 
 
 def limits_line(axis: Document) -> str:
-    """Return the causes that limit an axis in one line. Empty where none is known."""
+    """Return a line on the causes that limit an axis, or "" if none is known."""
     limited = axis.get("limited")
     if not limited:
         return ""

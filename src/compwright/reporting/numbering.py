@@ -1,4 +1,4 @@
-"""A small drawing of the numbered table sections along an axis, as text and as a picture.
+"""A small drawing of a control's numbered table sections along an axis, as text and as SVG.
 
 Numbering as the card's document holds it: ``unit``, ``reference``, ``sections`` (``number``,
 ``from``, ``to``, ascending), ``marks`` (``number``, ``name``), ``second`` (number of the first
@@ -26,7 +26,7 @@ _GAP: Final = 60
 
 
 class _SectionCell(NamedTuple):
-    """A drawn section, as text: its number, its ends, its name, its number in the second set.
+    """The texts of a drawn table section: number, ends, name, and number in the second table.
 
     ``gap``: sections before it are left out.
     """
@@ -40,9 +40,7 @@ class _SectionCell(NamedTuple):
 
 
 class _Edge(NamedTuple):
-    """The edge between two sections: its place in the drawing, its position as text, and whether it
-    is the reference.
-    """
+    """The edge between two drawn sections. ``zero``: it is at the reference position."""
 
     place: int
     position: str
@@ -50,9 +48,7 @@ class _Edge(NamedTuple):
 
 
 class _Drawing(NamedTuple):
-    """The parts of the drawing: cells and gaps with their midpoints, and edges. Places are in units
-    of the drawing.
-    """
+    """The places of sections, edges and gaps in the drawing (characters or points)."""
 
     cells: list[tuple[int, _SectionCell]]
     edges: list[_Edge]
@@ -130,7 +126,7 @@ def numbering_svg(numbering: Mapping[str, Any], language: Language = "en") -> st
 
 
 def _cells(numbering: Mapping[str, Any]) -> list[_SectionCell]:
-    """Return the table sections that the drawing shows."""
+    """Return the sections that are drawn: all if few, else those at both ends and the reference."""
     sections: Sequence[Mapping[str, Any]] = numbering["sections"]
     names: dict[int, list[str]] = {}
     for mark in numbering["marks"]:
@@ -158,7 +154,7 @@ def _cells(numbering: Mapping[str, Any]) -> list[_SectionCell]:
 def _laid_out(
     cells: Sequence[_SectionCell], zero: str, start: int, width: int, gap: int
 ) -> _Drawing:
-    """Return the drawing positions of the cells, their edges and the gaps, from ``start`` on."""
+    """Return the places of sections, edges and gaps, in the units of ``width`` and ``gap``."""
     drawing = _Drawing([], [_Edge(start, cells[0].low, cells[0].low == zero)], [])
     place = start
     for cell in cells:
@@ -177,7 +173,7 @@ def _position(value: Any) -> str:
 
 
 def _put(row: list[str], middle: int, text: str) -> None:
-    """Write a text centred on a column."""
+    """Write a text into a row of characters, centred on the column ``middle``."""
     start = middle - len(text) // 2
     row[start : start + len(text)] = text
 

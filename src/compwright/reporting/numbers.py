@@ -1,4 +1,4 @@
-"""Write numbers, units and parameter names for people. Plots, pages and cards use the same."""
+"""Write numbers, units and parameter names as text, alike in plots, pages and cards."""
 
 from __future__ import annotations
 
@@ -51,9 +51,7 @@ _STANDARDS: Final = {
 
 
 def number(value: object, decimals: int = DEVIATION_DECIMALS) -> str:
-    """Return ``value`` as text with fixed decimals and a true minus sign. `MISSING` for None and
-    NaN.
-    """
+    """Return ``value`` with fixed decimals and a true minus sign; `MISSING` for None and NaN."""
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
         return MISSING
     text = f"{value:.{decimals}f}"
@@ -63,9 +61,7 @@ def number(value: object, decimals: int = DEVIATION_DECIMALS) -> str:
 
 
 def decimals_of(values: Iterable[object], most: int = 4) -> int:
-    """Return the smallest number of decimals, at most ``most``, that writes all ``values``
-    exactly.
-    """
+    """Return the fewest decimals, at most ``most``, with which all ``values`` are exact."""
     finite = [
         float(value) for value in values if isinstance(value, int | float) and math.isfinite(value)
     ]
@@ -76,7 +72,7 @@ def decimals_of(values: Iterable[object], most: int = 4) -> int:
 
 
 def plain(value: object) -> str:
-    """Return a single value as short exact text (10 digits). None becomes `MISSING`."""
+    """Return a value as short exact text (10 digits), `MISSING` for None."""
     if value is None:
         return MISSING
     if isinstance(value, bool):
@@ -91,7 +87,7 @@ def plain(value: object) -> str:
 
 
 def decimals_of_unit(unit: str) -> int:
-    """Return the decimals of a quantity in this unit."""
+    """Return the number of decimals with which values in a unit are printed."""
     return _DECIMALS.get(unit, DEVIATION_DECIMALS)
 
 
@@ -101,9 +97,7 @@ def with_unit(value: object, unit: str) -> Sentence:
 
 
 def unit_text(unit: object) -> str:
-    """Return the printed form of a document's unit (``um``, ``arcsec``, ``mm``, ``deg``). Unknown
-    ones stay.
-    """
+    """Return a unit as it is printed, such as ``µm`` for ``um``; unknown units are unchanged."""
     return _UNITS.get(str(unit), str(unit))
 
 

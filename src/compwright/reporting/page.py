@@ -29,18 +29,14 @@ _NOT_TEXT: Final = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U00
 
 
 def render_page(template: str, content: Mapping[str, Any], language: Language = "en") -> bytes:
-    """Return the page of a template in ``templates/`` as UTF-8 bytes in a ``language``. Raises
-    UsageError when the report extra is missing.
-    """
+    """Return a template filled with contents as UTF-8. Raises UsageError without the extra."""
     need("jinja2")
     text: str = _environment(language).get_template(template).render(**content)
     return encoded(text)
 
 
 def template_text(name: str) -> str:
-    """Return a file of ``templates/`` unchanged. Raises UsageError when the report extra is
-    missing.
-    """
+    """Return a file of ``templates/`` unchanged. Raises UsageError without the report extra."""
     environment = _environment("en")
     text: str = environment.loader.get_source(environment, name)[0]
     return text
@@ -48,7 +44,7 @@ def template_text(name: str) -> str:
 
 @functools.cache
 def _environment(language: Language) -> Any:
-    """Return the template engine of a language. It caches compiled templates."""
+    """Return the Jinja template engine for a language."""
     jinja2 = need("jinja2")
     environment = jinja2.Environment(
         loader=jinja2.PackageLoader("compwright.reporting"),
@@ -74,7 +70,7 @@ class Figure(Protocol):
 
 
 def inline_figure(svg: bytes, *, prefix: str, description: str) -> Any:
-    """Return an SVG file of `plots` as markup inside a page.
+    """Return an SVG file made by `plots` as markup that can be put inside a page.
 
     ``prefix`` makes its ids its own (figures on one page must not use each other's clips and
     letters), name spaces and metadata go (HTML needs none), ``description`` is what a screen reader
@@ -101,7 +97,7 @@ def inline_figure(svg: bytes, *, prefix: str, description: str) -> Any:
 
 
 def _clean(value: Any, language: Language) -> Any:
-    """Return sentences and numbers in the language, with minus signs outside of code.
+    """Return a value as page text: translated, with true minus signs except in code.
 
     Show what no page may hold, in plain text only: markup is ours and clean.
     """
@@ -117,14 +113,14 @@ def _clean(value: Any, language: Language) -> Any:
 
 
 def _coded(value: Any, language: Language) -> Any:
-    """Return a text as markup. Text between backticks becomes code."""
+    """Return a text as HTML, in which text between backticks is marked as code."""
     markup = need("markupsafe")
     escaped = str(markup.escape(_clean(value, language)))
     return markup.Markup(_CODE.sub(r"<code>\1</code>", escaped))
 
 
 def _drawn(figure: Figure, language: Language) -> Any:
-    """Return a figure as markup, with its texts in the language."""
+    """Return a figure as SVG markup, with its texts translated."""
     return need("markupsafe").Markup(figure.svg(language))
 
 

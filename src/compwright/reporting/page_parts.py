@@ -1,4 +1,4 @@
-"""Common parts of the pages of ``run`` and ``verify``: head, tests, findings of no axis."""
+"""Common parts of the pages of ``run`` and ``verify``: head, tests, findings about no axis."""
 
 from __future__ import annotations
 
@@ -14,8 +14,7 @@ from compwright.words.sentences import Sentence, say
 def common(
     view: Document, evaluations: Sequence[tuple[str | Sentence, Document | None]]
 ) -> dict[str, Any]:
-    """Return the common contents of every page: title, machine, control, and the tests with their
-    labels.
+    """Return the contents that every page has: title, machine, control, and tests with labels.
 
     Of the ``evaluations``.
     """
@@ -48,8 +47,7 @@ def common(
 
 
 def paper_content(view: Document, results: Sequence[Document]) -> dict[str, Any]:
-    """Return the contents that make the page a formal report: head, accreditation text, and its
-    command line.
+    """Return the contents of a formal report: head, text on accreditation, and command line.
 
     The wording for a firm without accreditation; ``results``: the tests that it is about.
     """
@@ -73,7 +71,7 @@ def conditions(blocks: Iterable[Document]) -> list[dict[str, Any]]:
 def remaining(
     view: Document, blocks: Iterable[Document], *evaluations: Document | None
 ) -> list[dict[str, Any]]:
-    """Return the findings outside the axes' sections, and the unreadable files."""
+    """Return the findings that no section of an axis shows, and unreadable files as findings."""
     shown = {(item["code"], item["message"]) for block in blocks for item in block["findings"]}
     every = sections.findings(sections.unreadable(*evaluations), view.get("findings"))
     return [item for item in every if (item["code"], item["message"]) not in shown]
@@ -85,6 +83,6 @@ def anchor(index: int) -> str:
 
 
 def with_unit(value: object, unit: str) -> str | Sentence:
-    """Return a number with its unit. A missing number has no unit."""
+    """Return a number with its unit, or the sign for a missing number."""
     text = number(value)
     return say("label.with_unit", value=text, unit=unit) if value is not None else text

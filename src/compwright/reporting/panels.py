@@ -1,4 +1,4 @@
-"""The plotting library matplotlib: style of all figures, drawing of charts, and their bytes."""
+"""Style and drawing of all figures with the plotting library matplotlib."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def draw_chart(panel: Any, chart: Chart) -> None:
 
 
 def draw_on_axes(panel: Any, chart: Chart) -> Any:
-    """Draw a chart into axes of the user's own figure, or of a new one (None). Returns the axes.
+    """Draw a chart into the user's matplotlib axes, or new ones for None. Returns the axes.
 
     Raises UsageError when the report extra is missing.
     """
@@ -129,9 +129,7 @@ def legend(figure: Any, charts: Sequence[Chart], panels: Sequence[Any]) -> None:
 
 
 def known_format(format_: str) -> PlotFormat:
-    """Return ``format_`` as a known file format. Raises UsageError, which names it, for any
-    other.
-    """
+    """Return the file format of a plot: svg, png or pdf. Raises UsageError for any other."""
     ending = format_.lower().removeprefix(".")
     if ending not in _FORMATS:
         raise UsageError(
@@ -147,9 +145,7 @@ def known_format(format_: str) -> PlotFormat:
 
 @contextmanager
 def style() -> Iterator[None]:
-    """Set the style of figures during drawing. Only one thread draws at a time. Raises UsageError
-    when the report extra is missing.
-    """
+    """Set the style of figures while one thread draws. Raises UsageError without the extra."""
     matplotlib = need("matplotlib")
     # a name in a script that the font lacks shows boxes
     with warnings_ignored("Glyph"), matplotlib.rc_context(_STYLE):

@@ -1,6 +1,4 @@
-"""The parts of a printed report: head, statement of conformity, conditions, uncertainty budget,
-annexes. Computes nothing.
-"""
+"""Parts of a printed report: head, conformity, conditions, uncertainty budget. Computes nothing."""
 
 from __future__ import annotations
 
@@ -44,8 +42,7 @@ _SOURCES: Final = {
 
 
 def head(report: Document, evaluations: Sequence[Document]) -> dict[str, Any]:
-    """Return the head of a report: rows of name and text, logo, page footer, and date of the last
-    test.
+    """Return the head of a report: rows of name and text, logo, footer, date of the last test.
 
     ``rows``, the ``logo`` (or None), the ``running`` footer of each printed page, and the ``date``
     as ISO 8601 writes it (empty where no test states one).
@@ -92,7 +89,7 @@ def _shown(text: object) -> str | Sentence:
 
 
 def _last_day(results: Sequence[Document]) -> str:
-    """Return the latest valid date that a test states. Empty without any."""
+    """Return the latest valid date that a test states, or "" if none states a date."""
     days = []
     for result in results:
         for row in sheet_rows(result, {}):
@@ -103,9 +100,7 @@ def _last_day(results: Sequence[Document]) -> str:
 
 
 def _of_every_test(key: str, results: Sequence[Document]) -> str | Sentence:
-    """Return the statements of all tests about an item. If they differ much: where they are
-    found.
-    """
+    """Return what the tests state on an item, or "see tests" if the statements are many."""
     values = dict.fromkeys(
         row["value"] for result in results for row in sheet_rows(result, {}) if row["key"] == key
     )
@@ -128,9 +123,7 @@ def measured_block(result: Document, stated: Mapping[str, str | Sentence]) -> di
 
 
 def sheet(result: Document, stated: Mapping[str, str | Sentence]) -> dict[str, Any]:
-    """Return the conditions of a test: the items of its standard, and further statements of the
-    file.
-    """
+    """Return the conditions of a test: the items its standard requires, and other statements."""
     return {
         "standard": standard_text(result.get("standard", "")),
         "rows": sheet_rows(result, stated),
@@ -142,9 +135,7 @@ def sheet(result: Document, stated: Mapping[str, str | Sentence]) -> dict[str, A
 def sheets_together(
     sheets: Iterable[tuple[str | Sentence, Document]],
 ) -> list[dict[str, Any]]:
-    """Return the conditions of several tests, one table for each standard. Common statements appear
-    once.
-    """
+    """Return the conditions of several tests, one table per standard, equal statements once."""
     of_standard: dict[str, list[tuple[str | Sentence, Document]]] = {}
     for name, one in sheets:
         of_standard.setdefault(one["standard"], []).append((name, one))
@@ -167,7 +158,7 @@ def sheets_together(
 
 
 def _of_each(names: Sequence[str | Sentence], values: Sequence[str | Sentence]) -> str | Sentence:
-    """Return the common statement of all tests, or each value with the names of its tests."""
+    """Return what all tests state alike, or each statement with the names of its tests."""
     names_by_value: dict[str | Sentence, list[str | Sentence]] = {}
     for name, value in zip(names, values, strict=True):
         names_by_value.setdefault(value, []).append(name)

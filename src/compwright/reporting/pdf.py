@@ -87,16 +87,14 @@ def pdf_of_page(page: bytes) -> bytes:
 
 
 class _Letters:
-    """The letters that the font contains. Missing letters would disappear silently."""
+    """The letters in the font of the page; letters that are missing would not be printed."""
 
     def __init__(self) -> None:
         self.missing: set[str] = set()
         self._known = _known_letters()
 
     def shown(self, text: str) -> str:
-        """Return ``text`` with each white space as one blank, and unknown letters as their
-        numbers.
-        """
+        """Return ``text`` with single blanks, and letters that the font lacks as code numbers."""
         line = _SPACE.sub(" ", text)
         unknown = {letter for letter in line if ord(letter) not in self._known}
         self.missing |= unknown
@@ -129,7 +127,7 @@ def _made(tag: str, children: list[Any], **more: Any) -> dict[str, Any]:
 
 
 class _Tree:
-    """Reads the markup of a page. ``ids``: the targets of its links."""
+    """Converts the HTML of a page into nested lists for typst. ``ids``: targets of its links."""
 
     def __init__(self, letters: _Letters, ids: set[str]) -> None:
         self._letters = letters
@@ -214,14 +212,14 @@ class _Tree:
 
 
 def _left_out(element: ET.Element) -> bool:
-    """Return whether an element is not printed: navigation links, and closed details."""
+    """Return whether an element is not printed: navigation links, and collapsed details."""
     return element.tag in {"nav", "style"} or (
         element.tag == "details" and element.get("open") is None
     )
 
 
 def _unbroken(child: Any) -> Any:
-    """Return a text element whose words stay on one line of the PDF."""
+    """Return a text or element with spaces at which the PDF does not break the line."""
     if isinstance(child, str):
         return child.replace(" ", "\u00a0")
     return {**child, "children": list(map(_unbroken, child["children"]))}
@@ -232,7 +230,7 @@ def _with_break(found: re.Match[str]) -> str:
 
 
 def _trimmed(parts: list[Any]) -> list[Any]:
-    """Remove the white space around blocks and at the ends."""
+    """Return text and elements without the white space next to blocks and at the ends."""
 
     def inline(place: int) -> bool:
         if not 0 <= place < len(parts):
@@ -253,9 +251,7 @@ def _trimmed(parts: list[Any]) -> list[Any]:
 
 
 def _columns(rows: list[list[dict[str, Any]]], *, narrow: bool) -> list[dict[str, int]]:
-    """Return the width of each column: a ``share`` of the table, a number of ``letters``, or
-    automatic.
-    """
+    """Return each column's width: ``share`` of the table, number of ``letters``, or automatic."""
     shares: list[int] = []
     letters: list[int] = []
     for row in rows:

@@ -1,6 +1,4 @@
-"""The periods of an axis in a report: one row each, and figures of evidence and smallest visible
-amplitude.
-"""
+"""The periods of an axis in a report: a table, the evidence, and the smallest visible amplitude."""
 
 from __future__ import annotations
 
@@ -32,8 +30,7 @@ _RAISED: Final = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def periods_block(predicted: Document, unit: object) -> dict[str, Any] | None:
-    """Return the rows and figures of the periods of an axis. None where none is known and no search
-    was made.
+    """Return table and figures of an axis's periodic errors, or None if nothing was searched.
 
     ``periods`` and ``period_search`` of an axis of the prediction document.
     """
@@ -72,7 +69,7 @@ def _percent(probability: float) -> str:
 
 
 def _odds_picture(search: Document, periods: Sequence[Document]) -> dict[str, Any]:
-    """Return the curve of the log10 odds over the logarithm of the period."""
+    """Return the curve of log10 odds for a periodic error over the logarithm of its period."""
     sizes = search["periods"]
     odds = [max(float(each) / math.log(10.0), _LOWEST) for each in search["log_odds"]]
     top = max(_LEAST_ODDS, 1.08 * max(odds))
@@ -92,7 +89,7 @@ def _odds_picture(search: Document, periods: Sequence[Document]) -> dict[str, An
 
 
 def _amplitude_picture(search: Document) -> dict[str, Any]:
-    """Return the curve of the smallest visible amplitude over the logarithm of the period."""
+    """Return the smallest visible amplitude over the logarithm of the period, as a curve."""
     shown = [
         each if each is not None and each <= _LARGEST else None for each in search["detectable"]
     ]
@@ -110,9 +107,7 @@ def _amplitude_picture(search: Document) -> dict[str, Any]:
 
 @dataclass(frozen=True, slots=True)
 class _Field:
-    """The scales of a figure over the logarithm of ``periods``, ascending, from ``low`` to
-    ``top``.
-    """
+    """The scales of a figure: ``periods`` across (logarithmic), ``low`` to ``top`` upwards."""
 
     periods: Sequence[float]
     low: float

@@ -1,6 +1,4 @@
-"""Write figures of an evaluation to a file: deviations over position (ISO 230-2:1997 figure 2), and
-circles.
-"""
+"""Write figures of positioning tests (ISO 230-2:1997, figure 2) and circular tests to a file."""
 
 from __future__ import annotations
 
@@ -17,7 +15,7 @@ _ROW_HEIGHT = 2.9  # inches, of one positioning result
 
 # the plotting library's own word
 def evaluation_plot(document: Document, *, format: str = "svg") -> bytes:  # noqa: A002
-    """Return one figure with a chart for each positioning test, and below them each circular test.
+    """Return one figure with a chart per positioning test, and the circular tests below.
 
     A circular result with its samples is drawn as by `polar.polar_figure`. Raises UsageError when
     there is nothing to draw, for an unknown format, or when the report extra is missing.

@@ -1,5 +1,4 @@
-"""Figures of circular tests: the path with magnified deviations (ISO 230-4, figures 4 and 5), and
-the ranked causes.
+"""Figures of circular tests: magnified path (ISO 230-4, figures 4 and 5) and ranked causes.
 
 A result is an entry ``kind: circular`` of the evaluation document: deviations µm, angles deg,
 radius mm. The two directions differ by line, width and lightness, so that a print without colours
@@ -48,9 +47,7 @@ _RING_LABELS: Final = math.radians(117.0)  # away from the axes and from 45°, w
 
 @dataclass(frozen=True, slots=True)
 class _Way:
-    """The line style of one direction: thick for the first, thin and broken for the second (figure
-    4).
-    """
+    """The line style of the runs in one direction: thick for ccw, thin and broken for cw."""
 
     key: str
     line: Any
@@ -65,9 +62,7 @@ _ZONE_STEPS: Final = 360
 
 @dataclass(frozen=True, slots=True)
 class Path:
-    """One run about the centre of the figure: ``angles`` rad and ``radial`` µm (distance minus
-    nominal radius).
-    """
+    """One run to be drawn: ``angles`` (rad) and ``radial`` deviations from nominal (µm)."""
 
     way: _Way
     angles: tuple[float, ...]
@@ -81,8 +76,7 @@ def polar_figure(
     format: str = "svg",  # noqa: A002 - the plotting library's own word
     language: Language = "en",
 ) -> bytes:
-    """Return the figure of one circular test: the magnified path, and its causes if it was
-    diagnosed.
+    """Return the figure of a circular test: the magnified path, and the causes if diagnosed.
 
     ``result`` needs ``runs`` (``direction``, ``number``, ``angles`` deg, ``deviations`` µm as
     measured), ``axes``, ``nominal_radius``, ``arc``, ``calibrated``, ``centre``,
@@ -106,9 +100,7 @@ def polar_figure(
 
 
 def draw_test(figure: Any, result: Document, language: Language = "en") -> None:
-    """Draw one test into a figure or a part of one: path and legend on the left, ranked causes on
-    the right.
-    """
+    """Draw a circular test: path and legend on the left, ranked causes on the right."""
     causes = [cause for cause in ranked_causes(result) if cause.shown][:_MOST_CAUSES]
     grid = figure.add_gridspec(1, 2 if causes else 1, width_ratios=(1.5, 1.0) if causes else None)
     figure.suptitle(
@@ -129,8 +121,7 @@ def draw_test(figure: Any, result: Document, language: Language = "en") -> None:
 
 
 def paths_of(result: Document, centre: tuple[float, float], runs: Sequence[Document]) -> list[Path]:
-    """Return ``runs`` about ``centre`` (µm from the set-up centre). The first of each direction is
-    marked as evaluated.
+    """Return the runs as paths about ``centre`` (µm); the first of each direction is evaluated.
 
     A bar measures from its set-up centre; the commanded angle counts about the programmed one. So a
     sample lies from the set-up centre in the direction of its commanded point, as in the
@@ -156,7 +147,7 @@ def paths_of(result: Document, centre: tuple[float, float], runs: Sequence[Docum
 
 
 def _distance(angle: float, radius: float, length: float, centre: tuple[float, float]) -> float:
-    """Return the distance from ``centre``, mm, of a measured point.
+    """Return the distance (mm) of a measured point from the centre of the figure.
 
     The point ``length`` from the set-up centre towards the commanded point.
     """
@@ -166,9 +157,7 @@ def _distance(angle: float, radius: float, length: float, centre: tuple[float, f
 
 
 def magnification_of(largest: float, radius: float) -> float:
-    """Return a round magnification (1, 2 or 5 times a power of ten) for deviations up to
-    ``largest`` µm on ``radius`` mm.
-    """
+    """Return a round magnification, such as 200, for deviations up to ``largest`` µm."""
     most = (
         _MOST_DRAWN * radius * _MICROMETRES / max(largest, 0.1)
     )  # 0.1 µm: finer than an instrument resolves
@@ -177,9 +166,7 @@ def magnification_of(largest: float, radius: float) -> float:
 
 
 def picture_centre(result: Document) -> tuple[str, tuple[float, float]]:
-    """Return name and position (µm) of the figure's centre: that of the common least-squares
-    circle, or of the only direction's.
-    """
+    """Return name and position (µm) of the figure's centre: that of the least-squares circle."""
     centres = result.get("centre") or {}
     for name in ("common", "ccw", "cw"):
         if centres.get(name) is not None:
@@ -253,9 +240,7 @@ def draw_path(panel: Any, result: Document, language: Language = "en") -> None:
 
 @dataclass(frozen=True, slots=True)
 class _Place:
-    """The scale of radial deviations: ``scale`` mm of the figure per µm, from the circle that
-    deviates by ``base`` µm.
-    """
+    """The radial scale: ``scale`` mm per µm of deviation beyond ``base`` (µm)."""
 
     radius: float
     scale: float
@@ -276,9 +261,7 @@ class _Place:
 
 
 def _base(result: Document, values: Sequence[float]) -> float:
-    """Return the deviation, µm, of the circle from which deviations are drawn: nominal, if the
-    radius counts and is near.
-    """
+    """Return the deviation (µm) that is drawn on the figure's circle: 0, or the mean deviation."""
     means = result.get("mean_radius_deviation") or {}
     given = [result["parameters"].get("D"), means.get("ccw"), means.get("cw")]
     mean = float(next((value for value in given if value is not None), 0.0))
@@ -305,7 +288,7 @@ def _rings(panel: Any, place: _Place, most: float, least: float, language: Langu
 
 
 def _round_step(largest: float) -> float:
-    """Return 1, 2 or 5 times a power of ten, so that one to three rings fit up to ``largest``."""
+    """Return a round deviation step (1, 2 or 5 times 10^n) for one to three faint circles."""
     power = 10.0 ** math.floor(math.log10(largest / 1.2))
     return power * max(
         step for step in (1.0, 2.0, 5.0) if step * power <= largest / 1.2 * (1.0 + 1e-9)
@@ -313,7 +296,7 @@ def _round_step(largest: float) -> float:
 
 
 def _axes(panel: Any, result: Document, reach: float) -> None:
-    """Draw both axes through the centre, with the name at the positive end."""
+    """Draw both machine axes through the centre, with their names at the positive ends."""
     first, second = result["axes"]
     arrow = {
         "arrowstyle": "-|>",
@@ -337,9 +320,7 @@ def _zones(
     place: _Place,
     language: Language,
 ) -> None:
-    """Draw the two circles of the minimum zone: of both directions if the standard defines that,
-    else of each.
-    """
+    """Draw the two circles of the minimum zone, for both directions together or for each."""
     zones, values = result.get("minimum_zone") or {}, result["parameters"]
     both = "both" in zones and values.get("G_bidirectional") is not None
     arc = result["arc"]
@@ -360,9 +341,7 @@ def _zones(
 
 
 def _run(panel: Any, path: Path, place: _Place, result: Document, language: Language) -> None:
-    """Draw one run, with a star at its start and an arrow in the direction of travel. Runs that are
-    not evaluated are pale.
-    """
+    """Draw one run, with a star at its start and an arrow of travel; pale if not evaluated."""
     x, y = place(path.angles, path.radial)
     closed = path.evaluated and result["arc"]["extent"] >= _TURN
     if closed:
@@ -421,9 +400,7 @@ def _travel(panel: Any, path: Path, result: Document, language: Language) -> Non
 
 
 def draw_causes(panel: Any, causes: Sequence[CircleCause], language: Language) -> None:
-    """Draw the effects of the causes as bars, the largest at the top, with values and 95 %
-    intervals.
-    """
+    """Draw the effects of causes as bars by falling size, with values and 95 % intervals."""
     reach = 1.75 * max(
         cause.effect for cause in causes
     )  # a whisker may be much longer than any effect: it ends there, with an arrow

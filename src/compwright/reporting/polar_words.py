@@ -22,7 +22,7 @@ def title(result: Document) -> Sentence:
 
 
 def setting(result: Document) -> Sentence:
-    """Return radius, feed and arc as text."""
+    """Return radius, feed and arc of a circular test as text."""
     arc, feed = result["arc"], result.get("feed")
     whole = arc["extent"] >= _TURN
     return say(
@@ -40,7 +40,7 @@ def _one_line(text: str, most: int) -> str:
 
 
 def run_text(key: str, result: Document) -> Sentence:
-    """Return the numbers of one direction as text: G, and F."""
+    """Return circular deviation G and radial deviation F of one direction as text."""
     values = result["parameters"]
     given = values.get(f"F_max_{key}") is not None
     kind = "" if given else "_lsc"
@@ -67,7 +67,7 @@ def signed(value: float | None) -> str:
 
 
 def centre_text(name: str, centre: tuple[float, float], result: Document) -> Sentence:
-    """Return the centre used by the figure, with its position, µm, as text."""
+    """Return name and position (µm) of the centre about which the figure is drawn, as text."""
     axes = result["axes"]
     hysteresis = result["parameters"].get("H")  # it is taken about the common centre
     return say(
@@ -82,7 +82,7 @@ def centre_text(name: str, centre: tuple[float, float], result: Document) -> Sen
 
 
 def zone_text(key: str, values: Document) -> Sentence:
-    """Return G of the drawn zone, and the values of both directions, as text."""
+    """Return the circular deviation G of the drawn minimum zone as text."""
     both = key == "both"
     name = "G_bidirectional" if both else f"G_{key}"
     return say(

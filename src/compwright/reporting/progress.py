@@ -34,7 +34,7 @@ class ProgressBar:
         self._progress.start()
 
     def tell(self, what: str, done: int, count: int) -> None:
-        """Show that ``done`` of ``count`` items called ``what`` are complete."""
+        """Show that ``done`` of ``count`` items are complete. ``what``: the kind of work."""
         if what not in self._lines:
             self._lines[what] = self._progress.add_task(what, total=count)
         self._progress.update(self._lines[what], completed=done)

@@ -1,4 +1,4 @@
-"""The items that standards require in a test report, and the source of each statement.
+"""The items that standards require in a test report, and where each statement comes from.
 
 Header keys of the measurement file, the job, or the evaluation itself. Computes nothing.
 
@@ -46,7 +46,7 @@ _CIRCLE: Final = "iso230-4:1996"
 
 @dataclass(frozen=True, slots=True)
 class ReportItem:
-    """One statement of a test report.
+    """One item of a test report: label, clauses of the standards, and source of the statement.
 
     ``clauses``: clause by edition, of those editions that ask for it. ``headers``: keys of the
     measurement file in their plain spelling with the unit of a bare number (empty: none); a key

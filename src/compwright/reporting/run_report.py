@@ -158,7 +158,7 @@ def _run_verdict(
 
 
 def _rule(predicted: Document, circles: Document) -> Sentence:
-    """Return the decision rule for the limits, with the guard bands of every axis and circle."""
+    """Return the decision rule for all limits of axes and circles, with the guard bands."""
     limits = {name: axis.get("accept") or {} for name, axis in predicted.items()}
     lines = [
         line
@@ -196,7 +196,7 @@ def _run_rows(
 
 
 def _decided_test(name: str, predicted: Document, view: Document) -> tuple[Document, Document]:
-    """Return before and predicted of the test to which the limits apply, else of the first test.
+    """Return measured and predicted results of the test to which limits apply, else the first.
 
     Their key ``test``.
     """
@@ -217,7 +217,7 @@ def _decided_test(name: str, predicted: Document, view: Document) -> tuple[Docum
 
 
 def _of_axis(name: str, view: Document) -> Document:
-    """Return the data for the section of one axis: the results of its own tests."""
+    """Return the report's data for one axis: its evaluated tests, and the job's statements."""
     results = (view.get("evaluation") or {}).get("results", [])
     stated = ((view.get("stated") or {}).get("axes") or {}).get(name) or {}
     return {

@@ -49,7 +49,7 @@ _LINE: Final = 105  # letters that fit across a page, three of them between two 
 
 
 def decision_mark(decision: object) -> Mark:
-    """Return the mark for accept, reject or undecided. Anything else is "no limit"."""
+    """Return the mark for accept, reject or undecided, else the one for "no limit"."""
     return dict(_DECISIONS.get(str(decision), {"tone": "none", "text": say("decision.no_limit")}))
 
 
@@ -61,7 +61,7 @@ def loading_mark(verdict: object) -> Mark:
 
 
 def pairs(values: Document | None) -> list[tuple[str, str]]:
-    """Return the non-empty entries of a mapping as name and text."""
+    """Return name and text of each entry of a mapping that is not empty."""
     return [
         (str(name), plain(value))
         for name, value in (values or {}).items()
@@ -72,9 +72,7 @@ def pairs(values: Document | None) -> list[tuple[str, str]]:
 def heads(
     *columns: tuple[str | Sentence, str | Sentence] | str | Sentence,
 ) -> list[dict[str, Any]]:
-    """Return the column heads of a table. A text is a column of words, a pair of name and unit a
-    column of numbers.
-    """
+    """Return the column heads of a table. A pair (name, unit) heads a column of numbers."""
     return [
         (
             {"text": column, "unit": "", "numeric": False}
@@ -86,7 +84,7 @@ def heads(
 
 
 def findings(*groups: Iterable[Document] | None) -> list[dict[str, Any]]:
-    """Return the findings of several lists, each once: errors first, then warnings."""
+    """Return the findings in several lists, each once, errors first, then warnings."""
     ranks = list(_SEVERITIES)
     seen: dict[tuple[str, str], dict[str, Any]] = {}
     for item in (item for group in groups for item in group or ()):
@@ -101,14 +99,14 @@ def findings(*groups: Iterable[Document] | None) -> list[dict[str, Any]]:
 
 
 def _sentence(message: str) -> str:
-    """Return a message with a capital at its beginning, unless a name from a file is there."""
+    """Return a message with a capital letter first, unless it begins with a name from a file."""
     if isinstance(message, SentenceText) and _WORDED.match(catalogue("en")[message.sentence.name]):
         return SentenceText(say("card.capital", text=message))
     return message
 
 
 def doubts(items: Iterable[Document] | None) -> dict[str, Any] | None:
-    """Return the doubts with heading and next step, to be shown first. None without doubts."""
+    """Return the doubts with heading and next step, or None without doubts."""
     open_doubts = findings(items)
     step = next_step(item["code"] for item in open_doubts)
     return {"heading": DOUBTS_FIRST, "items": open_doubts, "step": step} if open_doubts else None
@@ -129,7 +127,7 @@ def acknowledged(items: Iterable[Document] | None) -> list[Sentence]:
 
 
 def rule_lines(accept: Mapping[str, Any], unit: str, *, after: bool = False) -> list[Sentence]:
-    """Return the decision rule for the limits, with its guard bands. Empty without limits.
+    """Return the decision rule for the limits with its guard bands; nothing without limits.
 
     Of a prediction, or of the test ``after`` loading.
     """
@@ -148,9 +146,7 @@ def rule_lines(accept: Mapping[str, Any], unit: str, *, after: bool = False) -> 
 
 
 def assumed(facts: Iterable[Document] | None) -> list[dict[str, Any]]:
-    """Return the assumptions as text, equal ones in one row. Unconfirmed ones are marked and come
-    first.
-    """
+    """Return the assumptions as rows of text, unconfirmed ones marked and first."""
     rows: dict[tuple[str, str], list[Document]] = {}
     for fact in facts or ():
         equal = (str(plain(fact.get("value"))), str(fact.get("evidence")))
@@ -167,7 +163,7 @@ def assumed(facts: Iterable[Document] | None) -> list[dict[str, Any]]:
 
 
 def evidence_mark(evidence: object) -> dict[str, Any]:
-    """Return the evidence of an assumption as text, and ``open``: whether it is unconfirmed."""
+    """Return an assumption's evidence as text. ``open``: the assumption is unconfirmed."""
     text = plain(evidence) if evidence else ""
     unconfirmed = "unconfirmed" in text.lower()
     if isinstance(text, ControlText) and text.startswith("unconfirmed"):
@@ -178,7 +174,7 @@ def evidence_mark(evidence: object) -> dict[str, Any]:
 
 
 def spread_text(quantiles: object, decimals: int = DEVIATION_DECIMALS) -> str | Sentence:
-    """Return the 5-95 % range of a predicted parameter as text. Empty without a range."""
+    """Return the 5-95 % range of a predicted parameter as text, or "" if it has none."""
     if not isinstance(quantiles, Mapping) or quantiles.get("p05") is None:
         return ""
     low, high = (number(quantiles.get(key), decimals) for key in ("p05", "p95"))
@@ -191,9 +187,7 @@ def median_text(quantiles: object) -> str:
 
 
 def main_parameters(parameters: Document, limits: Document | None) -> list[str]:
-    """Return the parameters shown with a verdict: those with a limit, else the first that the test
-    has.
-    """
+    """Return the parameters shown with a verdict: those with a limit, else A, P or E."""
     if limits:
         return [key for key in (*PARAMETERS, *limits) if key in limits][: len(limits)]
     return [key for key in ("A", "P", "E", *PARAMETERS) if parameters.get(key) is not None][:1]
@@ -202,9 +196,7 @@ def main_parameters(parameters: Document, limits: Document | None) -> list[str]:
 def bar(
     before: object, quantiles: object, limit: object, value: object = None
 ) -> dict[str, Any] | None:
-    """Return the lengths of a bar figure on one scale from 0: before, 5-95 % range, median or
-    measured value, limit.
-    """
+    """Return the lengths in a bar figure: before, 5-95 % range, median or measured, and limit."""
     given = quantiles if isinstance(quantiles, Mapping) else {}
     low, high = given.get("p05"), given.get("p95")
     shown = value if value is not None else given.get("median")
@@ -236,7 +228,7 @@ def bar(
 def parameter_block(
     unit: object, standard: object, not_applicable: Document | None, columns: Sequence[Document]
 ) -> dict[str, Any]:
-    """Return the table of parameters with one column for each source.
+    """Return a table of parameters, with a column for each source, such as before and predicted.
 
     Each of ``columns`` has ``title`` and one of ``values`` (parameter -> number), with
     ``uncertainty`` (parameter -> U) where given, ``quantiles`` (parameter -> median, p05, p95) and
@@ -313,9 +305,7 @@ def _spread(column: Document, key: str) -> str | Sentence | None:
 
 
 def result_block(result: Document, label: str | Sentence = "") -> dict[str, Any]:
-    """Return one positioning test with axis, name and ``label``: sentence, uncertainty, statistics,
-    single readings.
-    """
+    """Return the section of a positioning test: sentence, uncertainty, statistics, readings."""
     unit = unit_text(result.get("unit"))
     where = unit_text(result.get("position_unit") or position_unit(result.get("unit")))
     runs = result.get("n_runs") or {}
@@ -403,9 +393,7 @@ def _statistics(result: Document, unit: str, where: str) -> TextTable:
 
 
 def _readings(result: Document, unit: str, where: str, *, reduced: bool = False) -> list[TextTable]:
-    """Return the readings with every digit, as measured or ``reduced`` to 20 °C, in tables of page
-    width.
-    """
+    """Return readings with all digits, as measured or ``reduced`` to 20 °C, as tables."""
     targets = result.get("targets", [])
     if reduced and not any(
         {"expansion_removed", "removed_positive"} & set(target) for target in targets
@@ -465,7 +453,7 @@ def sources(*evaluations: Document | None) -> list[dict[str, str]]:
 
 
 def unreadable(*evaluations: Document | None) -> list[dict[str, str]]:
-    """Return the unreadable files of evaluations as findings of severity error."""
+    """Return the unreadable files of evaluations as findings with severity error."""
     return [
         {
             "code": "not read",
@@ -478,7 +466,7 @@ def unreadable(*evaluations: Document | None) -> list[dict[str, str]]:
 
 
 def result_of(evaluation: Document | None, axis: str, name: str | None = None) -> Document | None:
-    """Return the positioning result of an axis. ``name``: prefer the test of that name."""
+    """Return the positioning result of an axis, preferably of the test ``name``."""
     found = [
         result
         for result in (evaluation or {}).get("results", [])

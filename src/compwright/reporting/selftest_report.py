@@ -1,6 +1,4 @@
-"""The page of ``selftest`` to sign: expected and obtained values, limits, platform and versions.
-Computes nothing.
-"""
+"""The page of ``selftest``, to be signed: expected and obtained values. Computes nothing."""
 
 from __future__ import annotations
 

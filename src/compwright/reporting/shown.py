@@ -1,4 +1,4 @@
-"""Safe output of tables on the terminal. Control characters in names and comments are made visible.
+"""Safe output on the terminal: control characters in names and comments are made visible.
 
 Documents hold names from files: of programs, axes, sheets, of files themselves. A control character
 in one could colour, erase or rename what the user reads; a character that turns the direction of
@@ -39,7 +39,7 @@ class Text(rich.text.Text):
 
 
 class _PlainConsole(Console):
-    """A rich console that takes no text as a command: neither markup nor control characters."""
+    """A rich console that prints text literally, without markup or control characters."""
 
     def __init__(self, **words: Any) -> None:
         super().__init__(highlight=False, markup=False, emoji=False, **words)
@@ -72,7 +72,7 @@ def print_renderables(renderables: Sequence[RenderableType]) -> None:
 
 
 def _uncut_width(renderable: RenderableType, console: Console) -> int:
-    """Return the width at which no word of a renderable is cut or broken."""
+    """Return the width at which a table or text is printed without breaking a word."""
     wide = console.options.update(width=_WIDEST)
     if isinstance(renderable, Rule):
         return console.measure(renderable.title, options=wide).maximum + _RULE_MARGIN
@@ -90,5 +90,5 @@ def _uncut_width(renderable: RenderableType, console: Console) -> int:
 
 
 def messages_console() -> Console:
-    """Return a console on standard error, for messages that are not the answer."""
+    """Return a console on standard error, for messages that are not a command's result."""
     return _PlainConsole(stderr=True)

@@ -47,9 +47,7 @@ _MOST_ROWS: Final = 60
 def doubt_lines(
     doubts: Sequence[Mapping[str, str]], step: Sentence | None = None
 ) -> list[RenderableType]:
-    """Return the doubts with heading and next ``step`` (default: of a job), to be shown first.
-    Empty without doubts.
-    """
+    """Return doubts with heading and next ``step`` for the terminal; nothing without doubts."""
     if not doubts:
         return []
     step = step or next_step(doubt["code"] for doubt in doubts)
@@ -62,7 +60,7 @@ def doubt_lines(
 
 
 def acknowledged_lines(acknowledged: Sequence[Mapping[str, str]]) -> list[RenderableType]:
-    """Return the doubts that the job acknowledges, each with its reason. Empty without any."""
+    """Return the doubts that the job acknowledges, with their reasons, or nothing."""
     if not acknowledged:
         return []
     table = finding_table()
@@ -103,7 +101,7 @@ def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def _table_of_parameters(*headings: str) -> Table:
-    """Return a table with a name, numbers under ``headings``, and a word in each row."""
+    """Return an empty table with a name, numbers under ``headings``, and a word in each row."""
     table = plain_table()
     table.add_column("", no_wrap=True)
     for heading in headings:
@@ -113,14 +111,14 @@ def _table_of_parameters(*headings: str) -> Table:
 
 
 def _band(band: Mapping[str, Any] | None) -> tuple[str, str]:
-    """Return the cells of a prediction: its median and its range."""
+    """Return the table cells of a predicted parameter: its median and its 5-95 % range."""
     if not band:
         return MISSING, ""
     return number(band["median"]), f"{number(band['p05'])} to {number(band['p95'])}"
 
 
 def _decision(entry: Mapping[str, Any] | None) -> tuple[str, str | Text]:
-    """Return the cells of a limit: its value and the decision."""
+    """Return the table cells of a limit: its value and the decision on it."""
     return (plain(entry["limit"]), _word(entry["decision"])) if entry else ("", "")
 
 
@@ -171,7 +169,7 @@ _OF_CIRCLES = {
 
 
 def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
-    """Return for each circle the measured and predicted values and, after loading, the new ones."""
+    """Return for each circle its values: measured, predicted and, after loading, measured again."""
     shown: list[RenderableType] = []
     for name, circle in circles.items():
         after, accept = circle.get("after"), circle.get("accept") or {}
@@ -202,7 +200,7 @@ def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def assumed_table(assumed: Sequence[Mapping[str, str]]) -> list[RenderableType]:
-    """Return a table of the assumptions. Empty without any."""
+    """Return a table of the assumptions, or nothing without any."""
     if not assumed:
         return []
     table = plain_table()
@@ -215,7 +213,7 @@ def assumed_table(assumed: Sequence[Mapping[str, str]]) -> list[RenderableType]:
 
 
 def finding_lines(findings: Sequence[Mapping[str, str]]) -> list[RenderableType]:
-    """Return findings, the most severe first, each with its code."""
+    """Return findings as lines with their codes, the most severe first."""
     if not findings:
         return []
     order = {"error": 0, "warning": 1, "info": 2}
@@ -273,9 +271,7 @@ def decode_tables(document: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return before, predicted and after side by side, the loading verdict, and the total
-    verdict. What the doubts say, which are printed first, is not repeated.
-    """
+    """Return values before, predicted and after, the loading verdicts and the verdict in all."""
     first = [doubt["message"] for doubt in document["doubts"]]
 
     def is_first(message: str) -> bool:
@@ -326,9 +322,7 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
 def demo_tables(
     steps: Sequence[Any], document: Mapping[str, Any], pages: Sequence[str]
 ) -> list[RenderableType]:
-    """Return the steps of the demo with time and size, A of each axis, the verdict, and where to
-    look.
-    """
+    """Return the steps of the demo with time and size, A of each axis, and the verdict."""
     done = plain_table()
     for right in (False, False, True, True, True):
         done.add_column(justify="right" if right else "left", no_wrap=True)
@@ -355,13 +349,13 @@ def demo_tables(
 
 
 def _verdict(verdict: str, headline: str, last: str = "") -> RenderableType:
-    """Return the verdict, with its headline if that adds information."""
+    """Return the verdict, followed by its headline if that says more than the verdict."""
     more = "" if headline.lower().startswith(verdict) else f". {headline}"
     return Text.assemble("Verdict: ", _word(verdict), f"{more}{last}")
 
 
 def next_lines(then: Mapping[str, Any] | None) -> list[RenderableType]:
-    """Return lines about the next round. Empty if none was requested."""
+    """Return lines on the next round, or nothing if no next round was requested."""
     if then is None:
         return []
     heading = "Next round: " if then["written"] else "No next round: "

@@ -52,8 +52,7 @@ _STYLES: Final = {"info": "dim", "warning": "yellow", "error": "red"}
 def evaluation_tables(
     document: Mapping[str, Any], *, targets: bool = False
 ) -> list[RenderableType]:
-    """Return the terminal output of an evaluation: one group for each result, and one for the
-    errors.
+    """Return an evaluation for the terminal: a group of lines per result, then the errors.
 
     Of a ``compwright/evaluation/1`` document.
 
@@ -80,7 +79,7 @@ def evaluation_tables(
 
 
 def number(value: float | None, digits: int = 2, *, signed: bool = False) -> str:
-    """Return a deviation as text with a number of decimals. A dash for a missing one."""
+    """Return a deviation as text with a number of decimals, or a dash if it is missing."""
     if value is None:
         return _MISSING
     text = f"{value:+.{digits}f}" if signed else f"{value:.{digits}f}"
@@ -167,7 +166,7 @@ def _facts(result: Mapping[str, Any]) -> list[Text]:
 
 
 def _digits(result: Mapping[str, Any]) -> int:
-    """Return the number of decimals for a result: two, more where all values are small."""
+    """Return the number of decimals for a result: 2, or up to 4 if all values are small."""
     largest = max(
         (abs(value) for value in result["parameters"].values() if value is not None), default=1.0
     )

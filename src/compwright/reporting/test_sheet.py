@@ -1,6 +1,4 @@
-"""The test sheet of a report: each item that the standards require, its statement, and the
-clause.
-"""
+"""The test sheet of a report: each item that a standard requires, its value, and the clause."""
 
 from __future__ import annotations
 
@@ -24,7 +22,7 @@ _IN_RESULT: Final = {"axis", "cycle", "plane", "nominal_radius_mm", "feed_mm_min
 
 
 def sheet_rows(result: Document, stated: Mapping[str, str | Sentence]) -> list[dict[str, Any]]:
-    """Return the items of a result as rows ``key``, ``label``, ``value`` and ``clause``.
+    """Return the items that the standard requires: ``key``, ``label``, ``value``, ``clause``.
 
     ``stated``: what the job says, by the key of the item. Several statements stand one after the
     other; none is "not stated".
@@ -52,7 +50,7 @@ def sheet_rows(result: Document, stated: Mapping[str, str | Sentence]) -> list[d
 
 
 def further_statements(result: Document) -> list[tuple[str, str]]:
-    """Return further statements in the header of the file, as key and text."""
+    """Return other statements in the header of the measurement file, as key and text."""
     used = {
         f"{key}{end}"
         for item in items_of(str(result.get("kind", "positioning")))

@@ -80,7 +80,7 @@ def verify_report(view: Document) -> bytes:
 
 
 def _next_round(then: Document | None) -> dict[str, Any] | None:
-    """Return the section about the next round. None if none was requested."""
+    """Return the section on the next round, or None if no next round was requested."""
     if then is None:
         return None
     marks = {

@@ -1,4 +1,4 @@
-"""A figure of the predicted parameter over the number of table points, as plain SVG."""
+"""A figure, as plain SVG, of what more table points are worth: a predicted parameter over them."""
 
 from __future__ import annotations
 
@@ -22,8 +22,7 @@ _OTHER: Final = "#c2590c"
 
 
 def worth_block(predicted: Document, unit: object) -> dict[str, Any] | None:
-    """Return the figure of the predicted parameter over the number of points, with its text. None
-    without a choice.
+    """Return the figure of a predicted parameter over the number of table points, or None.
 
     ``points_worth`` of an axis of the prediction document.
     """
@@ -59,7 +58,7 @@ def worth_block(predicted: Document, unit: object) -> dict[str, Any] | None:
 
 @dataclass(frozen=True, slots=True)
 class WorthFigure:
-    """The figure of the predicted ``quantity`` over the number of points."""
+    """The figure of the predicted ``quantity`` over the number of table points."""
 
     sizes: Sequence[Document]
     quantity: Sentence
@@ -134,9 +133,7 @@ def _mark(one: Document, x: float, y: float) -> str:
 
 
 def _numbers(sizes: Sequence[Document], x: Callable[[Document], float]) -> list[str]:
-    """Return the numbers of points below the figure. Marked ones take precedence where they would
-    overlap.
-    """
+    """Return the numbers of points below the figure, marked ones first where they overlap."""
     marked = [one for one in sizes if one["written"] or one["there"]]
     placed: list[float] = []
     texts = []
@@ -153,7 +150,7 @@ def _numbers(sizes: Sequence[Document], x: Callable[[Document], float]) -> list[
 
 
 def _step(largest: float) -> float:
-    """Return a round step that divides the range up to ``largest`` into about five parts."""
+    """Return a round step that divides a range up to ``largest`` into about five parts."""
     if not largest > 0.0:
         return 1.0
     size = 10.0 ** math.floor(math.log10(largest / 4.0))
