@@ -1,3 +1,1 @@
-"""Common foundations: errors, units, findings, provenance, storage, YAML. They import no other room
-except the sentences.
-"""
+"""Common foundations of all rooms: errors, units, findings, provenance, storage, YAML."""

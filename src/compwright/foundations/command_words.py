@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class OptionForm:
-    """How an option of the command line is written.
+    """The form of an option: without a value, with one value, or with ``several`` values.
 
     ``several``: it takes several values; ``more``: whether a word may follow a value of it;
     ``files``: its values are files.
@@ -32,9 +32,7 @@ class OptionForm:
 
 @dataclass(frozen=True, slots=True)
 class Own:
-    """The file arguments of a command: their least number, whether any number is allowed, and their
-    file ending if known.
-    """
+    """The file arguments of a command: how many it needs, and their usual file name extensions."""
 
     needed: int
     many: bool = False
@@ -42,7 +40,7 @@ class Own:
 
 
 def spread(words: Sequence[str], options: Mapping[str, OptionForm], own: Own) -> list[str]:
-    """Return the command line with its files first, and each option value after its own option."""
+    """Return the command line with files first, and the option repeated before each value."""
     given, files, further = _sorted(words, options)
     if own.needed and not files and further:
         kept = _held_back(given, further, own)
@@ -55,7 +53,7 @@ def spread(words: Sequence[str], options: Mapping[str, OptionForm], own: Own) ->
 
 
 def _held_back(given: Sequence[str], further: Sequence[range], own: Own) -> Sequence[int]:
-    """Return the indices of the words that are files of the command."""
+    """Return which values of options are really the file arguments of the command."""
     named = [
         place
         for places in further
@@ -70,9 +68,7 @@ def _held_back(given: Sequence[str], further: Sequence[range], own: Own) -> Sequ
 def _sorted(
     words: Sequence[str], options: Mapping[str, OptionForm]
 ) -> tuple[list[str], list[str], list[range]]:
-    """Return options with their values, the files, and for options with several files the indices
-    of the further ones.
-    """
+    """Return options with their values, file arguments, and the indices of further file values."""
     given: list[str] = []
     files: list[str] = []
     further: list[range] = []
@@ -100,9 +96,7 @@ def _sorted(
 
 
 def _set_off(word: str, options: Mapping[str, OptionForm], left: list[str]) -> str:
-    """Return the option of a word such as ``--state=a``. Its value is put in front of what is
-    ``left``; other words stay.
-    """
+    """Return the option in ``--state=a``, with its value put back into ``left``; else the word."""
     name, mark, value = word.partition("=")
     form = options.get(name)
     if not mark or form is None or form.flag or not form.several:

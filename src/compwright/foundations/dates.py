@@ -24,9 +24,7 @@ _SLASHES = re.compile(rf"\s*(?P<a>\d{{1,2}})[/-](?P<b>\d{{1,2}})[/-](?P<y>\d{{4}
 
 
 def day_of(text: str) -> str:
-    """Return a date as ``YYYY-MM-DD``, with `` HH:MM:SS`` where the time is given. Empty for other
-    text and ambiguous dates.
-    """
+    """Return a date as ``YYYY-MM-DD`` (with `` HH:MM:SS`` if known), or "" if it is ambiguous."""
     for form in _FORMS:
         found = form.fullmatch(text)
         if found is None:

@@ -1,4 +1,4 @@
-"""Errors by cause. Each error contains all faults, one per line, and the exit code of its cause.
+"""Errors by cause, each with all faults found, one per line, and the exit code of its cause.
 
 A fault names what is wrong, in which file, at which place (line, column or key path), what was
 expected, what was found and what to do next. Nothing here prints; the command line turns an error
@@ -33,9 +33,7 @@ _LISTED = 3
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fault:
-    """One fault. ``place``: a line, a column or a key path; empty parts are left out of the
-    message.
-    """
+    """One fault of an input: message, file, place, expected and found value, and next step."""
 
     message: str
     file: str = ""
@@ -66,11 +64,11 @@ class Fault:
         return " ".join(line.split())
 
     def in_file(self, file: str) -> Fault:
-        """Return the same fault with its file named, unless it names one already."""
+        """Return the fault with ``file`` as its file, unless it already names one."""
         return self if self.file else replace(self, file=file)
 
     def within(self, place: str) -> Fault:
-        """Return the same fault with ``place`` prepended to its own place."""
+        """Return the fault with ``place`` in front of its own place."""
         return replace(self, place=f"{place}, {self.place}" if self.place else place)
 
 
@@ -92,7 +90,7 @@ class CompwrightError(Exception):
         super().__init__("\n".join(self.lines()))
 
     def lines(self) -> list[str]:
-        """Return the faults as lines. Equal faults of many lines in one file become one."""
+        """Return the faults as lines; faults that differ only in their line become one."""
         groups: dict[object, list[Fault]] = {}
         for i, fault in enumerate(self.faults):
             same = (fault.message, fault.file, fault.expected)

@@ -1,4 +1,4 @@
-"""Libraries of the optional extras, imported only where one is needed."""
+"""Libraries of the optional extras, imported only when a command needs them."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _PACKAGES: Final = {
 
 
 def installing(extra: str) -> str:
-    """Return the next step where a library of the ``extra`` is missing: an installation command."""
+    """Return the command that installs the libraries of an ``extra``, as a next step."""
     return (
         f"install what the extra {extra} needs:"
         f' "{sys.executable}" -m pip install {_PACKAGES[extra]}'
@@ -26,7 +26,7 @@ def installing(extra: str) -> str:
 
 
 def need(module: str, extra: str = "report", purpose: str = "plots and reports") -> Any:
-    """Return the module of that name. Raises UsageError where it is not installed."""
+    """Return the imported module. Raises UsageError if it is not installed."""
     try:
         return importlib.import_module(module)
     except ImportError as error:

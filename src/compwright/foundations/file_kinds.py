@@ -1,4 +1,4 @@
-"""Recognise the kind of a file by its contents, for the case that the user gives a wrong kind.
+"""Recognise by its contents a file of a kind other than the expected one.
 
 One line for a file that was given in the place of another one.
 """
@@ -76,7 +76,7 @@ def refuse_other_kind(content: bytes, kind: InputKind, file: str) -> None:
 
 
 def _kind_of(content: bytes) -> str:
-    """Return the kind of a file as text. Empty where it is unknown."""
+    """Return the kind of a file, such as "a job", or "" if it is unknown."""
     head = content[:_HEAD]
     schema = _SCHEMA.match(head)
     if schema is not None:

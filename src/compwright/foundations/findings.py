@@ -72,8 +72,7 @@ class Finding:
     def of(
         cls, name: str, severity: Severity, /, axes: tuple[str, ...] = (), **values: object
     ) -> Finding:
-        """Return a finding with the sentence ``name`` of the catalogue. The name begins with the
-        finding's code.
+        """Return a finding with the sentence ``name``, such as ``CW-R053.no_end``.
 
         With a dot and a word more where one code has several sentences.
         """
@@ -81,7 +80,7 @@ class Finding:
 
     @property
     def message(self) -> str:
-        """The sentence in English. Pages use their own language."""
+        """The sentence in English; pages in other languages translate the sentence themselves."""
         return SentenceText(self.sentence)
 
     @property
@@ -91,22 +90,18 @@ class Finding:
 
     @property
     def is_doubt(self) -> bool:
-        """Whether the finding blocks decisions until it is resolved or acknowledged. Information
-        never does.
-        """
+        """Whether the finding blocks decisions on limits until it is resolved or acknowledged."""
         return self.code in DOUBTS and self.severity != "info"
 
 
 def next_step(codes: Iterable[str]) -> Sentence | None:
-    """Return the next step for the doubts with these ``codes``. None without a doubt."""
+    """Return the next step for doubts with the given codes, or None if there is no doubt."""
     doubts = [code for code in dict.fromkeys(codes) if code in DOUBTS]
     return say("doubts.step", codes=doubts) if doubts else None
 
 
 def doubts_of(findings: Iterable[Finding]) -> tuple[Finding, ...]:
-    """Return the doubts and important results of ``findings``, each once, errors first. Information
-    is left out.
-    """
+    """Return the doubts and important results of ``findings``, each once, errors first."""
     first = dict.fromkeys(
         finding
         for finding in findings

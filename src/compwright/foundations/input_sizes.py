@@ -12,9 +12,7 @@ from typing import Final
 
 @dataclass(frozen=True, slots=True)
 class InputKind:
-    """A kind of input file. ``name``: for messages; ``most_bytes``: the largest accepted size;
-    ``help``: the origin of the right file, for a file of another kind.
-    """
+    """A kind of input file: its name in messages, largest size, and how to get the right file."""
 
     name: str
     most_bytes: int

@@ -1,4 +1,4 @@
-"""A fault with its key path, and texts for expected and found values."""
+"""Faults of keys in a user's file, with their key path, and texts for expected and found."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def key_path_text(path: KeyPath) -> str:
 
 @dataclass(frozen=True, slots=True)
 class KeyFault:
-    """A fault of a key in a mapping. The caller adds file and line."""
+    """A fault of a key in a mapping, before its file and line are known."""
 
     path: KeyPath
     message: str
@@ -57,9 +57,7 @@ class KeyFault:
     hint: str = ""
 
     def in_file(self, file: str, place: Callable[[KeyPath], str] = key_path_text) -> Fault:
-        """Return the fault with file and place. ``place``: a function from a key path to its
-        text.
-        """
+        """Return the fault with its file and place. ``place``: gives a key path's place as text."""
         return Fault(
             message=self.message,
             file=file,
@@ -71,8 +69,7 @@ class KeyFault:
 
 
 def usual_hint(path: KeyPath, message: str, expected: str = "", found: str = "") -> str:
-    """Return the usual next step for a fault of a key: a text to write, the accepted values, or the
-    nearest name.
+    """Return the usual next step for a faulty key, such as the accepted values or nearest name.
 
     Where ``expected`` has an example.
     """
@@ -118,16 +115,14 @@ def shown(value: Any) -> str:
 
 
 def nearest(word: str, known: Iterable[str], similarity: float = 0.6) -> str | None:
-    """Return the known name that is most similar to a word, in upper or lower case. None where no
-    name has the ``similarity`` (0 to 1, 1: the same letters).
-    """
+    """Return the known name most similar to a word, or None if no similarity reaches the limit."""
     lowered = {name.lower(): name for name in known}
     near = difflib.get_close_matches(word.lower(), list(lowered), 1, similarity)
     return lowered[near[0]] if near else None
 
 
 def suggestion(word: str, known: Iterable[str]) -> str:
-    """Return the most similar known name, or the list of all names where none is similar."""
+    """Return the most similar known name, or the list of all names if none is similar."""
     words = set(known)
     if not words:
         return "nothing, none is defined"
@@ -136,7 +131,7 @@ def suggestion(word: str, known: Iterable[str]) -> str:
 
 
 def number_hint(text: str) -> str:
-    """Return why ``text`` was not read as a number. Empty when it does not look like one."""
+    """Return why ``text`` was not read as a number, or "" if it does not look like a number."""
     for pattern, hint in _NUMBER_HINTS:
         if re.fullmatch(pattern, text.strip()):
             return hint

@@ -1,4 +1,4 @@
-"""Change process-wide settings of Python and its libraries by one thread at a time."""
+"""Change settings that all threads of the process share, by one thread at a time."""
 
 from __future__ import annotations
 

@@ -11,9 +11,7 @@ OWN_FAULT = 70
 
 
 def own_fault(error: Exception, file: str = "") -> Fault:
-    """Return the report of an internal fault during the reading of ``file``: its class, its text
-    and its line in compwright.
-    """
+    """Return the fault that reports an internal error of compwright: class, text and line."""
     from traceback import extract_tb  # loaded where there is a fault: help and results need none
 
     frames = extract_tb(error.__traceback__)

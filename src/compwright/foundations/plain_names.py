@@ -11,9 +11,7 @@ _FORBIDDEN: Final = frozenset('/\\:*?"<>|')
 
 
 def is_plain_name(text: str) -> bool:
-    """Return whether a text is a plain file name: no folder, no drive, no control characters, no
-    blank or point at its end.
-    """
+    """Return whether a text is valid as a file name everywhere, without a folder or drive."""
     return (
         bool(text.strip())
         and text == text.rstrip(". ")

@@ -1,4 +1,4 @@
-"""Work in several processes in parallel, because Python code uses only one processor per process.
+"""Work on items in several parallel processes, as Python uses one processor per process.
 
 They are started with ``spawn``, which every system supports.
 """
@@ -33,7 +33,7 @@ _MOST: Final = 8
 
 @contextmanager
 def side_by_side(items: int, ready: Callable[[], None]) -> Iterator[Each]:
-    """Provide a function that works on up to ``items`` items in several processes.
+    """Provide a function that works on items in this process and in further parallel ones.
 
     In this process and in further ones, which call ``ready`` first. It works in turn for one item,
     on one processor, and where the system starts no process.
@@ -62,9 +62,7 @@ def _pool(others: int) -> ProcessPoolExecutor | None:
 
 @contextmanager
 def _ctrl_c_later() -> Iterator[None]:
-    """Delay Ctrl-C while processes start, because a process would answer with a traceback during
-    its imports.
-    """
+    """Delay Ctrl-C while processes start, as a starting process would print a traceback."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
@@ -76,9 +74,7 @@ def _ctrl_c_later() -> Iterator[None]:
 
 
 def _begin() -> None:
-    """Start a further process like the first one. At Ctrl-C it ends without a message, because the
-    first process reports it.
-    """
+    """Set up a new parallel process. At Ctrl-C it ends silently, as the main process reports it."""
     Thread(target=_end_with_the_first, daemon=True).start()
     look_for_garbage_seldom()
     keep_free_memory()
@@ -88,7 +84,7 @@ def _begin() -> None:
 
 
 def _end_with_the_first() -> None:
-    """End this process when the first process no longer exists.
+    """End this parallel process when the main process no longer exists.
 
     One that was killed cannot say that there is no more work, and its queue would be waited at for
     ever.
@@ -100,7 +96,7 @@ def _end_with_the_first() -> None:
 
 
 class _Several:
-    """Works on items from the end, while other processes work from the beginning.
+    """A function that works on the last items here, and on the first in other processes.
 
     What another process could not do, for whatever reason, is done here once more, so that errors
     are those of working in turn.
@@ -131,8 +127,7 @@ class _Several:
 
 
 class _Shared(Generic[T, R]):
-    """Items on which this process and ``others`` work from both ends. ``done``: the result of each
-    item as a list.
+    """Items that this process takes from the end and the ``others`` take from the beginning.
 
     A process is handed its next items only when it has done those before, by a thread that waits
     for it: the queue of an executor would keep back items that this process, idle then, could do.
@@ -145,13 +140,13 @@ class _Shared(Generic[T, R]):
         self._taking = Lock()
 
     def work_here(self) -> None:
-        """Work on the last items, one by one, until all items are begun."""
+        """Work in this process on the last items, one by one, until none is left."""
         while (place := self._taken_here()) is not None:
             with suppress(CompwrightError):  # raised again in turn: an earlier item may raise, too
                 self.done[place] = [self._work(self._items[place])]
 
     def work_there(self, pool: ProcessPoolExecutor) -> None:
-        """Send the first items to another process until all items are begun."""
+        """Give the first items to another process, batch by batch, until none is left."""
         while places := self._taken_there():
             batch = [self._items[place] for place in places]
             try:
@@ -163,7 +158,7 @@ class _Shared(Generic[T, R]):
                 return
 
     def close(self) -> None:
-        """Start no further work. Items that were begun are still completed."""
+        """Let no further work begin. Work that was begun is completed."""
         with self._taking:
             self._last = self._first
 
@@ -175,7 +170,7 @@ class _Shared(Generic[T, R]):
             return self._last
 
     def _taken_there(self) -> range:
-        """Return the next items for another process: several where many remain."""
+        """Return the indices of the next items for another process, several if many are left."""
         with self._taking:
             first = self._first
             count = -(-(self._last - first) // (_TURNS * (self._others + 1)))

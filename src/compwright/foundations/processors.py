@@ -1,6 +1,4 @@
-"""Settings of the process: processors, threads of the linear algebra (one), garbage collection,
-free memory.
-"""
+"""Settings of this process: number of threads, garbage collection, and free memory."""
 
 from __future__ import annotations
 
@@ -20,7 +18,7 @@ _KEEPING: Final = ((-3, 32 * 1024 * 1024), (-1, 64 * 1024 * 1024))
 
 
 def look_for_garbage_seldom() -> None:
-    """Make Python search for unused object cycles only after many new objects."""
+    """Make Python collect garbage less often, only after many new objects."""
     gc.set_threshold(_NEW_OBJECTS, *gc.get_threshold()[1:])
 
 

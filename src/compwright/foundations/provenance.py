@@ -21,12 +21,10 @@ def fingerprint(content: bytes) -> str:
 
 
 def source_of(file: str, content: bytes) -> Source:
-    """Return the provenance record of ``content``."""
+    """Return the `Source` of a file: its name and the SHA-256 of its contents."""
     return Source(file=file, sha256=fingerprint(content))
 
 
 def share_a_file(one: Iterable[Source], other: Iterable[Source]) -> bool:
-    """Return whether two records come from the same file contents. The file name does not
-    matter.
-    """
+    """Return whether two sets of sources have a file with the same contents in common."""
     return not {source.sha256 for source in one}.isdisjoint(source.sha256 for source in other)

@@ -1,4 +1,4 @@
-"""Make records from mappings. The types of a record's fields are its schema for pydantic.
+"""Make pydantic schemas from the field types of records, to read records from mappings.
 
 A `RecordForm` says where the mapping is written otherwise. Lists give tuples, words give members of
 an enumeration; apart from that no value is converted.
@@ -25,7 +25,7 @@ Rules = Mapping[type, Callable[[Any], Iterator[str]]]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RecordForm:
-    """The differences between a mapping and the fields of its record.
+    """How the mapping in a file differs from the fields of its record, such as in key names.
 
     ``keys``: the key of a field with another name. ``absent``: keys that may be missing.
     ``constant``: values of fields that the mapping does not contain, or not always (``absent``).
@@ -61,9 +61,7 @@ def mapping(
     others: bool = False,
     ref: str | None = None,
 ) -> cs.CoreSchema:
-    """Return the schema of a mapping with these keys, which ``build`` converts. ``others``: further
-    keys are allowed.
-    """
+    """Return the schema of a mapping that ``build`` converts. ``others``: allow further keys."""
     known = cs.typed_dict_schema(
         {
             key: cs.typed_dict_field(schema, required=key not in optional)
@@ -77,7 +75,7 @@ def mapping(
 
 
 class RecordSchemas:
-    """Makes the schemas of record classes. ``plain``: schemas of further types."""
+    """Makes and stores the schemas of record classes. ``plain``: schemas of other types."""
 
     def __init__(
         self, forms: Mapping[type, RecordForm], rules: Rules, plain: Mapping[Any, cs.CoreSchema]
@@ -86,13 +84,13 @@ class RecordSchemas:
         self._records: dict[str, cs.CoreSchema | None] = {}
 
     def validator(self, cls: type) -> SchemaValidator:
-        """Return the function that makes a record of ``cls`` from a mapping."""
+        """Return the validator that makes a record of ``cls`` from a mapping."""
         top = self.of(cls)
         records = [schema for schema in self._records.values() if schema is not None]
         return SchemaValidator(cs.definitions_schema(top, records))
 
     def of(self, hint: Any) -> cs.CoreSchema:
-        """Return the schema of a type. A schema is returned unchanged."""
+        """Return the pydantic schema of a type. A schema is returned unchanged."""
         if isinstance(hint, dict):
             return cast("cs.CoreSchema", hint)
         origin, inner = get_origin(hint) or hint, get_args(hint)
@@ -141,7 +139,7 @@ class RecordSchemas:
         return self.named(value, cs.dict_schema(keys, self.of(value), strict=True))
 
     def named(self, cls: Any, schema: cs.CoreSchema) -> cs.CoreSchema:
-        """Return the schema of a mapping of records of ``cls``, each with its key as its name."""
+        """Return the schema of a mapping from name to record that sets each record's name."""
         name = self._forms.get(cls, RecordForm()).named if isinstance(cls, type) else ""
         if not name:
             return schema

@@ -39,17 +39,17 @@ _ENCODINGS: Final = ("utf-8", "cp1252", "utf-16-le", "utf-16-be")
 
 @dataclass(slots=True)
 class Names:
-    """The personal names that one command has found, each with its number."""
+    """The personal names found by one command, each with the number that replaces it."""
 
     numbers: dict[str, int] = field(default_factory=dict)
 
     def of(self, text: str) -> str:
-        """Return the replacement of a name. Upper and lower case and blanks do not matter."""
+        """Return the neutral replacement of a name, the same for any case and blanks."""
         number = self.numbers.setdefault(_plain(text), len(self.numbers) + 1)
         return f"{NEUTRAL}_{number}"
 
     def knows(self, text: str) -> bool:
-        """Return whether a text was found as a name."""
+        """Return whether a text is one of the names found so far."""
         return _plain(text) in self.numbers
 
 
@@ -59,15 +59,13 @@ def _plain(text: str) -> str:
 
 @dataclass(slots=True)
 class Cuts:
-    """The texts removed from one file. ``removed``: kind (``comment``, ``name``, ...) and text, as
-    often as found.
-    """
+    """Records the texts that are removed from one file, each with its kind, such as ``name``."""
 
     names: Names
     removed: list[tuple[str, str]] = field(default_factory=list)
 
     def remark(self, text: str, kind: str = "comment") -> str:
-        """Return the replacement of free text. Empty text stays empty."""
+        """Record a free text as removed, and return its replacement; "" for an empty text."""
         if not text.strip():
             return ""
         if _NEUTRAL.fullmatch(text.strip()) is None:
@@ -75,7 +73,7 @@ class Cuts:
         return NEUTRAL
 
     def name(self, text: str, kind: str = "name") -> str:
-        """Return the replacement of a name. Empty text stays empty."""
+        """Record a name as removed, and return its replacement; "" for an empty text."""
         if not text.strip():
             return ""
         if text.strip() == NEUTRAL:
@@ -85,7 +83,7 @@ class Cuts:
         return self.names.of(text)
 
     def counts(self) -> dict[str, int]:
-        """Return the number of removed texts by kind, sorted by kind."""
+        """Return how many texts of each kind were removed, sorted by kind."""
         return dict(sorted(Counter(kind for kind, _ in self.removed).items()))
 
 
@@ -111,9 +109,7 @@ def left_over(removed: Iterable[str], copy: Iterable[bytes], allowed: frozenset[
 
 
 def telling(text: str, allowed: frozenset[str]) -> Iterator[str]:
-    """Yield the words and numbers of a text, in lower case, that may identify a person or
-    company.
-    """
+    """Yield the words and numbers in a text that may identify a person or company."""
     if _DECIMAL.fullmatch(text):
         return
     for piece in _PIECE.findall(text.casefold()):
@@ -127,13 +123,13 @@ def telling(text: str, allowed: frozenset[str]) -> Iterator[str]:
 
 
 def _whole(text: str, allowed: frozenset[str]) -> str:
-    """Return a text of several words in lower case. Empty where it identifies no one."""
+    """Return a text of several words in lower case, or "" if it identifies no one."""
     whole = " ".join(text.casefold().split())
     return whole if " " in whole and any(telling(whole, allowed)) else ""
 
 
 def _forms(content: bytes) -> Iterator[str]:
-    """Yield the bytes as text in each possible encoding, in lower case."""
+    """Yield the bytes decoded with each possible encoding, in lower case."""
     for encoding in _ENCODINGS if b"\x00" in content else _ENCODINGS[:2]:
         text = content.decode(encoding, errors="replace").casefold()
         yield text
@@ -144,7 +140,7 @@ def _forms(content: bytes) -> Iterator[str]:
 
 
 def not_the_same(file: str, found: str) -> InputError:
-    """Return the error that the reader finds other numbers in a copy than in the original."""
+    """Return the error that a redacted copy would be read with numbers unlike the original's."""
     return InputError(
         Fault(
             message="the file was not copied: without the names, other numbers would be read in "
@@ -192,6 +188,6 @@ def refuse_left_over(
 
 
 def _lines(numbers: Sequence[int]) -> str:
-    """Return line numbers as text. Empty for a workbook, which has no lines."""
+    """Return line numbers as text, or "" for a workbook, which has no lines."""
     listed = ", ".join(map(str, numbers[:5])) + (", .." if len(numbers) > 5 else "")
     return f"line{'s' if len(numbers) > 1 else ''} {listed}" if numbers else ""

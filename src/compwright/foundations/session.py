@@ -1,4 +1,4 @@
-"""The data of one command: files it has read, files it will write, folders it has repaired.
+"""The session of one command: files read, files to be written, folders already restored.
 
 Every command makes its own `Session` and hands it to whatever reads or writes files, so that
 several commands can work in one process. Only `storage` changes what a session holds, and one
@@ -19,7 +19,7 @@ Identity = tuple[int, int]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Session:
-    """The files and folders that one command uses.
+    """The files that one command read or will write, and the folders that it checked.
 
     ``inputs``: the files that were read. The command never overwrites or deletes them, whatever
     name leads to them: a link, other cases of the letters and a way around through ``..`` are still
@@ -36,8 +36,7 @@ class Session:
     restored: list[str] = field(default_factory=list)
 
     def with_pending(self, folder: Path, files: Mapping[str, bytes]) -> Session:
-        """Return this session with pending ``files`` that can be read from ``folder`` before they
-        are written.
+        """Return a session that can read ``files`` from ``folder`` before they are written.
 
         Relative name with ``/`` -> bytes; whatever is there on the disk.
 
@@ -49,8 +48,6 @@ class Session:
         return replace(self, pending={**self.pending, **mine})
 
     def search_again(self) -> None:
-        """Forget which folders were checked, because another process may have been stopped
-        since.
-        """
+        """Forget which folders were checked, as another process may have stopped since."""
         self.searched.clear()
         self.unrestored.clear()

@@ -1,6 +1,4 @@
-"""Do the same work on many items: one after the other, or in parallel on the available
-processors.
-"""
+"""Do the same work on many items, in turn or in parallel on several processors."""
 
 from __future__ import annotations
 
@@ -36,12 +34,10 @@ class Each(Protocol):
 
 
 class Crew(Protocol):
-    """A function that provides parallel workers for up to ``items`` items. ``ready`` loads the
-    modules that they need.
-    """
+    """A function that starts parallel workers for up to ``items`` items."""
 
     def __call__(self, items: int, ready: Callable[[], None]) -> AbstractContextManager[Each]:
-        """Return the function that works on items while the context is open."""
+        """Return a context that gives the function working on items. ``ready`` loads modules."""
 
 
 def in_turn(work: Callable[[T], R], items: Sequence[T]) -> list[R]:
@@ -51,7 +47,7 @@ def in_turn(work: Callable[[T], R], items: Sequence[T]) -> list[R]:
 
 @contextmanager
 def alone(items: int, ready: Callable[[], None]) -> Iterator[Each]:  # noqa: ARG001
-    """Provide the function that works on items one after the other, in this process."""
+    """Provide a function that works on items in turn, in this process."""
     yield in_turn
 
 
@@ -64,7 +60,7 @@ def in_order(
     count: int,
     weight: Callable[[T], int],
 ) -> Iterator[R]:
-    """Yield the results of ``work`` in the order of the ``items``, each as soon as it is known.
+    """Yield the results of ``work`` in the order of the ``items``, each as soon as possible.
 
     At most ``count`` items; they are taken when they are needed. Raises what ``work`` raises, as
     `Each` does.
@@ -107,9 +103,7 @@ def _by_the_crew(
 
 
 def _taken(waiting: Iterator[T], most: int, weight: Callable[[T], int]) -> list[T]:
-    """Return the next items: at least one, at most ``most``, and with a total weight of at most
-    `_WEIGHT`.
-    """
+    """Return the next items: at least one, at most ``most``, of limited total ``weight``."""
     taken: list[T] = []
     heavy = 0
     for item in waiting:

@@ -1,4 +1,4 @@
-"""UTF-8 text for every file name, also for names that are not valid UTF-8.
+"""Write any file name as UTF-8 text, also one that is not valid UTF-8.
 
 Python holds such a name as lone surrogates, which no encoding has.
 """
@@ -20,10 +20,7 @@ def shown_path(path: Path) -> str:
 
 
 def visible(text: str) -> str:
-    r"""Return ``text`` as one line in which everything can be seen: line breaks and other white
-    space as blanks, control characters and those that turn the direction of writing as their
-    escapes (``\x1b``, ``\u202e``), which no terminal obeys.
-    """
+    r"""Return ``text`` as one line, with control characters as visible escapes such as ``\x1b``."""
     return text if text.isprintable() else "".join(map(_visible, text))
 
 

@@ -1,5 +1,4 @@
-"""Check files of the user with pydantic. Every complaint becomes a fault with key path, expected
-and found value.
+"""Check a user's files with pydantic. Each of its errors becomes a fault with a key path.
 
 Models of pydantic and the schemas of `record_schemas` give the same complaints. Slow to import:
 only commands that check such a file do so.
@@ -34,9 +33,7 @@ Known = Callable[[KeyPath], list[str]]
 
 
 def refuse(*faults: KeyFault) -> NoReturn:
-    """Raise these faults inside a function that pydantic calls. Their paths begin at the value it
-    was given.
-    """
+    """Raise faults in a function that pydantic calls, with key paths relative to its value."""
     raise ValidationError.from_exception_data(
         "",
         [
@@ -55,7 +52,7 @@ def refuse(*faults: KeyFault) -> NoReturn:
 
 
 def worded(schema: cs.CoreSchema, message: str, expected: str) -> cs.CoreSchema:
-    """Return a schema with its own message for invalid values."""
+    """Return a schema that reports invalid values with the given message."""
     return cs.custom_error_schema(
         schema,
         _WORDED,
@@ -65,9 +62,7 @@ def worded(schema: cs.CoreSchema, message: str, expected: str) -> cs.CoreSchema:
 
 
 def unknown_key(known: list[str]) -> cs.CoreSchema:
-    """Return the schema for values under unknown keys, which refuses all. ``known``: the allowed
-    keys.
-    """
+    """Return a schema that refuses unknown keys. ``known``: the allowed ones."""
 
     def refuse_key(_value: Any) -> NoReturn:
         raise PydanticCustomError(_UNKNOWN, "unknown key", {"known": known})
@@ -76,9 +71,7 @@ def unknown_key(known: list[str]) -> cs.CoreSchema:
 
 
 def checked(validator: SchemaValidator, data: Any) -> tuple[Any, list[KeyFault]]:
-    """Return the value that a schema makes from ``data``, and all faults. The value is None with
-    faults.
-    """
+    """Return the value that a schema makes from ``data`` (None with faults), and the faults."""
     try:
         return validator.validate_python(data), []
     except ValidationError as error:
@@ -92,9 +85,7 @@ def key_faults(
     missing: Missing = {},  # noqa: B006  # only read
     again: Callable[[Any], object] | None = None,
 ) -> Iterator[KeyFault]:
-    """Yield one fault per complaint about ``data``. ``again``: a function that validates data once
-    more.
-    """
+    """Yield a fault for each pydantic error about ``data``. ``again``: validates data again."""
     for complaint in error.errors(include_url=False):
         path = _path_in(data, complaint)
         if complaint["type"] in ("missing", "union_tag_not_found"):
@@ -115,9 +106,7 @@ def key_faults(
 
 
 def _expected_at(path: KeyPath, data: Any, again: Callable[[Any], object] | None) -> str:
-    """Return the expected value under a missing key, from the complaint about a value without a
-    type.
-    """
+    """Return which value is expected for a missing key, by validating with a wrong value there."""
     if again is None:
         return "a value"
     filled = _with(data, path, object())
@@ -130,7 +119,7 @@ def _expected_at(path: KeyPath, data: Any, again: Callable[[Any], object] | None
 
 
 def _with(data: Any, path: KeyPath, value: object) -> Any:
-    """Return a copy of ``data`` with a value under a key."""
+    """Return a copy of ``data`` with ``value`` at a key path."""
     if not path:
         return value
     first, *rest = path
@@ -140,7 +129,7 @@ def _with(data: Any, path: KeyPath, value: object) -> Any:
 
 
 def _path_in(data: Any, complaint: ErrorDetails) -> KeyPath:
-    """Return the part of a complaint's location that exists in the file.
+    """Return the key path of a pydantic error, without levels that are not in the file.
 
     Shorthand forms have fewer levels than the schema. A key that is missing is part of the path.
     """
@@ -163,7 +152,7 @@ def _path_in(data: Any, complaint: ErrorDetails) -> KeyPath:
 
 
 def _words(complaint: ErrorDetails) -> tuple[str, str]:
-    """Return the message and the expected value of one complaint."""
+    """Return the message and the expected value for a pydantic error."""
     kind, found, context = complaint["type"], complaint["input"], complaint.get("ctx", {})
     if kind in ("float_type", "int_type", "int_from_float"):
         number = "a number" if kind == "float_type" else "a whole number"

@@ -1,5 +1,4 @@
-"""Read YAML without surprises: no duplicate keys, no octal or base-60 numbers, no yes/no as truth
-values. Each key knows its line.
+"""Read YAML strictly: no duplicate keys, octal numbers or yes/no; each key has its line.
 
 YAML 1.1 reads ``010`` as 8, ``1:30`` as 90 and ``no`` as false. Here they stay text, and the schema
 that expects a number says so with the line. Only plain data comes out: dict, list, str, int, float,
@@ -22,25 +21,25 @@ from compwright.foundations.key_faults import KeyFault, KeyPath, key_path_text
 
 @dataclass(frozen=True, slots=True)
 class YamlDocument:
-    """Plain data with the line (from 1) of each key path, such as ``("axes", "X", "travel")``."""
+    """Plain data read from YAML, with the line of each key path, such as ("axes", "X")."""
 
     data: Any
     lines: dict[KeyPath, int] = field(default_factory=dict)
 
     def line(self, path: KeyPath) -> int:
-        """Return the line of a key path, or of its nearest known parent. 0 where there is none."""
+        """Return the line of a key path, else of its nearest known parent, else 0."""
         while path and path not in self.lines:
             path = path[:-1]
         return self.lines.get(path, 0)
 
     def place(self, path: KeyPath) -> str:
-        """Return ``line N: a.b[2]`` for a key path, with the line of its nearest known parent."""
+        """Return the place of a key path in messages, such as ``line 7: a.b[2]``."""
         line = self.line(path)
         name = key_path_text(path)
         return ", ".join(part for part in (f"line {line}" if line else "", name) if part)
 
     def faults(self, found: Iterable[KeyFault], file: str) -> list[Fault]:
-        """Return faults with file and line, in the order of the lines."""
+        """Return key faults with their file and line, in the order of the lines."""
         ordered = sorted(found, key=lambda fault: self.line(fault.path))
         return [fault.in_file(file, self.place) for fault in ordered]
 
@@ -49,7 +48,7 @@ _LONE_SURROGATE = re.compile("[\ud800-\udfff]")  # cannot be written to any file
 
 
 class _StrictLoader(yaml.SafeLoader):
-    """A safe YAML loader for plain data with restricted number and truth-value rules."""
+    """A YAML loader for plain data only, with few forms of numbers and truth values."""
 
     def __init__(self, text: str, file: str) -> None:
         super().__init__(text)
@@ -58,9 +57,7 @@ class _StrictLoader(yaml.SafeLoader):
         self.words = 0
 
     def get_event(self) -> yaml.Event:
-        """Return the next YAML event. Raises InputError for anything but plain data, and for too
-        deep nesting.
-        """
+        """Return the next YAML event. Raises InputError for aliases, tags or deep nesting."""
         # # the stubs leave it open
         event: yaml.Event = super().get_event()  # type: ignore[no-untyped-call]
         self.depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(
@@ -183,8 +180,7 @@ def read_yaml(content: bytes, file: str) -> YamlDocument:
 
 
 def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tuple[Fault, ...]]:
-    """Read YAML as `read_yaml` does, but return faults of single keys with the data that could be
-    read.
+    """Read YAML as `read_yaml` does, but return faults of single keys with the data.
 
     A schema can then list its own faults together with these. Of a key given twice the first value
     stands; a value that cannot be read is None. Raises InputError when there is no document at all.

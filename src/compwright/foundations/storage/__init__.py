@@ -1,5 +1,4 @@
-"""The only code that accesses the file system. Files are read whole, and written whole or not at
-all.
+"""The only code that accesses the file system. It writes files completely or not at all.
 
 What a command writes goes from old to new as one (`transaction`); a failure on the way puts back
 what was there before, and where the process itself was stopped, the next one that reads or writes

@@ -27,7 +27,7 @@ _NOT_FOR_FOLDERS = {
 
 
 def write_new(path: Path, content: bytes) -> None:
-    """Write a new file and wait until it is on the disk. Raises OSError."""
+    """Write a new file and wait until it is stored on the disk. Raises OSError."""
     handle = os.open(path, _NEW, 0o666)  # less the bits of the user's mask
     try:
         rest = memoryview(content)
@@ -39,7 +39,7 @@ def write_new(path: Path, content: bytes) -> None:
 
 
 def sync_folder(folder: Path) -> None:
-    """Wait until the names in a folder are on the disk. Raises OSError.
+    """Wait until the file names in a folder are stored on the disk. Raises OSError.
 
     Windows opens no folders and keeps the order of what is done to names itself (NTFS); a file
     system that knows no such thing is left to its own order too.
@@ -83,7 +83,7 @@ def remove(path: Path) -> None:
 
 
 def make_folder(folder: Path, made: list[Path]) -> None:
-    """Make a folder and its parents, and record each new one, also when a later one fails."""
+    """Make a folder and its parents. ``made`` gets each new one, also if a later one fails."""
     missing: list[Path] = []
     probe = folder
     while not probe.exists():

@@ -1,4 +1,4 @@
-"""Rules for files that must not be overwritten."""
+"""Rules for files that a command must not overwrite."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ def _hindrances(session: Session, path: Path, content: bytes) -> Iterator[Fault]
 
 
 def _exist_already(paths: Sequence[Path]) -> Fault:
-    """Return one line about all files that exist already. It names the first one."""
+    """Return one fault about all files that exist already, with the name of the first."""
     if len(paths) == 1:
         return Fault(
             message="a file of this name exists already",
@@ -102,7 +102,7 @@ def _exist_already(paths: Sequence[Path]) -> Fault:
 
 
 def _twice(targets: Mapping[Path, bytes]) -> Iterator[Fault]:
-    """Yield a fault for each file that would get two different contents, under any of its names."""
+    """Yield a fault for each file that would be written twice with different contents."""
     seen: dict[object, bytes] = {}
     for path, content in targets.items():
         if seen.setdefault(identity(path) or _place(path), content) != content:

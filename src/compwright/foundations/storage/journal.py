@@ -1,5 +1,4 @@
-"""The journal of a change of files. It is written before files are moved, so that the next command
-can restore them.
+"""The journal of planned changes of files, from which the next command can restore them.
 
 While files are written, each folder contains a folder `UNFINISHED`. It holds the lock, the new
 files (``0.new``, ``1.new``, ..), the earlier ones (``0.old``, ..) and the journal, in which files
@@ -28,12 +27,12 @@ _MOST_BYTES = 16 * 1024 * 1024  # of a journal: 50 000 files
 
 
 class DamagedError(Exception):
-    """Raised for a journal that cannot be used; the text gives the reason."""
+    """Raised if a journal cannot be used, with the reason as text."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class JournalEntry:
-    """A file that is written or, without ``digest`` (SHA-256 of the new bytes), removed.
+    """A file that is written, or removed if it has no ``digest`` (SHA-256 of the new bytes).
 
     ``name``: below the folder, with ``/``; ``there``: whether something stood there before, and
     ``earlier`` the sha256 of its bytes, empty where it was no file or could not be read.
@@ -47,7 +46,7 @@ class JournalEntry:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Journal:
-    """The planned changes in a folder.
+    """The planned changes of the files in one folder.
 
     ``made``: folders below it that are made for it; ``parts``: the other folders that take part, or
     ``first``, the one that decides; both named from this folder.
@@ -61,19 +60,17 @@ class Journal:
 
 
 def new_file(folder: Path, number: int) -> Path:
-    """Return the temporary place of the new file for entry ``number``."""
+    """Return the temporary path of the new file for the journal entry ``number``."""
     return folder / UNFINISHED / f"{number}.new"
 
 
 def old_file(folder: Path, number: int) -> Path:
-    """Return the temporary place of the old file for entry ``number``."""
+    """Return the temporary path of the old file for the journal entry ``number``."""
     return folder / UNFINISHED / f"{number}.old"
 
 
 def is_ours(name: str) -> bool:
-    """Return whether a file in the temporary folder belongs to compwright and is removed with
-    it.
-    """
+    """Return whether a file in the temporary folder is one of compwright's, by its name."""
     number, _, kind = name.partition(".")
     return name in (JOURNAL, _PART) or (number.isdecimal() and kind in ("new", "old"))
 
@@ -84,9 +81,7 @@ def digest_of(content: bytes) -> str:
 
 
 def digest_at(path: Path) -> str:
-    """Return the SHA-256 hash of a file, empty for anything but an ordinary file. Raises
-    OSError.
-    """
+    """Return the SHA-256 of a file, "" if it is not an ordinary file. Raises OSError."""
     if not stat.S_ISREG(path.lstat().st_mode):
         return ""
     with path.open("rb") as stream:
@@ -94,7 +89,7 @@ def digest_at(path: Path) -> str:
 
 
 def is_new(path: Path, entry: JournalEntry) -> bool:
-    """Return whether the file at ``path`` is the new one of ``entry``. Raises OSError."""
+    """Return whether the file at ``path`` has the new contents of ``entry``. Raises OSError."""
     return digest_at(path) == entry.digest != ""
 
 
@@ -109,7 +104,7 @@ def put_journal(folder: Path, journal: Journal) -> None:
 
 
 def read_journal(folder: Path) -> Journal | None:
-    """Return the journal of a folder. None where there is none.
+    """Return the journal of a folder, or None if there is no journal.
 
     Raises DamagedError for one that names files outside of the folder or is not as it was written,
     OSError where it cannot be read.
@@ -134,7 +129,7 @@ def read_journal(folder: Path) -> Journal | None:
 
 
 def _has_both(staging: Path) -> bool:
-    """Return whether both old and new files are in their temporary places.
+    """Return whether the temporary folder contains both old and new files.
 
     That is so only while there is a journal: it has not come along with a copy.
     """
@@ -189,9 +184,7 @@ def _read(content: bytes) -> Journal:
 
 
 def _is_inside(folder: Path, name: str) -> bool:
-    """Return whether a name leads to a file inside the folder, through any links, but not into the
-    temporary folder.
-    """
+    """Return whether a name leads to a file inside the folder, but not in the temporary folder."""
     parts = Path(*PurePosixPath(name).parts).parts  # as this system divides it
     if not parts or ".." in parts or UNFINISHED in parts or "\0" in name:
         return False

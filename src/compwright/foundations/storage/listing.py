@@ -1,4 +1,4 @@
-"""List the contents of folders, after files of interrupted commands were restored."""
+"""List the contents of folders, after restoring files of interrupted commands."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def list_files(session: Session, path: Path) -> list[Path]:
 
 
 def folders_in(path: Path) -> list[Path]:
-    """Return the folders in a folder by name, hidden ones left out. None if it cannot be listed."""
+    """Return the folders in a folder, without hidden ones, or None if it cannot be listed."""
     try:
         return sorted(
             entry for entry in path.iterdir() if entry.is_dir() and not entry.name.startswith(".")
@@ -65,8 +65,7 @@ def in_folders_of(session: Session, folder: Path, name: str) -> list[Path]:
 def folders_holding(
     session: Session, top: Path, names: Sequence[str]
 ) -> tuple[list[Path], list[Fault]]:
-    """Return ``top`` and the folders inside it that contain a file of one of ``names``, and the
-    unreadable folders.
+    """Return ``top`` and folders below it that contain one of ``names``, and faults of others.
 
     In the order of their names; hidden folders and links to folders are left out.
 
@@ -111,9 +110,7 @@ def folders_holding(
 
 
 def _names_in(folder: Path) -> tuple[list[str], list[str]]:
-    """Return the names of the folders and of the files in a folder. None where it can no longer be
-    listed.
-    """
+    """Return the names of folders and of files in a folder, or None if it cannot be listed."""
     try:
         with os.scandir(folder) as entries:
             kinds = [(entry.name, entry.is_dir()) for entry in entries]
@@ -125,9 +122,7 @@ def _names_in(folder: Path) -> tuple[list[str], list[str]]:
 
 
 def is_there(session: Session, path: Path) -> bool:
-    """Return whether a file, folder or link exists at ``path``. Raises InputError where an
-    interrupted command left that open.
-    """
+    """Return whether a file, folder or link exists, or is pending. Raises InputError if unknown."""
     if path in session.pending:
         return True
     put_right_above(session, path, InputError)
@@ -135,9 +130,7 @@ def is_there(session: Session, path: Path) -> bool:
 
 
 def matching(session: Session, pattern: str) -> list[str]:
-    """Return the paths that match a pattern with ``*`` and ``?``, without hidden ones. The pattern
-    itself if none matches.
-    """
+    """Return the paths that match a pattern with ``*`` and ``?``, or the pattern if none does."""
     if not {"*", "?"} & set(pattern) or os.path.lexists(pattern):
         return [pattern]
     put_right_above(session, Path(pattern), InputError)

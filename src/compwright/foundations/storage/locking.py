@@ -53,7 +53,7 @@ class Lock:
             os.close(handle)
 
     def remove(self) -> None:
-        """Remove the now empty folder, and release the lock. Raises OSError."""
+        """Remove the temporary folder, then empty, and release its lock. Raises OSError."""
         file = self.staging / LOCK
         try:
             file.unlink()
@@ -65,7 +65,7 @@ class Lock:
 
 
 def take(staging: Path, *, make: bool = False, patience: float = PATIENCE) -> Lock:
-    """Return the lock of the folder ``staging``. The folder is made if required.
+    """Return the lock of the temporary folder ``staging``. ``make``: make the folder if missing.
 
     Raises TimeoutError where another process holds it longer than ``patience`` (s), else OSError.
     """
@@ -103,7 +103,7 @@ def _attempt(staging: Path, *, make: bool) -> Lock | None:
 
 
 def _is_still(handle: int, file: Path) -> bool:
-    """Return whether the open file still has its name. Its previous owner may have removed it."""
+    """Return whether the open lock file is still in the folder, not removed by another process."""
     try:
         return os.path.samestat(os.fstat(handle), file.lstat())
     except FileNotFoundError:

@@ -1,4 +1,4 @@
-"""Facts about a name in the file system."""
+"""Questions about paths: whether they exist, their size, their absolute or relative form."""
 
 from __future__ import annotations
 
@@ -23,9 +23,7 @@ def size_of(paths: Iterable[Path]) -> int:
 
 
 def resolved(path: Path) -> Path:
-    """Return ``path`` as an absolute path without links. Unchanged where a link cannot be
-    followed.
-    """
+    """Return ``path`` as an absolute path without links, or unchanged if that fails."""
     try:
         return path.resolve()
     except (OSError, ValueError, RuntimeError):
@@ -33,9 +31,7 @@ def resolved(path: Path) -> Path:
 
 
 def relative(path: Path, folder: Path) -> str:
-    """Return the relative name of ``path`` from ``folder``, with ``/``. Absolute where there is
-    none (another drive).
-    """
+    """Return ``path`` relative to ``folder``, with ``/``, or absolute on another drive."""
     try:
         return Path(os.path.relpath(path, folder)).as_posix()
     except ValueError:
@@ -43,8 +39,7 @@ def relative(path: Path, folder: Path) -> str:
 
 
 def way_to(path: Path, folder: Path) -> str:
-    """Return the relative name of ``path`` from ``folder`` that also works through links, with
-    ``/``.
+    """Return ``path`` relative to ``folder``, with ``/``, valid also through links.
 
     Whole where there is no such way (another drive). The folder need not be there yet.
     """
@@ -54,7 +49,7 @@ def way_to(path: Path, folder: Path) -> str:
 
 
 def named_from(folder: Path, name: str) -> Path:
-    """Return the path of the file ``name`` as seen from ``folder``, simplified.
+    """Return the path of the file ``name``, relative to ``folder``, without needless ``..``.
 
     Without the way into the folder and out of it again, which may not be there yet.
     """
@@ -67,7 +62,7 @@ def named_from(folder: Path, name: str) -> Path:
 
 
 def identity(path: Path) -> Identity | None:
-    """Return the identity of the file at ``path``. None where there is no file."""
+    """Return device and inode of the file at ``path``, or None if there is no file."""
     try:
         seen = path.stat()
     except (OSError, ValueError):
@@ -84,5 +79,5 @@ def is_existing_file(path: Path) -> bool:
 
 
 def reason(error: OSError | ValueError) -> str:
-    """Return the file system's reason for a refusal."""
+    """Return why the file system refused an operation, as text."""
     return getattr(error, "strerror", None) or str(error) or type(error).__name__

@@ -1,4 +1,4 @@
-"""Read ordinary files completely. Each file that is read becomes an input of the session."""
+"""Read ordinary files completely, and record each as an input of the session."""
 
 from __future__ import annotations
 
@@ -25,8 +25,7 @@ _NO_WAITING = (
 
 
 def read_bytes(session: Session, path: Path, kind: InputKind = ANY) -> bytes:
-    """Return the bytes of a file and record it as an input of the session. For a pending file: its
-    new bytes.
+    """Return the bytes of a file, or of a pending one, and record the file as an input.
 
     Raises InputError when it is missing, cannot be read, is no ordinary file (a pipe or device
     could be waited for without end), is larger than any file of its ``kind`` or plainly of another
@@ -62,7 +61,7 @@ def read_bytes(session: Session, path: Path, kind: InputKind = ANY) -> bytes:
 
 
 def _absent(path: Path) -> Fault:
-    """Return the fault of a missing file. For a result: with the command that writes it."""
+    """Return the fault of a missing file, with the command that writes it if it is a result."""
     from compwright.foundations.key_faults import nearest
 
     folder = next((one for one in path.parents if one.is_dir()), path.parent)
@@ -83,9 +82,7 @@ def _absent(path: Path) -> Fault:
 
 
 def _at_most(stream: BinaryIO, count: int) -> bytes:
-    """Return the bytes of a stream that are available at once, at most ``count``. Raises OSError if
-    it would block.
-    """
+    """Return up to ``count`` bytes that are available at once. Raises OSError if none are."""
     content = stream.read(count)
     if content is None:
         raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
@@ -93,8 +90,7 @@ def _at_most(stream: BinaryIO, count: int) -> bytes:
 
 
 def earlier_bytes(session: Session, path: Path) -> bytes:
-    """Return the bytes of an earlier result, empty where there is none. It does not become an
-    input.
+    """Return the bytes of an earlier result, or b"" without one. It does not become an input.
 
     Raises InputError where a stopped command left it half-written and that cannot be put right.
     """
@@ -103,9 +99,7 @@ def earlier_bytes(session: Session, path: Path) -> bytes:
 
 
 def bytes_as_they_are(path: Path) -> bytes:
-    """Return the bytes of a file in a foreign folder, empty where there is none. Nothing is
-    restored there.
-    """
+    """Return the bytes of a file, or b"" without one, without restoring interrupted changes."""
     try:
         small = path.is_file() and path.stat().st_size <= ANY.most_bytes
         return path.read_bytes() if small else b""
@@ -118,7 +112,7 @@ def _opened(path: str, flags: int) -> int:
 
 
 def _not_to_be_read(seen: os.stat_result, kind: InputKind) -> Fault | None:
-    """Return why a file cannot be read. None for an ordinary file that is not too large."""
+    """Return the fault of a folder, a device or too large a file, or None for other files."""
     kinds = (
         (stat.S_ISDIR, "a folder"),
         (stat.S_ISFIFO, "a pipe"),
@@ -142,9 +136,7 @@ def _too_large(kind: InputKind, found: str) -> Fault:
 
 
 def state_of(session: Session, paths: Sequence[Path]) -> str:
-    """Return size and time of files as one text, which changes with any file. They become
-    inputs.
-    """
+    """Return a text with size and time of files, to notice changes. They become inputs."""
     states = []
     for path in paths:
         put_right_above(session, path, InputError)

@@ -1,4 +1,4 @@
-"""Restore files after an interrupted process. The next command that uses the folder does this.
+"""Restore files after an interrupted command, at the next command that uses the folder.
 
 As long as the journal exists, the earlier files count: new files are removed, earlier ones put
 back, then the journal is removed. Each step can be repeated, so a recovery may be stopped too. All
@@ -37,7 +37,7 @@ Set = tuple[Path, Journal]
 
 
 class NotPutRightError(Exception):
-    """The files of an interrupted process cannot be restored; the faults give the reason."""
+    """Raised if the files of an interrupted command cannot be restored, with the faults."""
 
     def __init__(self, *faults: Fault) -> None:
         super().__init__("\n".join(map(str, faults)))
@@ -79,9 +79,7 @@ def put_right_in(session: Session, folder: Path, error: type[CompwrightError]) -
 
 
 def _not_searched(session: Session, folder: Path) -> list[Path]:
-    """Return ``folder`` and its parents that were not checked yet, with and without links,
-    outermost first.
-    """
+    """Return ``folder`` and those parents that are not checked in the session, outermost first."""
     found: list[Path] = []
     for way in (folder, resolved(folder)):
         inner = takewhile(lambda path: str(path) not in session.searched, (way, *way.parents))
@@ -110,9 +108,7 @@ def _put_right(session: Session, folder: Path) -> None:
 
 
 def _concerns(folder: Path, path: Path) -> bool:
-    """Return whether a journal in ``folder`` affects ``path``. An unreadable journal affects every
-    path below it.
-    """
+    """Return whether a journal in ``folder`` affects ``path``; an unreadable one always does."""
     real, root = resolved(path.parent) / path.name, resolved(folder)
     try:
         journal = read_journal(folder)
@@ -136,7 +132,7 @@ def _take_back(session: Session, folder: Path) -> None:
 
 
 def _sweep(folder: Path) -> None:
-    """Remove temporary files that are no longer needed. Those of a running process stay.
+    """Remove temporary files without a journal, except those of a running process.
 
     Prepared and never used, or left after the end; and those that cannot be removed: they do no
     harm.
@@ -172,9 +168,7 @@ def _held(folder: Path, held: ExitStack) -> Lock:
 
 
 def _parts(folder: Path, journal: Journal) -> Iterator[Set]:
-    """Yield the other folders of a change, if they confirm it. A later copy of a folder has
-    none.
-    """
+    """Yield the other folders of a change with their journals, if these belong to it."""
     for name in journal.parts:
         other = _from(folder, name)
         theirs = read_journal(other)
@@ -212,7 +206,7 @@ def _take_back_part(session: Session, folder: Path, journal: Journal) -> None:
 
 
 def _take_back_undone(session: Session, first: Path, folder: Path, journal: Journal) -> None:
-    """Undo all changes that the folder ``first`` decides on.
+    """Undo the incomplete change of several folders, to which the journal in ``first`` belongs.
 
     A copy of a part, of which it knows nothing, before that by itself.
     """
@@ -228,9 +222,7 @@ def _take_back_undone(session: Session, first: Path, folder: Path, journal: Jour
 
 
 def _is_swept(first: Path, folder: Path, journal: Journal) -> bool:
-    """Remove the rest of a completed change. Return False if the process was stopped before
-    completion.
-    """
+    """Remove the rest of a completed change; return False if the change was not completed."""
     try:
         with ExitStack() as held:
             lock = _held(folder, held)
@@ -245,15 +237,13 @@ def _is_swept(first: Path, folder: Path, journal: Journal) -> bool:
 
 
 def _decides(first: Path, journal: Journal) -> bool:
-    """Return whether the change of a part is incomplete, by the folder that decides."""
+    """Return whether the folder ``first`` still has the change's journal: it is incomplete."""
     theirs = read_journal(first)
     return theirs is not None and theirs.key == journal.key
 
 
 def clear(lock: Lock) -> None:
-    """Remove compwright's files in the temporary folder, and the folder. A second call has no
-    effect. Raises OSError.
-    """
+    """Remove a temporary folder with compwright's files, if it is still locked. Raises OSError."""
     if lock.handle < 0:
         return
     for name in os.listdir(lock.staging):  # noqa: PTH208 - names, no paths
@@ -266,7 +256,7 @@ def clear(lock: Lock) -> None:
 
 
 def withdraw(sets: Sequence[Set]) -> None:
-    """Restore the old files in locked folders, and remove their journals. The first folder decides.
+    """Restore the old files in locked folders, and remove the journals of these folders.
 
     Raises NotPutRightError, and nothing was done, where a file was changed since or an earlier one
     did not come along; OSError.
@@ -292,7 +282,7 @@ def withdraw(sets: Sequence[Set]) -> None:
 
 
 def sync_folders(sets: Sequence[Set]) -> None:
-    """Wait until all names changed by journals are on the disk. Raises OSError."""
+    """Wait until all file names changed by journals are stored on the disk. Raises OSError."""
     touched = [
         path
         for folder, journal in sets
@@ -309,9 +299,7 @@ def sync_folders(sets: Sequence[Set]) -> None:
 
 
 def _changed_since(folder: Path, journal: Journal) -> Iterator[Fault]:
-    """Yield a fault for each file that someone changed since, so that it is neither the old nor the
-    new one.
-    """
+    """Yield a fault for each file that is neither the old nor the new one of the change."""
     for number, entry in enumerate(journal.entries):
         target = folder / entry.name
         kept = os.path.lexists(old_file(folder, number))
@@ -327,7 +315,7 @@ def _changed_since(folder: Path, journal: Journal) -> Iterator[Fault]:
 
 
 def _lost_since(folder: Path, journal: Journal) -> Iterator[Fault]:
-    """Yield a fault for each old file that is missing or damaged since.
+    """Yield a fault for each old file that is missing or damaged in the temporary folder.
 
     Of a folder that is copied or synchronised the files come one by one, and not all of them may
     have come.
@@ -361,7 +349,7 @@ def _lost(what: str, target: Path, folder: Path) -> Fault:
 
 
 def _is_placed(folder: Path, number: int, journal: Journal) -> bool:
-    """Return whether the new file of an entry left its temporary place."""
+    """Return whether the new file of an entry was moved from the temporary folder to its place."""
     return bool(journal.entries[number].digest) and not os.path.lexists(new_file(folder, number))
 
 

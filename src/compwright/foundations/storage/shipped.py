@@ -1,4 +1,4 @@
-"""The data files that are shipped with compwright."""
+"""The data files that are installed with compwright."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from compwright.foundations.storage.reading import read_bytes
 
 
 def definition_files(session: Session) -> Iterator[tuple[str, bytes]]:
-    """Yield name and bytes of the control definitions that ship with compwright, by name."""
+    """Yield name and bytes of each installed control definition, sorted by name."""
     return _shipped(session, "controller_formats")
 
 
 def demo_files(session: Session) -> dict[str, bytes]:
-    """Return the files for machine and job of the demo, by file name."""
+    """Return the contents of the demo's files (machine and job) by file name."""
     return dict(_shipped(session, "controller_formats/demo"))
 
 
@@ -25,7 +25,7 @@ def reference_files(session: Session) -> dict[str, bytes]:
 
 
 def _shipped(session: Session, folder: str, pattern: str = "*.yaml") -> Iterator[tuple[str, bytes]]:
-    """Yield name and bytes of the files in a shipped folder.
+    """Yield name and bytes of the files in a folder that is installed with compwright.
 
     Next to the code in an installed wheel, at the top of a source checkout.
     """

@@ -48,7 +48,7 @@ def put(
     removed: Sequence[Path],
     check: Callable[[], None],
 ) -> None:
-    """Write ``targets`` (path -> bytes) and remove what is ``removed``, all of it or nothing.
+    """Write ``targets`` (path to bytes) and remove the paths ``removed``, all or nothing.
 
     ``folder``: the one that decides, where any of them lies below it. ``check`` is called when no
     other process can write there any more, and raises where something has changed. Raises
@@ -70,7 +70,7 @@ def put(
 
 @dataclass(frozen=True, slots=True)
 class _Change:
-    """A file that is written or, without ``content``, removed. ``name``: relative to its part."""
+    """A file to be written, or to be removed if it has no ``content``."""
 
     name: str
     path: Path  # as the caller named it
@@ -79,7 +79,7 @@ class _Change:
 
 @dataclass(slots=True)
 class _Part:
-    """A folder with its changes, all on one file system."""
+    """A folder, and the changes of files in it, all on one file system."""
 
     folder: Path
     changes: dict[str, _Change] = field(default_factory=dict)
@@ -102,13 +102,13 @@ def _parts(folder: Path, targets: Mapping[Path, bytes], removed: Sequence[Path])
 
 
 def _device(folder: Path) -> int:
-    """Return the file system of a folder that exists or is to be made."""
+    """Return the number of the file system on which a folder is, or will be made."""
     there = next((path for path in (folder, *folder.parents) if path.exists()), folder)
     return there.stat().st_dev
 
 
 class _Work:
-    """The steps done so far, so that they can be undone."""
+    """A change of several files in steps, each of which can be undone."""
 
     def __init__(self, session: Session, parts: list[_Part], current: Path) -> None:
         self.session = session
@@ -119,7 +119,7 @@ class _Work:
         self.sets: list[tuple[Path, Journal]] = []
 
     def do(self, check: Callable[[], None]) -> None:
-        """Make all changes. On an error (StorageError) and on Ctrl-C they are undone."""
+        """Make all changes, or undo them on an error (StorageError) or Ctrl-C."""
         try:
             self._prepare(check)
             if self._is_one_step():
@@ -176,7 +176,7 @@ class _Work:
                 disk.remove(lock.staging / name)
 
     def _stage(self, part: _Part, number: int, content: bytes) -> None:
-        """Write a new file to its temporary place, with the access rights of the replaced file."""
+        """Write a new file into the temporary folder, with the access rights of the old file."""
         waiting = new_file(part.folder, number)
         disk.write_new(waiting, content)
         if self.current.is_file():
@@ -199,9 +199,7 @@ class _Work:
         self._clear()
 
     def _begin(self) -> None:
-        """Put the journals in place, the deciding one last. From now on an interruption restores
-        the old files.
-        """
+        """Write the journals, the deciding one last. From then on an interruption is undone."""
         key = os.urandom(8).hex()
         first, *others = self.parts
         self.sets = [
@@ -228,8 +226,7 @@ class _Work:
             put_journal(folder, journal)
 
     def _move(self) -> None:
-        """Move all old files away, then the new ones to their places. A folder never shows old and
-        new files together.
+        """Move all old files to the temporary folders, then the new files to their places.
 
         The first step is synced before the second begins: a disk that changes the order could lose
         an earlier file under a new one.
@@ -265,7 +262,7 @@ class _Work:
                 clear(lock)
 
     def _take_back(self) -> tuple[Fault, ...]:
-        """Undo the changes. Return why that was impossible, where it was."""
+        """Undo the changes. Return faults if that is impossible."""
         try:
             if self.sets and os.path.lexists(self.sets[0][0] / UNFINISHED / JOURNAL):
                 withdraw(self.sets)
@@ -301,7 +298,7 @@ def _entry(part: _Part, change: _Change) -> JournalEntry:
 
 
 def _missing(part: _Part) -> tuple[str, ...]:
-    """Return the folders to be made, outermost first."""
+    """Return the folders that must be made for the changes, outermost first."""
     found: dict[str, None] = {}
     for change in part.changes.values():
         above = (part.folder / change.name).relative_to(part.folder).parents

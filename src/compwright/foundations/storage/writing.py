@@ -31,8 +31,7 @@ def write_files(
     outdated: Sequence[str] = (),
     known: Known = lambda _name, _content: True,
 ) -> list[Path]:
-    """Write ``files`` (relative name with ``/`` -> bytes) below ``folder``, and those of
-    ``elsewhere``, all of them or none.
+    """Write ``files`` (name to bytes) into ``folder``, and those of ``elsewhere``, all or none.
 
     ``known``: whether an earlier run wrote an existing file; any other file is the user's and is
     not replaced. ``whole``: folders below ``folder`` that contain exactly these files afterwards;
@@ -76,7 +75,7 @@ def write_files(
 
 
 def _put_right(session: Session, folder: Path, paths: Sequence[Path], names: Sequence[str]) -> None:
-    """Restore files of interrupted commands in the folders to be written.
+    """Restore files of interrupted commands in the folders that will be written to.
 
     Another look is taken, for one may have been stopped meanwhile.
     """
@@ -88,7 +87,7 @@ def _put_right(session: Session, folder: Path, paths: Sequence[Path], names: Seq
 
 
 class _Unchanged:
-    """The state of files at the time of the decision that they may be replaced or removed."""
+    """The state of the files to be replaced, to notice changes until they are replaced."""
 
     def __init__(self, paths: Iterable[Path]) -> None:
         self._seen = {path: _seen(path) for path in paths}
@@ -97,7 +96,7 @@ class _Unchanged:
         self._seen |= {path: _seen(path) for path in paths}
 
     def check(self) -> None:
-        """Raise StorageError with each file that another program has changed since."""
+        """Raise StorageError for files that another program changed in the meantime."""
         faults = [
             Fault(
                 message=(
@@ -113,7 +112,7 @@ class _Unchanged:
 
 
 def _seen(path: Path) -> tuple[int, ...]:
-    """Return a text that changes with every change of a file."""
+    """Return numbers (such as size and time) that differ after any change of a file."""
     try:
         seen = path.lstat()
     except (OSError, ValueError):
@@ -127,9 +126,7 @@ def _lies_in(path: Path, folder: Path) -> bool:
 
 
 def _merged(files: dict[Path, bytes], others: dict[Path, bytes]) -> dict[Path, bytes]:
-    """Return both sets of files. A path in both with different contents is refused, because one
-    would be lost.
-    """
+    """Return the files of both mappings. Raises StorageError for one path with two contents."""
     raise_all(StorageError, list(_twice_named(files, others)))
     return files | others
 
@@ -147,9 +144,7 @@ def _twice_named(files: Mapping[Path, bytes], others: Mapping[Path, bytes]) -> I
 def _strangers(
     folder: Path, names: Sequence[str], targets: Mapping[Path, bytes]
 ) -> dict[Path, str]:
-    """Return the other files in the folders ``names``, which are not among ``targets``, with
-    relative names.
-    """
+    """Return the files in the folders ``names`` that are not among ``targets``."""
     written = {identity(path) for path in targets} - {None}
     found: dict[Path, str] = {}
     for name in names:
@@ -167,7 +162,7 @@ def _users_files(
     known: Mapping[Path, bool],
     targets: Mapping[Path, bytes],
 ) -> Iterator[Fault]:
-    """Yield a fault for each file of the user's that would be replaced."""
+    """Yield a fault for each file to be replaced that no earlier run wrote."""
     for path in below:
         if not known.get(path, True) and earlier_bytes(session, path) != targets[path]:
             yield Fault(
@@ -189,7 +184,7 @@ def _in_the_way(
     *,
     force: bool,
 ) -> Iterator[Fault]:
-    """Yield a fault for each foreign file in a folder that must contain only its own files."""
+    """Yield a fault for each foreign file in a folder that may contain only compwright's files."""
     inside = {_below(folder, name) for name in whole}
     for path in gone:
         removable = known.get(path, False) and not was_read(session, path)
@@ -210,9 +205,7 @@ def _in_the_way(
 
 
 def write_file(session: Session, path: Path, content: bytes, *, force: bool = False) -> Path:
-    """Write one file completely. Errors as in `write_files`. ``force``: replace any file that was
-    not an input.
-    """
+    """Write one file completely. ``force``: replace any file that the command has not read."""
     if not path.name:
         raise StorageError(
             Fault(
