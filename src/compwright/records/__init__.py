@@ -1,5 +1,4 @@
-"""The common data of all rooms: immutable records that contain their own unit, direction, sign and
-origin.
+"""The data that rooms exchange: immutable records with their own unit, direction and sign.
 
 Inside: positions and deviations in mm (linear) or deg (rotary). Deviation = measured minus target.
 Correction = what the control adds to the command.

@@ -16,7 +16,7 @@ FloatArray = NDArray[np.float64]
 
 
 class Direction(StrEnum):
-    """Approach direction: the sign of the machine motion that arrives at the position."""
+    """Approach direction: the sign of the axis motion that arrives at the position."""
 
     POSITIVE = "+"
     NEGATIVE = "-"
@@ -54,9 +54,7 @@ class AxisKind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class PositionMap:
-    """The conversion machine = sense * instrument + offset. ``sense`` -1 also exchanges the
-    directions and the sign of deviations.
-    """
+    """The conversion machine = sense * instrument + offset; ``sense`` -1 reverses directions."""
 
     sense: Literal[1, -1] = 1
     offset: float = 0.0
@@ -64,7 +62,7 @@ class PositionMap:
 
 @dataclass(frozen=True, slots=True)
 class Encoder:
-    """The measuring system of an axis: ``system`` 1 or 2.
+    """The measuring system of an axis: its number (1 or 2) and its type.
 
     2 is index 1 in files that count from 0; ``stated`` False: it is an assumption.
     """
@@ -76,8 +74,7 @@ class Encoder:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Axis:
-    """One axis of the machine. ``travel``, ``reference`` and ``screw_pitch`` in mm or deg, machine
-    coordinates.
+    """One axis of the machine, in machine coordinates; lengths and positions in mm or deg.
 
     ``address`` is the control's own name of the axis as text (``"1"``, ``"AX1"``, ``"X"``,
     ``"0"``). The correction is zero at ``reference`` approached in ``reference_return``.
@@ -115,7 +112,7 @@ class Axis:
 
 
 def partner_of(axis: Axis, address: str) -> Axis:
-    """Return the slave axis of a gantry. Only its address and its number differ from its master."""
+    """Return the slave axis of a gantry: the master with the slave's address and number."""
     return replace(
         axis,
         name=f"{axis.name} ({address})",

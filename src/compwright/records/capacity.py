@@ -1,4 +1,4 @@
-"""The limits of one axis of one control. Fitting and prediction use these instead of the control.
+"""The limits of a control for the table of one axis, used by fitting and prediction.
 
 Built by ``formats``.
 """
@@ -15,8 +15,7 @@ from compwright.words.sentences import Sentence
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lattice:
-    """A control that stores whole increments: the correction at a node is their sum from the
-    reference.
+    """Limits of a control whose increments add up, from the reference, to the correction.
 
     Node m's total = magnification * ``unit`` * sum of the increments.
 
@@ -37,7 +36,7 @@ class Lattice:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wave:
-    """A second table that repeats over a short period, in whole increments of ``unit``, mm or deg.
+    """Limits of a second table that repeats over a short period, in increments of ``unit``.
 
     At most ``increment`` of them in a section; ``room``: points that are free; ``step``: the
     sections are multiples of it, mm or deg.
@@ -49,13 +48,13 @@ class Wave:
     step: float
 
     def holds(self, section: float) -> bool:
-        """Return whether a section length, mm or deg, can be written exactly."""
+        """Return whether the length of a table section (mm or deg) is a multiple of ``step``."""
         return abs(section / self.step - round(section / self.step)) < 1e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Capacity:
-    """Limits of one axis' table, mm or deg.
+    """The limits of a control for the table of one axis, in mm or deg.
 
     ``curves`` 1: one table for both directions; 2: one per direction. ``quantum``: resolution of a
     table value. ``backlash_quantum`` None: the control has no backlash value in addition to the
@@ -124,6 +123,6 @@ class Capacity:
 
     @property
     def at_most(self) -> int | None:
-        """The largest possible number of points. None: no limit is known."""
+        """The largest possible number of table points, or None if no limit is known."""
         limits = (self.max_points, self.most_points)
         return min((limit for limit in limits if limit is not None), default=None)

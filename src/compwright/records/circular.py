@@ -1,6 +1,4 @@
-"""A circular test (ISO 230-4 clause 4): radius along a commanded circle in both directions, and its
-evaluation.
-"""
+"""A circular test (ISO 230-4, clause 4) in both directions, and its evaluation."""
 
 from __future__ import annotations
 
@@ -97,8 +95,7 @@ class CircularTest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircularEffect:
-    """One cause of the deviations. ``unit``: um, um/m or ms; ``effect``: its peak-to-peak radial
-    effect over both runs, µm.
+    """One cause of the deviations in a circular test, with its value and its effect in µm.
 
     ``share`` is ``effect`` over the sum of all effects. ``low``: lower end of a one-sided 95 %
     interval where the value cannot be negative; None else. ``more``: what belongs to the value, by
@@ -117,7 +114,7 @@ class CircularEffect:
 
 @dataclass(frozen=True, slots=True)
 class FreshRun:
-    """Random draws of one run of a new circular test, by the fit of the measured one.
+    """Random draws of what one run of a new circular test would show, in mm.
 
     At the ``angles`` (n,) deg: readings without noise ``paths`` and ``noise`` (d, n) mm, each row
     as probable as the others.
@@ -130,7 +127,7 @@ class FreshRun:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FittedRun:
-    """The fit of one run by all causes: angles in deg, deviations and residuals in mm.
+    """One run as fitted by all causes: angles (deg), deviations and residuals (mm).
 
     ``angles`` (n,) deg as measured, ``deviations`` (n,) mm of the fit, ``residuals`` (n,) mm,
     measured minus fitted. Of a long run only samples at equal steps.
@@ -145,8 +142,7 @@ class FittedRun:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Diagnosis:
-    """The causes of a circular test by their JSON names, their correlation, and the causes that
-    cannot be separated.
+    """The causes in a circular test by JSON name, with correlations and inseparable causes.
 
     In the order of ``names``.
 
@@ -171,9 +167,7 @@ class Diagnosis:
 
     @property
     def not_given(self) -> Mapping[str, Sentence]:
-        """The reasons for causes without a value: undetermined, or a squareness that is too
-        uncertain.
-        """
+        """The reasons why causes have no value, such as a squareness that is too uncertain."""
         effect = self.effects.get("squareness")
         if (
             effect is None
@@ -186,8 +180,7 @@ class Diagnosis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircularResult:
-    """The parameters of a circular test by their JSON names, mm. None where undefined, with the
-    reason in ``not_applicable``.
+    """The parameters of a circular test by JSON name, mm, or None with the reason why not.
 
     ``centres`` (``ccw``, ``cw``, ``common``): least-squares centres, mm. ``mean_radius_deviation``
     by sense: radius of the least-squares circle minus nominal, mm. ``zone_centres`` and

@@ -1,5 +1,4 @@
-"""The conditions of a measurement in the job: temperatures with coefficients, and uncertainty
-contributors.
+"""Conditions of a measurement by the job: temperatures and contributors to uncertainty.
 
 Apart from the job, because evaluating a file needs these records and nothing else of it.
 """
@@ -18,8 +17,7 @@ LEAST_EXPANSION, MOST_EXPANSION = 0.01, 40.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Thermal:
-    """Nominal differential expansion: coefficients in µm/(m K), temperatures in °C, ``x_fix`` in mm
-    (machine coordinates).
+    """Differential expansion of axis and instrument: coefficients µm/(m K), temperatures °C.
 
     Temperatures are the mean of start and end of the test; ``rise_m`` and ``rise_d`` are end less
     start, K.
@@ -42,8 +40,7 @@ class Thermal:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class UncertaintyBudget:
-    """Uncertainty contributors of ISO 230-2:2006 annex A as expanded uncertainties (k = 2): µm
-    (rotary: arcsec), µm/m, K, µm/(m K).
+    """Contributors to uncertainty (ISO 230-2:2006, annex A) as expanded uncertainties (k = 2).
 
     Two are ranges as in the annex: ``misalignment_mm``, the lateral range of the beam over the
     measured length, and ``E_VE``, the drift of a drift test as long as the run.
@@ -60,7 +57,7 @@ class UncertaintyBudget:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircularBudget:
-    """Uncertainty contributors of circular tests (k = 2).
+    """Contributors to the uncertainty of circular tests, as expanded uncertainties (k = 2).
 
     Instrument ``U`` (a change in length), calibrated ``length`` of the bar and ``setup`` in µm,
     ``U_theta`` K, ``U_alpha`` µm/(m K); ``E_VE`` is a range, µm.

@@ -1,5 +1,4 @@
-"""The compensation of one axis independent of the control's format: a correction by position and
-approach direction.
+"""The compensation of one axis in any control: a correction by position and approach direction.
 
 Correction = what the control adds to the command, mm or deg. A control that stores errors,
 increments or actual positions is converted to this by the room ``formats``, and independently of it
@@ -44,13 +43,13 @@ class ControlFile:
 
     @property
     def raw(self) -> bytes:
-        """The bytes of the whole control file."""
+        """The bytes of the file with the characters that a serial line added around them."""
         return self.leader + self.content + self.trailer
 
 
 @dataclass(frozen=True, slots=True)
 class Assumption:
-    """An assumed fact that was not in the files."""
+    """A fact that no file states and compwright assumes, with its value and the evidence."""
 
     fact: str
     value: str
@@ -59,7 +58,7 @@ class Assumption:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisCompensation:
-    """The compensation of one axis: a table for each approach direction, and backlash.
+    """The compensation of one axis: a table per approach direction, and backlash compensation.
 
     ``positions`` (k,) strictly ascending, machine coordinates; ``positive``, ``negative`` (k,): the
     tables' correction for an approach in that direction (equal if the control has one curve).
@@ -117,18 +116,18 @@ class AxisCompensation:
         return total
 
     def backlash_at(self, direction: Direction) -> float:
-        """Return the correction by backlash for an approach in ``direction``."""
+        """Return the backlash compensation for an approach in ``direction``."""
         return 0.0 if direction is self.reference_return else direction.sign * self.backlash
 
     def total(self, direction: Direction) -> FloatArray:
-        """Return the correction (k,) at the nodes, table and backlash together."""
+        """Return the correction (k,) at the table points, including backlash compensation."""
         return self.curve(direction) + self.backlash_at(direction)
 
 
 def no_compensation(
     address: str, kind: AxisKind, reference_return: Direction = Direction.POSITIVE
 ) -> AxisCompensation:
-    """Return an axis without compensation (the state ``none``)."""
+    """Return an axis without compensation, as in the state ``none`` of a job."""
     empty = np.empty(0)
     return AxisCompensation(
         address=address,
@@ -180,8 +179,7 @@ class CrossCompensation:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ControlState:
-    """The state in a set of control files: compensation by address, corrections between axes, and
-    further facts.
+    """The compensation in a set of control files: by axis address, and between axes.
 
     ``facts``: by address. ``tables``: those between axes, active or not. ``reserved``: numbers of
     an array that all axes share which hold data, or to which another function refers. ``stays``: by
@@ -205,5 +203,5 @@ class ControlState:
         return frozenset({*named, *self.tables.used.values()})
 
     def facts_of(self, address: str) -> AxisFacts:
-        """Return the facts about an axis in the files. Empty if they do not name it."""
+        """Return the facts about an axis in the files, empty if the files do not name it."""
         return self.facts.get(address, AxisFacts())

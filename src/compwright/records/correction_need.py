@@ -16,9 +16,7 @@ Need = Literal["correct", "negligible", "undetermined"]
 
 
 def correction_need(value: float, std_error: float) -> Need:
-    """Return whether a squareness or scale error (µm/m) is corrected, needs no correction, or is
-    too uncertain.
-    """
+    """Return whether a squareness or scale error (µm/m) is known well enough to be corrected."""
     uncertainty = _BOTH_SIDES * std_error
     if uncertainty < most_uncertain(value):
         return "correct"
@@ -26,11 +24,11 @@ def correction_need(value: float, std_error: float) -> Need:
 
 
 def most_uncertain(value: float) -> float:
-    """Return the largest acceptable value of two standard errors for correcting ``value``, µm/m."""
+    """Return the largest 2 standard errors with which ``value`` (µm/m) is still corrected."""
     return min(0.5 * abs(value), MOST_UNCERTAIN)
 
 
 def shortfall(value: float, std_error: float) -> Sentence:
-    """Return why a value (µm/m) is undetermined, and what to measure."""
+    """Return the sentence that a value (µm/m) is too uncertain, with what to measure."""
     error = _BOTH_SIDES * std_error
     return say("undetermined.value", value=value, error=error, most=MOST_UNCERTAIN)

@@ -12,8 +12,7 @@ from compwright.records.axis import AxisKind, FloatArray
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DriftTest:
-    """Readings over time while the axis stands still: ``minutes`` (k,) ascending, ``deviations``
-    (k,) mm or deg.
+    """Readings of an axis at rest: ``minutes`` (k,) ascending, ``deviations`` (k,) mm or deg.
 
     By ``kind``; ``header``: what the file says about the test, as text.
     """
@@ -27,7 +26,7 @@ class DriftTest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LostMotionTest:
-    """Lost motion (k,), mm, after ``moves`` (k,) of increasing distance, mm, or speed, mm/min.
+    """Lost motion (k,) in mm after moves of different distance (mm) or speed (mm/min).
 
     By ``over``; ``header``: what the file says about the test, as text.
     """
@@ -41,9 +40,7 @@ class LostMotionTest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DriftRequest:
-    """The file of a drift test, and the duration (min) of a positioning test of the job.
-    None: not given.
-    """
+    """The file of a drift test, and how long a positioning test takes (min; None if not given)."""
 
     file: str
     duration_min: float | None = None

@@ -18,9 +18,7 @@ MATERIAL: Final = "material_c"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ReadingTimes:
-    """The times of a test's readings, by direction (m, n), in s or in the file's own counts. NaN
-    without a reading.
-    """
+    """The times of a test's readings per direction (m, n), in s or counts; NaN without reading."""
 
     clock: Clock
     positive: FloatArray
@@ -29,7 +27,7 @@ class ReadingTimes:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EnvironmentRecord:
-    """A record of the environment: ``times`` (k,) ascending, and ``values`` (k,) by column.
+    """Air and material over time: ``times`` (k,) ascending, and ``values`` (k,) by quantity.
 
     Times as those of `ReadingTimes`; all three of `AIR` (°C, hPa, %) or none, and `MATERIAL` (°C).
     """
@@ -47,7 +45,7 @@ class EnvironmentRecord:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InstrumentAir:
-    """The air (°C, hPa, %) that the display of a laser assumes. ``stated``: by the job."""
+    """The air (°C, hPa, %) for which a laser's display is valid. ``stated``: by the job."""
 
     air_c: float = 20.0
     pressure_hpa: float = 1013.25
@@ -57,9 +55,7 @@ class InstrumentAir:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EnvironmentRequest:
-    """The job's environment files, the equation of the refractive index, and the air that the
-    instrument assumes.
-    """
+    """The job's environment files, and how readings are corrected by the refractive index."""
 
     files: tuple[str, ...]
     equation: Literal["ciddor", "edlen"] = "ciddor"
@@ -68,7 +64,7 @@ class EnvironmentRequest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Environment:
-    """The environment record that corrects a test, and the method; see `EnvironmentRequest`.
+    """The environment record that corrects a test, with the equation and the assumed air.
 
     ``needs_time``: the readings have to say when they were taken, because the record holds other
     tests too.

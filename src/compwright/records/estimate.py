@@ -1,4 +1,4 @@
-"""The estimated error of an axis, and the wanted correction."""
+"""The estimated error of an axis, and the correction that would remove it."""
 
 from __future__ import annotations
 
@@ -14,9 +14,7 @@ from compwright.records.axis import AxisKind, Direction, FloatArray
 
 @dataclass(frozen=True, slots=True)
 class AxisPeriod:
-    """A period of the error, mm or deg, its probability, and its source: job, search, or control
-    files.
-    """
+    """The period of a periodic error (mm or deg), with its probability and its source."""
 
     period: float
     probability: float
@@ -24,13 +22,13 @@ class AxisPeriod:
 
     @property
     def named(self) -> bool:
-        """Whether the period counts in decisions, because it is more probable than not."""
+        """Whether decisions use the period, because it is more probable than not."""
         return self.probability > 0.5
 
 
 @dataclass(frozen=True, slots=True)
 class PeriodEvidence:
-    """The evidence for a wave of each of the ``periods`` (k,), ascending, mm or deg.
+    """The evidence for a periodic error with each of the ``periods`` (k,), mm or deg.
 
     Natural logarithm ``log_odds`` (k,) of its likelihood over that of none. ``detectable`` (k,):
     amplitude, mm or deg, from which the test shows a wave in 95 % of all cases at three standard
@@ -46,8 +44,7 @@ class PeriodEvidence:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ErrorEstimate:
-    """The deviation over the travel with its uncertainty, mm or deg, in the state during the
-    measurement.
+    """The estimated deviation over the travel with its uncertainty, mm or deg.
 
     ``positions`` (g,) strictly ascending over the whole travel; ``mean_*`` and ``std_*`` (g,) for
     approaches in + and -. Measured in one direction only: both directions hold that one's curve and
@@ -73,9 +70,7 @@ class ErrorEstimate:
         return self.mean_positive if direction is Direction.POSITIVE else self.mean_negative
 
     def taken(self, places: NDArray[np.intp]) -> ErrorEstimate:
-        """Return the estimate at some of the positions, by their ascending indices ``places``
-        (k,).
-        """
+        """Return the estimate at those positions whose ascending indices are ``places`` (k,)."""
         return replace(
             self,
             positions=self.positions[places],
@@ -88,7 +83,7 @@ class ErrorEstimate:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Scenarios:
-    """Simulated tests, equally likely, that judge a goal of the fit.
+    """Simulated new tests, all equally probable, with which the fit judges its goal.
 
     ``count`` tests of m targets each; arrays (count * m,), test by test, mm or deg.
 
@@ -107,8 +102,7 @@ class Scenarios:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WantedCorrection:
-    """The total correction that would remove the estimated error, before rounding and limits, mm or
-    deg.
+    """The total correction that would remove the estimated error, before rounding and limits.
 
     ``positions`` (g,) strictly ascending over the travel; ``positive``, ``negative`` (g,): totals
     (existing table plus change), zero at ``reference`` approached in ``reference_return``.

@@ -1,4 +1,4 @@
-"""Facts about the axes in a control's own files, except the compensation."""
+"""Facts about axes in a control's own files, other than compensation values."""
 
 from __future__ import annotations
 
@@ -14,9 +14,7 @@ Fact = float | int | str | bool
 
 @dataclass(frozen=True, slots=True)
 class Turn:
-    """The range of an endless axis: its start and its length, deg. ``stated``: a file states the
-    start.
-    """
+    """The range of an endless rotary axis, deg. ``stated``: a file states where it starts."""
 
     start: float
     length: float
@@ -25,7 +23,7 @@ class Turn:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PairFacts:
-    """Facts about the cross-axis tables of one axis, or of the axis over itself.
+    """Facts about the cross-axis tables that correct one axis.
 
     ``own``: the indices of its own two tables, + first. ``max_sum``: the control's limit of the sum
     of all corrections on it, mm or deg; None: unknown. ``metric``: their values are in mm, not in
@@ -45,7 +43,7 @@ class PairFacts:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisFacts:
-    """Facts about one axis in a control's files. None or empty: the files do not state them.
+    """Facts about one axis in a control's files; None or empty if the files do not state them.
 
     ``name``: its name there, by the parameter ``name_evidence``; ``machine_name``: the machine's
     own name of it, used in the names of new files. ``letters``: the axes of all joints, one letter
@@ -99,8 +97,7 @@ class AxisFacts:
 
 @dataclass(frozen=True, slots=True)
 class PairTables:
-    """The cross-axis tables in a control's files, by index: input axis, output axis and reserved
-    points.
+    """The cross-axis tables in a control's files by index: their axes, and reserved points.
 
     ``stay``: those over an axis itself that stay whatever is written.
     """

@@ -1,4 +1,4 @@
-"""The table of a control, with the proof that it is the best under the control's limits."""
+"""The table fitted for a control, with the proof that no better one is possible."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Gain = Literal["any", "seen"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TableRequest:
-    """The job's requests for the grid of a table, mm or deg. All are optional.
+    """What the job requires of a table, such as its spacing (mm or deg); all optional.
 
     ``spacing``: a number names it, "auto" lets compwright choose, None keeps the grid that is in
     the control (and chooses where there is none). ``gain``: "any" writes every table that improves
@@ -32,18 +32,18 @@ class TableRequest:
 
     @property
     def named_spacing(self) -> float | None:
-        """The spacing in the job, mm or deg. None: the job names none."""
+        """The spacing that the job states, mm or deg, or None if it states no number."""
         return None if self.spacing == "auto" else self.spacing
 
     @property
     def keeps(self) -> bool:
-        """Whether the existing grid of the control stays."""
+        """Whether the grid of the existing table is kept, as the job states no spacing."""
         return self.spacing is None
 
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """A limit of the control that costs accuracy. ``value``: the cost in mm or deg."""
+    """A limit of the control that costs accuracy. ``value``: by how much, mm or deg."""
 
     cause: str
     value: float
@@ -51,8 +51,7 @@ class Limit:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FittedTable:
-    """The rounded table as the control will hold it. ``certificate``: numbers that prove the fit,
-    by name.
+    """The rounded table for the control. ``certificate``: numbers that prove the fit, by name.
 
     ``mode`` is the choice made (single: one curve and one reversal value; bidirectional),
     ``mode_reason`` why in one sentence. ``keeps_grid``: its nodes are those that were there.

@@ -12,7 +12,7 @@ SameTable = Literal["same", "changed", "unknown"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HistoryEntry:
-    """One test of an axis or a plane in a history.
+    """One test of an axis or of a plane in the history of a machine.
 
     ``folder``: the result folder; ``number``: the place of the test in it. ``what``: the axis, or
     the plane of a circle. ``date`` as the file states it, ``day`` the same so that it can be sorted
@@ -54,7 +54,7 @@ class HistoryEntry:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NotedChange:
-    """A parameter that differs between two entries of a history by more than the uncertainty.
+    """A change of a parameter between two tests that exceeds the uncertainty.
 
     ``size``, ``std_error``: in the unit of the parameter; ``score``: the standard normal value as
     improbable; ``chance``: how often tests of an unchanged machine differ as much.
@@ -75,7 +75,7 @@ class NotedChange:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NotedJump:
-    """A sudden change of a parameter between two entries of a history."""
+    """A sudden change of a parameter between two tests in a history."""
 
     before: int
     after: int

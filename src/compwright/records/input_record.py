@@ -1,4 +1,4 @@
-"""The record of the input files of a result folder, and the places of their copies."""
+"""The list of a command's input files in the record of a result folder."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ InputRole = Literal[
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RecordedInput:
-    """A file that a command read, and the place of its copy.
+    """A file that a command read, and where the result folder has its copy.
 
     ``file``: as the job or the command line names it; ``copy``: where the same bytes are below the
     result folder (None: not in it); ``of``: the test or state.

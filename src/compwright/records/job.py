@@ -1,4 +1,4 @@
-"""A job: the requests of the engineer. Paths are text as written.
+"""A job: what the engineer states and requires. Paths are text as written.
 
 ``workflow`` resolves them against the job's folder.
 """
@@ -27,7 +27,7 @@ AS_FOUND = "as_found"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestRequest:
-    """One test of an axis: its files, name, state of the control, position map, and motion.
+    """One positioning test of an axis: its files, name, state of the control and motion.
 
     ``thermal``: its differential expansion, by its own keys over those of the axis over those of
     the job; ``own_temperatures``: those of ``T_m`` and ``T_d`` that its own keys state, so that its
@@ -49,9 +49,7 @@ class TestRequest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Acceptance:
-    """Limits by parameter name in µm or arcsec, for the test ``test`` (None: the first test or the
-    circle).
-    """
+    """Limits by parameter in µm or arcsec. ``test``: the test they apply to (None: the first)."""
 
     limits: Mapping[str, float]
     test: str | None = None
@@ -59,8 +57,7 @@ class Acceptance:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleRequest:
-    """One circular test: its files (one with both runs, or one per run), its name, and its state of
-    the control.
+    """One circular test: its file, or a file per run, its name, and the state of the control.
 
     ``centre``: machine coordinates, mm: of the two axes of the plane in their order, or of X, Y and
     Z; None: not given. ``accept``: limits in µm.
@@ -75,9 +72,7 @@ class CircleRequest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CrossRequest:
-    """Deviations (k,) of the axis ``output`` (mm or deg) at ascending ``positions`` (k,) of the
-    axis ``input``.
-    """
+    """Measured deviations (k,) of the axis ``output`` at positions (k,) of the axis ``input``."""
 
     input: str
     output: str
@@ -88,9 +83,7 @@ class CrossRequest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ApplyRequest:
-    """The corrections from circular tests: the bent axis by plane, axes with a new scale, and the
-    source of lost motion.
-    """
+    """What circular tests correct: squareness (axis by plane), scale of axes, and backlash."""
 
     squareness: Mapping[str, str] = field(default_factory=dict)
     scale: tuple[str, ...] = ()
@@ -104,9 +97,7 @@ def other_axis(plane: str, bent: str) -> str:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Acknowledgement:
-    """A doubt that the job acknowledges, by finding code and reason. ``axis``: for which axis
-    (None: every axis).
-    """
+    """A doubt that the job acknowledges, with code, reason and axis (None: every axis)."""
 
     code: str
     reason: str
@@ -115,7 +106,7 @@ class Acknowledgement:
 
 @dataclass(frozen=True, slots=True)
 class Acknowledged:
-    """A doubt that was found, and the job's acknowledgement of it."""
+    """A doubt that was found, with the job's acknowledgement."""
 
     finding: Finding
     by: Acknowledgement
@@ -123,7 +114,7 @@ class Acknowledged:
 
 @dataclass(frozen=True, slots=True)
 class Logo:
-    """A logo: its media type and its bytes."""
+    """The logo of a report: its media type and its bytes."""
 
     type: str
     content: bytes
@@ -131,9 +122,7 @@ class Logo:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ReportHead:
-    """The language of reports and the job's statements for their head. ``logo``: its file;
-    ``image``: its contents.
-    """
+    """The language of reports, and the job's entries for the head of a report."""
 
     language: Language = "en"
     number: str | None = None
@@ -146,8 +135,7 @@ class ReportHead:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisJob:
-    """The job's requests for one axis. ``before`` may be empty if there are only circles or cross
-    measurements.
+    """What the job requires for one axis. ``before``: its positioning tests, possibly none.
 
     ``thermal``: the axis' own keys over those of the job. ``stated``: which of ``reference`` and
     ``reference_return`` the job gives itself.
@@ -163,7 +151,7 @@ class AxisJob:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Job:
-    """The whole job. ``states``: the control files of each state, `NONE_STATE` for ``none``.
+    """The whole job. ``states``: the control files of each state, such as as_found.
 
     ``active``: by state, whether compensation was active in it if its files switch it off or do not
     state it; absent: not answered. ``options`` are the controller's; an axis' own are in
@@ -198,24 +186,22 @@ class Job:
     findings: tuple[Finding, ...] = ()
 
     def budget(self, kind: AxisKind) -> UncertaintyBudget | None:
-        """Return the uncertainty contributors for one kind of axis. Those in µm do not apply to
-        angles, and the reverse.
-        """
+        """Return the uncertainty contributors for linear (µm) or for rotary axes (arcsec)."""
         return self.uncertainty_rotary if kind is AxisKind.ROTARY else self.uncertainty
 
     @property
     def budgets(self) -> dict[AxisKind, UncertaintyBudget]:
-        """The declared uncertainty contributors by kind of axis."""
+        """The contributors to uncertainty that the job states, by kind of axis."""
         every = {kind: self.budget(kind) for kind in AxisKind}
         return {kind: budget for kind, budget in every.items() if budget is not None}
 
     def acknowledgement(self, code: str, axis: str) -> Acknowledgement | None:
-        """Return the acknowledgement of a doubt about an axis. None without one."""
+        """Return the job's acknowledgement of a doubt about an axis, or None."""
         given = (each for each in self.acknowledged if each.code == code)
         return next((each for each in given if each.axis in (None, axis)), None)
 
     def with_environment(self, record: Environment, T_m: float | None) -> Job:
-        """Return the job with its linear tests corrected by the environment ``record``.
+        """Return the job with the environment record by which linear tests are corrected.
 
         ``T_m``: the mean of its material (°C), which counts where no key states one.
         """
@@ -241,9 +227,7 @@ class Job:
         return replace(self, axes=axes, thermal=known(self.thermal))
 
     def with_variation(self, kind: AxisKind, E_VE: float) -> Job:
-        """Return the job with a range (µm or arcsec) of environmental variation for one kind of
-        axis.
-        """
+        """Return the job with an environmental variation E_VE (µm, arcsec) of a kind of axis."""
         budget = replace(self.budget(kind) or UncertaintyBudget(), E_VE=E_VE)
         if kind is AxisKind.ROTARY:
             return replace(self, uncertainty_rotary=budget)

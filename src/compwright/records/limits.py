@@ -1,4 +1,4 @@
-"""The causes that limit a parameter of an axis."""
+"""Causes that limit the accuracy of an axis after compensation."""
 
 from __future__ import annotations
 
@@ -7,8 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LimitingCause:
-    """One limiting cause. ``value``: the predicted median of the parameter with the cause minus
-    that without it, mm or deg.
+    """One cause. ``value``: by how much it enlarges the predicted parameter, mm or deg.
 
     Both are from the same draws; it is negative where it happens to cancel another cause.
 
@@ -23,8 +22,7 @@ class LimitingCause:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LimitingCauses:
-    """The limiting causes of one ``parameter`` in a new test at new targets. Medians in mm
-    or deg.
+    """The causes that limit one ``parameter`` in a new test at new targets, mm or deg.
 
     ``now`` with what is in the control, ``then`` with what is written, ``least`` of an axis without
     any error, by its scatter alone.
@@ -45,8 +43,7 @@ class LimitingCauses:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PointCountOption:
-    """The predicted parameter with a table of ``points`` points: median and 5 to 95 % range, mm or
-    deg.
+    """A parameter predicted for a table of ``points`` points: median and range, mm or deg.
 
     A fresh test at new targets. They are ``spacing`` apart (mm or deg; the widest section).
 

@@ -71,15 +71,15 @@ class NoiseDraws:
 
     @property
     def count(self) -> int:
-        """The number of random draws of the noise."""
+        """The number of random draws."""
         return len(self.sigma)
 
     def taken(self, index: IndexArray | slice) -> NoiseDraws:
-        """Return the draws with the indices ``index`` (n,). For a slice: views of the arrays."""
+        """Return the draws with the indices ``index``; a slice gives views of the arrays."""
         return replace(self, **{name: getattr(self, name)[index] for name in _ARRAYS})
 
     def outlier_size_at(self, scale: FloatArray, way: int) -> FloatArray:
-        """Return the size of outliers (count, m), in scales of a reading, in + (``way`` 0) or in -.
+        """Return the size of outliers (count, m), as a multiple of a reading's scale ``scale``.
 
         ``outlier_size`` where the scales are ``scale`` (count, m).
 
@@ -94,9 +94,7 @@ class NoiseDraws:
         return np.where(size * scale > largest, allowed, size)
 
     def scale_at(self, positions: FloatArray) -> FloatArray:
-        """Return the scale s(u) (count, 2, k) of a reading at ``positions`` (k,) in + and in -, mm
-        or deg.
-        """
+        """Return the scale (count, 2, k) of a reading's noise at ``positions`` (k,), in + and -."""
         u = (positions - self.centre) / self.half
         logs = self.growth @ waves(u, self.growth.shape[1])
         scale: FloatArray = self.sigma[:, :, np.newaxis] * np.exp(logs)[:, np.newaxis]
@@ -116,9 +114,7 @@ _ARRAYS: Final = tuple(
 
 
 def normal_noise(sigma: FloatArray, centre: float = 0.0, half: float = 1.0) -> NoiseDraws:
-    """Return independent normal noise with standard deviation ``sigma`` (count,), mm or deg, equal
-    everywhere.
-    """
+    """Return normal noise with standard deviation ``sigma`` (count,) over the whole travel."""
     nothing = np.zeros(sigma.shape)
     return NoiseDraws(
         centre=centre,
@@ -143,7 +139,7 @@ def normal_noise(sigma: FloatArray, centre: float = 0.0, half: float = 1.0) -> N
 
 
 def without(draws: NoiseDraws, *parts: NoisePart) -> NoiseDraws:
-    """Return the noise without some of its parts, as if their causes were removed.
+    """Return the noise without some of its parts, such as outliers or drift.
 
     ``scatter``: the readings about their traverses; ``tails``: outliers, and the heavy tails, at
     the same scale; ``growth``: of the scatter along the travel; ``traverses``: their offsets and
@@ -165,7 +161,7 @@ def without(draws: NoiseDraws, *parts: NoisePart) -> NoiseDraws:
 
 
 def waves(u: FloatArray, count: int) -> FloatArray:
-    """Return cosine half waves (count, k) along the travel at ``u`` (k,), -1 to 1.
+    """Return ``count`` cosine half waves along the travel, at ``u`` (k,) from -1 to 1.
 
     From end to end, cos(w pi (u + 1) / 2), w = 1 to ``count``; constant beyond the ends.
     """
@@ -175,8 +171,7 @@ def waves(u: FloatArray, count: int) -> FloatArray:
 
 
 def traverse_order(positive: int, negative: int) -> tuple[IndexArray, IndexArray]:
-    """Return the order in time (from 0) of the traverses, which alternate and begin with + (ISO
-    230-2, standard test cycle).
+    """Return the order in time of the traverses of a standard test cycle, which begins with +.
 
     ``positive`` and ``negative`` of them.
     """
@@ -189,8 +184,7 @@ def traverse_order(positive: int, negative: int) -> tuple[IndexArray, IndexArray
 
 
 def wave_effects(order: FloatArray, signs: FloatArray, count: int, pace: float) -> FloatArray:
-    """Return the covariance (2, k, 2, k) of offsets and tilts of k traverses that follow a random
-    wave in time.
+    """Return the covariance of offsets and tilts of traverses under a slow disturbance.
 
     A wave of unit standard deviation and correlation time ``pace``, in parts of the test; k of its
     ``count`` traverses: those in the places ``order`` (k,) of time (from 0) and the directions
@@ -212,8 +206,7 @@ def wave_effects(order: FloatArray, signs: FloatArray, count: int, pace: float) 
 
 
 def progress(runs: int, rate: FloatArray) -> FloatArray:
-    """Return the completed share of a drift at the start of each run, (..., runs) from 0 to 1, for
-    ``rate`` (...).
+    """Return which share (0 to 1) of a drift is complete at the start of each run.
 
     p_j = (1 - exp(-rate j / (runs - 1))) / (1 - exp(-rate)); ``rate`` 0: j / (runs - 1), even
     progress; above 0: a first-order approach to a steady state, as a body warms up (Newton's law of
@@ -228,8 +221,7 @@ def progress(runs: int, rate: FloatArray) -> FloatArray:
 def slackening(
     runs: int, rate: FloatArray, u: FloatArray, *, returns: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """Return how much less a drift of ``rate`` (count,) moves later readings of a run: (count, k)
-    in + and in -.
+    """Return by how much less a drift moves a later reading than the first one of a run.
 
     A reading at ``u`` (k,), -1 to 1, between one run and the next than it moves the first reading
     of a run.
@@ -245,8 +237,7 @@ def slackening(
 def within_run(
     runs: int, rate: FloatArray, u: FloatArray, *, returns: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the share of a drift of ``rate`` (count,) that appears within a run at ``u`` (k,):
-    (count, k) in + and in -.
+    """Return the share of a drift that takes place within a run up to each position ``u``.
 
     In the means over the runs, between the first reading of a run and the one at ``u``, -1 to 1.
 
@@ -266,6 +257,6 @@ def within_run(
 
 
 def _parts_of_run(u: FloatArray, *, returns: bool) -> tuple[FloatArray, FloatArray]:
-    """Return the completed share of a run at ``u`` (k,) in + and in -."""
+    """Return which share of a run's time has passed at positions ``u`` (k,), in + and in -."""
     half = 0.5 if returns else 1.0
     return half * 0.5 * (u + 1.0), half * 0.5 * (1.0 - u) + (0.5 if returns else 0.0)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 
 class Section(NamedTuple):
-    """One section of a table: its number, its start and its end, mm or deg."""
+    """One section of a table: its number, start and end, mm or deg."""
 
     number: int
     low: float
@@ -16,7 +16,7 @@ class Section(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class NumberedSections:
-    """The sections of one axis, ascending, without gaps.
+    """The sections of one axis's table, ascending and without gaps.
 
     ``reference``: the position from which they are counted, mm or deg. ``marks``: what the control
     calls some of the numbers. ``second``: the number of the first section in a set for travel in -;

@@ -20,7 +20,7 @@ ENCODER_SYSTEM = "encoder_system"
 
 @dataclass(frozen=True, slots=True)
 class UnansweredOption:
-    """An option that the user must give in a new job, because no file states it.
+    """An option of the control that the user must state in a new job, as no file states it.
 
     ``words``: what is expected; ``stand_in``: a value with which the files tell their axes all the
     same. ``lengths``: the positions of a table count in it.

@@ -1,6 +1,4 @@
-"""A plan: all data for ``export``, ``compare`` and ``verify`` without the job. mm or deg, machine
-coordinates.
-"""
+"""A plan: all that ``export``, ``compare`` and ``verify`` need of a job, in machine coordinates."""
 
 from __future__ import annotations
 
@@ -31,8 +29,7 @@ Texts = tuple[tuple[str, bytes], ...]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedTest:
-    """A test in the plan (machine coordinates), the name of the active state, and the motion of the
-    axis.
+    """A positioning test in a plan, with the state of the control and the motion of the axis.
 
     ``backlash_more``: the backlash that was active in it minus that at the motion of the axis
     (``Axis.motion``), mm or deg; a new table leaves that difference. ``slope_std``: standard
@@ -50,7 +47,7 @@ class PlannedTest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedAxis:
-    """One axis of a plan.
+    """One axis in a plan: tests, estimated error, wanted correction and fitted table.
 
     ``active``: the correction that was active during the first test. ``wanted``: totals before
     rounding and limits. ``fitted``: the table for the plan's own format; None if none may be
@@ -69,7 +66,7 @@ class PlannedAxis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedCircle:
-    """A circular test in the plan, its active state and its centre (mm, machine coordinates).
+    """A circular test in a plan, with the state of the control and the centre (mm).
 
     ``accept``, ``budget``: its limits and what the job declared of uncertainty.
     """
@@ -83,8 +80,7 @@ class PlannedCircle:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedCross:
-    """The planned correction of the axis ``output`` over the axis ``input``, in addition to
-    existing ones.
+    """A planned correction of the axis ``output`` by the position of the axis ``input``.
 
     ``added``: the table before the control rounds it, by the control's addresses, zero at the
     reference of the input axis. ``source``: from circular tests (``tests`` names them) or from a
@@ -103,19 +99,18 @@ class PlannedCross:
 
     @property
     def addresses(self) -> tuple[str, str]:
-        """Input and output axis as the control names them."""
+        """The addresses of input and output axis on the control."""
         return self.added.input, self.added.output
 
     @property
     def pair(self) -> frozenset[str]:
-        """The two axes, in an order that does not depend on which one is bent."""
+        """The set of the two axes, whichever of them is corrected."""
         return frozenset({self.input, self.output})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Plan:
-    """The plan. ``states``: byte copies of the control's own files (None: not stated; empty:
-    ``none``).
+    """The plan. ``states``: copies of the control's files (None: unknown, empty: ``none``).
 
     ``active``: by state, the job's answer whether compensation was active. ``cross``: what is
     wanted between axes, written or not; ``circles``: the circular tests by name. ``results``: the

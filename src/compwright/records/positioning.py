@@ -25,7 +25,7 @@ SAME_READING: Final = 1e-9
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class PositioningTest:
-    """The deviations (measured minus target) of one axis, mm or deg by ``kind``.
+    """The deviations (measured minus target) of one axis in a test, in mm or deg.
 
     ``targets`` (m,) strictly ascending. ``positive`` (m, n+) and ``negative`` (m, n-) hold one
     column per traverse in the order of the run numbers; a reading that was not made is NaN (a
@@ -83,9 +83,7 @@ class PositioningTest:
 
     @property
     def step(self) -> float:
-        """The smallest difference between two different readings, mm or deg. 0 where all are
-        equal.
-        """
+        """The smallest difference between different readings, mm or deg; 0 if all are equal."""
         values = np.concatenate([self.positive.ravel(), self.negative.ravel()])
         steps = np.diff(np.sort(values[np.isfinite(values)]))
         steps = steps[steps > SAME_READING]
@@ -166,9 +164,7 @@ def merge(tests: Sequence[PositioningTest], name: str) -> PositioningTest:
 
 
 def _times(targets: FloatArray, tests: Sequence[PositioningTest]) -> ReadingTimes | None:
-    """Return the times of the readings in several files. None where a file lacks them or uses
-    another form.
-    """
+    """Return the times of the readings in several files, or None if some files lack them."""
     given = [test.times for test in tests if test.times is not None]
     if len(given) < len(tests) or len({each.clock for each in given}) > 1:
         return None

@@ -18,7 +18,7 @@ Decision = Literal["accept", "reject", "undecided"]
 
 @dataclass(frozen=True, slots=True)
 class Quantiles:
-    """Median and the limits of the 90 % interval of a predicted parameter, mm or deg."""
+    """Median and 5 and 95 % quantiles of a predicted parameter, mm or deg."""
 
     median: float
     p05: float
@@ -27,7 +27,7 @@ class Quantiles:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestPrediction:
-    """One test of an axis and its prediction, at its targets and at new random ones.
+    """A test of an axis, and the prediction of a new one at the same and at new targets.
 
     ``uncertainty``: of the parameters of the fresh one at the same targets, where it guards a
     decision about them.
@@ -44,8 +44,7 @@ class TestPrediction:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AcceptDecision:
-    """The decision about a limit of the job for a prediction or a result. ``limit``, ``value`` and
-    ``U`` in µm or arcsec.
+    """The decision about a limit of the job. ``limit``, ``value`` and ``U`` in µm or arcsec.
 
     ``rule``: how it was decided. ``test``: the test that it is meant for, where the job names one;
     else it is the first of the axis.
@@ -61,8 +60,7 @@ class AcceptDecision:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CirclePrediction:
-    """One circular test: its result, its result with the new tables, and the prediction of a new
-    test.
+    """A circular test, its result with the new tables, and the prediction of a new test.
 
     ``predicted``: parameters by their contract names, mm; ``causes``: diagnosis by its contract
     names, in the contract's units.
@@ -77,8 +75,7 @@ class CirclePrediction:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisPrediction:
-    """The prediction of one axis. ``table``: the table as read back from its files, None where none
-    is written.
+    """The prediction of one axis. ``table``: its table as read back, None if none is written.
 
     ``limits``: what keeps the axis where it then is; ``worth``: of the parameter named there, by
     number of points. ``periods``: those of its error, known and found, with the ``evidence`` of the

@@ -47,7 +47,7 @@ class Contribution:
 
 @dataclass(frozen=True, slots=True)
 class Extreme:
-    """An extreme value (mm or deg), its target, and its approach direction (None: mean of both)."""
+    """An extreme value (mm or deg), its target, and its direction (None: mean of both)."""
 
     value: float
     position: float
@@ -56,8 +56,7 @@ class Extreme:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TargetColumns:
-    """The values of each target in the standard's table, arrays (m,) in mm or deg. NaN where not
-    applicable.
+    """The values at each target, as arrays (m,) in mm or deg; NaN where undefined.
 
     ``repeatability_*`` are R_i; ``reversal`` is B_i = mean(+) - mean(-); ``mean`` is the mean of
     both directions.
@@ -76,7 +75,7 @@ class TargetColumns:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class PositioningResult:
-    """The parameters of a positioning test by their JSON names, mm or deg. None where undefined.
+    """The parameters of a positioning test by JSON name, mm or deg; None if undefined.
 
     ``A``, ``E_positive``, ``B_mean``, ... or VDI's own.
 

@@ -28,7 +28,7 @@ LOGARITHM: Final = 6
 
 
 def rounded(values: FloatArray, digits: int = PICO) -> FloatArray:
-    """Return ``values``, mm or deg, rounded to a number of decimals, without minus zero."""
+    """Return ``values`` rounded to ``digits`` decimals, with 0 instead of -0."""
     result: FloatArray = np.round(values, digits) + 0.0
     return result
 

@@ -1,6 +1,4 @@
-"""Handle the characters that a serial line (RS-232, paper tape) adds around a control's text. A
-patch keeps them.
-"""
+"""Characters that a serial line (RS-232, paper tape) adds around the text of a control's file."""
 
 from __future__ import annotations
 
@@ -19,9 +17,7 @@ _NO_TEXT = re.compile(rb"[\x00-\x08\x0e-\x1f]")
 
 
 def from_line(name: str, raw: bytes, folder: str = "") -> ControlFile:
-    """Return a control's file without the characters that a serial line added. Other files stay
-    unchanged.
-    """
+    """Return a control's file with the characters that a serial line added kept separately."""
     head = raw[: len(raw) - len(raw.lstrip(_AROUND))]
     tail = raw[len(raw.rstrip(_AROUND)) :]
     begin = max((match.end() for match in _CODE.finditer(head)), default=0)
@@ -33,7 +29,7 @@ def from_line(name: str, raw: bytes, folder: str = "") -> ControlFile:
 
 
 def as_on_line(files: Sequence[ControlFile], own: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
-    """Return files with the leader and trailer of the control's ``own`` files of the same name."""
+    """Return new files with the serial-line characters that the control's own files have."""
     around = {file.name: (file.leader, file.trailer) for file in own}
     return tuple(
         replace(file, leader=around[file.name][0], trailer=around[file.name][1])
@@ -44,7 +40,7 @@ def as_on_line(files: Sequence[ControlFile], own: Sequence[ControlFile]) -> tupl
 
 
 def whole(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
-    """Return files with all their bytes as text, for a control that reads every byte."""
+    """Return files with the serial-line characters as part of their text."""
     return tuple(
         replace(file, content=file.raw, leader=b"", trailer=b"")
         if file.leader or file.trailer

@@ -1,4 +1,4 @@
-"""Target positions that show periodic errors."""
+"""Propose target positions at which a test shows periodic errors."""
 
 from __future__ import annotations
 
@@ -17,8 +17,7 @@ _SEED: Final = 42  # the same travel and count give the same targets
 
 
 def proposed_targets(low: float, high: float, count: int) -> FloatArray:
-    """Return ``count`` ascending targets (m,), mm or deg, from ``low`` to ``high``, that show
-    periodic errors.
+    """Return ``count`` ascending targets from ``low`` to ``high`` that show periodic errors.
 
     Equal intervals plus a random part (ISO 230-2:2014, 4.2; up to 0.3 of an interval), rounded to a
     tenth of a mm or deg, of narrow intervals finer; of several draws the one in which the two most
@@ -41,6 +40,6 @@ def proposed_targets(low: float, high: float, count: int) -> FloatArray:
 
 @lru_cache(maxsize=64)  # tests of one machine have the same targets
 def targets_text(low: float, high: float, count: int, unit: str) -> Sentence:
-    """Return proposed targets as text, at most thirty."""
+    """Return a sentence that proposes targets, at most thirty."""
     targets = proposed_targets(low, high, int(np.clip(count, 12, 30)))
     return say("better_targets", targets=targets, unit=unit)

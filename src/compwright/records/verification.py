@@ -1,4 +1,4 @@
-"""The verdict on the loading, from a test after it."""
+"""The verdict on how a table was loaded, from a test after loading."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ MeasurementFault = Literal["sign", "direction", "unit", "wrong_axis", "copied", 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Candidate:
-    """A possible verdict with its probability. ``detail``: its most probable variant, as text."""
+    """A possible verdict with its probability. ``detail``: its most probable variant as text."""
 
     verdict: LoadingName
     probability: float
@@ -42,7 +42,7 @@ class Candidate:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LoadingVerdict:
-    """The verdict whether the loaded table was active as planned.
+    """The verdict on whether the loaded table was active as planned.
 
     ``margin``: natural logarithm of the odds of the favoured candidate over the next one (4.6 is
     100:1). ``sentence``: its text. ``equivalent``: names that no test could distinguish from the
@@ -75,8 +75,7 @@ class LoadingVerdict:
 
 @dataclass(frozen=True, slots=True)
 class ReadBack:
-    """The difference between the loaded and the planned correction: its largest value (mm or deg),
-    position, and pattern.
+    """The largest difference (mm or deg) between loaded and planned correction, and its pattern.
 
     ``verdict``: ``loaded``, ``not_active``, ``inverted``, ``scaled``, ``shifted``,
     ``one_direction``, ``backlash``, ``increment``, ``on_top``, ``partial`` (some files were not
