@@ -1,1 +1,1 @@
-"""Read a job file or command line as a `compwright.records.job.Job`. Paths stay as written."""
+"""Read a job file or a command line as a job. Paths stay as written."""

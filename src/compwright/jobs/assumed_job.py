@@ -1,5 +1,4 @@
-"""The job file that ``run FILE...`` writes: the given options, and every assumed value with its
-source.
+"""Write the job file of a run without one: given options, and assumed values with source.
 
 A value with a key of the job file is written under that key. An option of the control that was left
 at its default is written as a comment: as a key it would count as known, and results would no
@@ -45,14 +44,14 @@ _OPTION = "option "
 
 @dataclass(frozen=True, slots=True)
 class _JobLine:
-    """One line of a job file: its text, and the source of its value."""
+    """One line of a job file, and where its value comes from."""
 
     text: str
     source: str = ""
 
 
 def assumed_of(data: Mapping[str, Any], by_files: Mapping[str, object]) -> tuple[Assumption, ...]:
-    """Return the facts about axis, test and job that ``run`` had to assume.
+    """Return the values of axis, test and job that are not given and that ``run`` assumes.
 
     ``by_files``: keys of the axis that the control's files answered.
     """
@@ -86,7 +85,7 @@ def assumed_job(
     assumed: Sequence[Assumption],
     by_files: Mapping[str, object],
 ) -> str:
-    """Return the job file for a run that had none.
+    """Return as text the job file of a run that was started without a job file.
 
     ``data``: the values of its command line, in the form of a job; ``options``: every option of the
     control with its final value; ``assumed``: what a run lists as assumed; ``by_files``: as in
@@ -119,9 +118,7 @@ def assumed_job(
 def _options(
     given: Mapping[str, object], left: Sequence[Assumption], values: Mapping[str, object]
 ) -> Iterator[_JobLine]:
-    """Yield the options of the control: the given ones, and as comments those with default
-    values.
-    """
+    """Yield the control's options as lines: given ones, and default values as comments."""
     yield from [_JobLine("  options:")] if given else []
     for name, value in given.items():
         yield _JobLine(f"    {word(name)}: {flow(value)}", f"--option {name}")
@@ -160,7 +157,7 @@ def _listed(key: str, files: Sequence[str], indent: int, source: str) -> Iterato
 
 
 def _option(key: str) -> str:
-    """Return the command-line option for a key of an axis."""
+    """Return the command-line option that sets a key of an axis."""
     return {"encoder": "--option encoder_system", "table": "--option spacing, mode"}.get(
         key, f"--option {key}"
     )

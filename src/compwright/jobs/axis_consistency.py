@@ -1,4 +1,4 @@
-"""Checks between the keys of an axis in a job: travel and table, tests, limits, temperatures."""
+"""Check the keys of one axis in a job together: travel and table, tests, limits, temperatures."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _MOST_NODES = 100_000  # no control holds a tenth of that; a finer grid is a sli
 def axis_contradictions(
     section: Mapping[str, Any], path: KeyPath, states: Sequence[str], standard: Any, thermal: Any
 ) -> Iterator[KeyFault]:
-    """Yield the contradictions in the ``section`` of an axis at ``path``.
+    """Yield the contradictions between keys in the ``section`` of one axis.
 
     ``states``: the names that its tests may be measured in; ``standard``, ``thermal``: those of the
     job, as read.
@@ -84,7 +84,7 @@ def _geometry(section: Mapping[str, Any], path: KeyPath) -> Iterator[KeyFault]:
 def _test_sections(
     section: Mapping[str, Any],
 ) -> Iterator[tuple[KeyPath, str | None, Mapping[str, Any]]]:
-    """Yield path, name and mapping of each test below an axis, in every allowed form."""
+    """Yield key path, name and mapping of each test of an axis, in any form the job allows."""
     before = section.get("before")
     for index, entry in enumerate(before if isinstance(before, list) else [before]):
         path: KeyPath = ("before", index) if isinstance(before, list) else ("before",)
@@ -109,8 +109,7 @@ def _tests(section: Mapping[str, Any], path: KeyPath, states: Sequence[str]) -> 
 
 
 def _thermal(section: Mapping[str, Any], path: KeyPath, of_job: Any) -> Iterator[KeyFault]:
-    """Check that an axis has expansion coefficient and temperature. Keys of axis and test override
-    those of the job.
+    """Yield faults of an axis without expansion coefficient or temperature, own or of the job.
 
     Angles do not expand.
     """
@@ -135,9 +134,7 @@ def _thermal(section: Mapping[str, Any], path: KeyPath, of_job: Any) -> Iterator
 
 
 def implausible(thermal: Any, path: KeyPath) -> Iterator[KeyFault]:
-    """Yield temperatures that are probably not in °C, and expansions that no metal, glass or
-    ceramic has.
-    """
+    """Yield faults of temperatures probably not in °C, and of implausible coefficients."""
     for key in ("T_m", "T_d"):
         value = mapping_of(thermal).get(key)
         low, high = PLAUSIBLE_TEMPERATURES

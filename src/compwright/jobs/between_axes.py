@@ -1,6 +1,4 @@
-"""Checks of job keys that concern several axes: circles, measurements of one axis over another,
-corrections between axes.
-"""
+"""Check job keys on several axes: circles, cross measurements, corrections between axes."""
 
 from __future__ import annotations
 
@@ -21,7 +19,7 @@ from compwright.records.job import other_axis
 
 
 def circles(circles: Any, states: Sequence[str]) -> Iterator[KeyFault]:
-    """Yield faults of circles: no files, a repeated name, or limits on unknown parameters."""
+    """Yield faults of circular tests: no files, a repeated name, or unknown parameters."""
     seen: set[str] = set()
     for index, entry in enumerate(list_of(circles)):
         circle, path = mapping_of(entry), ("circles", index)
@@ -42,9 +40,7 @@ def circles(circles: Any, states: Sequence[str]) -> Iterator[KeyFault]:
 
 
 def cross_measurements(cross: Any, axes: Any, states: Sequence[str]) -> Iterator[KeyFault]:
-    """Yield faults of cross measurements: a repeated pair, one axis with itself, or lists of
-    unequal length.
-    """
+    """Yield faults of measurements of one axis over another, such as lists of unequal length."""
     seen: set[tuple[str, str]] = set()
     for index, entry in enumerate(list_of(cross)):
         section, path = mapping_of(entry), ("cross", index)
@@ -74,9 +70,7 @@ def cross_measurements(cross: Any, axes: Any, states: Sequence[str]) -> Iterator
 
 
 def _cross_unit(section: Mapping[str, Any], path: KeyPath, axes: Any) -> Iterator[KeyFault]:
-    """Check the unit of a cross measurement: lengths for a linear output axis, angles for a rotary
-    one.
-    """
+    """Yield a fault if the unit is one of angles for a linear axis, or the reverse."""
     unit, output = section.get("unit"), mapping_of(mapping_of(axes).get(str(section.get("output"))))
     if not isinstance(unit, str) or unit not in TO_INSIDE or not output:
         return
@@ -91,7 +85,7 @@ def _cross_unit(section: Mapping[str, Any], path: KeyPath, axes: Any) -> Iterato
 
 
 def applied(section: Any) -> Iterator[KeyFault]:
-    """Yield faults of planes that are named twice, or whose bent axis is not in the plane."""
+    """Yield faults of planes named twice, or whose corrected axis is not in the plane."""
     seen: set[frozenset[str]] = set()
     for plane, bent in mapping_of(mapping_of(section).get("squareness")).items():
         pair = frozenset({str(bent), other_axis(str(plane), str(bent))})

@@ -1,5 +1,4 @@
-"""``compwright run FILE... --format ID --axis NAME --travel LO:HI --state none|FILE... [--option
-K=V...]`` -> `Job`.
+"""Make a job from the options of ``compwright run FILE... --format ID --axis NAME``.
 
 The words are put into the form of a job file and checked by the same schema, so that both ways
 accept the same values and refuse the same faults.
@@ -43,9 +42,7 @@ _WHOLE = re.compile(r"[-+]?\d{1,15}", re.ASCII)
 
 @dataclass(frozen=True, slots=True)
 class StatedJob:
-    """A job from the command line without a job file. ``data``: its keys and values as plain
-    data.
-    """
+    """A job made from the command line. ``data``: the same job as keys and values."""
 
     job: Job
     data: Mapping[str, Any]
@@ -110,7 +107,7 @@ def job_from_options(
 def _sorted_options(
     options: Sequence[str], section: dict[str, Any]
 ) -> tuple[dict[str, str], list[Fault]]:
-    """Put the options of the axis into ``section``. Return those of the controller, and faults."""
+    """Put the options of the axis into ``section``, and return the control's, and faults."""
     controller: dict[str, str] = {}
     faults: list[Fault] = []
     seen: set[str] = set()
@@ -154,12 +151,12 @@ def _sorted_options(
 
 
 def _numbers(text: str) -> Any:
-    """Return a number, or a list of numbers separated by commas."""
+    """Return the number in a text, or the list of numbers separated by commas."""
     return [_number(part) for part in text.split(",")] if "," in text else _number(text)
 
 
 def _number(text: str) -> Any:
-    """Return ``text`` as a number. Other text is returned unchanged, and the schema refuses it."""
+    """Return ``text`` as a number, or unchanged if it is none, to be refused by the schema."""
     word = text.strip()
     if _WHOLE.fullmatch(word):
         return int(word)
@@ -167,7 +164,7 @@ def _number(text: str) -> Any:
 
 
 def whole_travel(travel: str) -> Fault:
-    """Return the fault of a travel that is not two ends with a colon."""
+    """Return the fault of a ``--travel`` value that does not look like ``0:800``."""
     return Fault(
         message=(
             "the value of `--travel` must look like 0:800 (machine coordinates, mm or deg, "
@@ -180,7 +177,7 @@ def whole_travel(travel: str) -> Fault:
 
 
 def _option(place: str, axis: str) -> str:
-    """Return the command-line option for a place in the job."""
+    """Return the command-line option that sets the value at a place in the job."""
     places = {
         f"axes.{axis}.travel": "--travel",
         f"axes.{axis}.before[0].profile": "--profile",
@@ -202,9 +199,7 @@ def _option(place: str, axis: str) -> str:
 
 
 def stated_activity(options: dict[str, object]) -> bool | None:
-    """Remove ``active`` from the options and return its value. Raises UsageError for anything but
-    yes and no.
-    """
+    """Remove ``active`` from options and return its value. Raises UsageError if not yes or no."""
     text = options.pop(ACTIVE, None)
     words = {None: None, "yes": True, "true": True, "no": False, "false": False}
     word = text if text is None else str(text).lower()

@@ -1,5 +1,4 @@
-"""Checks between keys of the job: names that must exist, ends in order, values that exclude each
-other.
+"""Check keys of the job together: names that must exist, ends in order, exclusive values.
 
 They work on the plain data as read, so that their faults are listed together with those of the
 schema. Values of the wrong type are left to the schema.
@@ -57,7 +56,7 @@ def contradictions(data: Mapping[str, Any]) -> list[KeyFault]:
 
 
 def unusable(value: Any, path: KeyPath = ()) -> Iterator[KeyFault]:
-    """Yield faults of keys without a value and of numbers that are too large, at any depth."""
+    """Yield faults of empty keys and too large numbers at any depth of the job."""
     if isinstance(value, dict):
         for key, inner in value.items():
             yield from unusable(inner, (*path, key))
@@ -108,7 +107,7 @@ def _states(states: Any) -> Iterator[KeyFault]:
 
 
 def _addresses(axes: Any) -> Iterator[KeyFault]:
-    """Check that no two axes have the same address, because one table would get both."""
+    """Yield a fault if two axes have the same address, as one table would get both."""
     seen: dict[str, str] = {}
     for name, axis in mapping_of(axes).items():
         section = mapping_of(axis)
@@ -135,9 +134,7 @@ def _addresses(axes: Any) -> Iterator[KeyFault]:
 
 
 def _untested(data: Mapping[str, Any]) -> Iterator[KeyFault]:
-    """Yield a fault for an axis without any test, unless a circle or a cross measurement uses
-    it.
-    """
+    """Yield a fault for an axis without any test, if no circle or cross measurement uses it."""
     if list_of(data.get("circles")) or list_of(data.get("cross")):
         return
     for name, axis in mapping_of(data.get("axes")).items():
@@ -151,7 +148,7 @@ def _untested(data: Mapping[str, Any]) -> Iterator[KeyFault]:
 
 
 def _acknowledged(section: Any, axes: Sequence[str]) -> Iterator[KeyFault]:
-    """Check that each acknowledgement names a doubt and an existing axis."""
+    """Yield faults of acknowledgements that name no doubt or no axis of the job."""
     for code, value in mapping_of(section).items():
         path: KeyPath = ("acknowledged", code)
         if code in REMARKS | RESULTS:

@@ -9,7 +9,7 @@ from compwright.records.job import Acknowledgement, Job
 
 
 def idle_keys(job: Job, *, systems: bool, numbers: bool, motions: bool) -> list[Finding]:
-    """Return a finding for every key of an axis that has no effect on this control.
+    """Return a finding for each key of an axis that has no effect on this control.
 
     ``systems``: the control's files distinguish measuring systems; ``numbers``: they count axes by
     another number than the address; ``motions``: backlash at rapid traverse may have its own value.
@@ -30,5 +30,5 @@ def idle_keys(job: Job, *, systems: bool, numbers: bool, motions: bool) -> list[
 
 
 def unused_acknowledgements(unused: Iterable[Acknowledgement]) -> list[Finding]:
-    """Report each acknowledgement of a doubt that was not found."""
+    """Return a finding for each acknowledged doubt that was not found."""
     return [Finding.of("CW-J021", "warning", code=each.code, axis=each.axis) for each in unused]

@@ -1,4 +1,4 @@
-"""Make the job of the next round from the last job. The files read back become the present state.
+"""Make the job of the next round from the last one, with the files read back as its state.
 
 It works on the plain data of a job file, so that everything else stays as the engineer wrote it:
 axes, options, grid, uncertainty, expansion, limits.
@@ -22,7 +22,7 @@ TEMPERATURES = ("T_m", "T_d")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NextAxis:
-    """The changes for an axis in the next round.
+    """What the next job states differently for one axis, such as its tests.
 
     ``before``: its tests, the one after loading first. ``resolved``: keys of the axis that the job
     leaves open and the files of the last round answered. ``limited``: the test to which the limits
@@ -36,7 +36,7 @@ class NextAxis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NextRound:
-    """The changes for the next round.
+    """What the next job states differently from the last one.
 
     ``paths``: the copies of profiles, drift tests and the logo, by their paths in the last
     job; ``squareness``: the planes that are corrected again.
@@ -51,21 +51,19 @@ class NextRound:
 
 
 def name_of_round(states: Sequence[str]) -> str:
-    """Return the name for the previous state of the control: ``round_1``, then ``round_2``."""
+    """Return the name for the control's previous state: ``round_1``, then ``round_2``."""
     numbers = [number_of_round(name) or 0 for name in states]
     return f"round_{max(numbers, default=0) + 1}"
 
 
 def number_of_round(state: str) -> int | None:
-    """Return the number of a past round from its name: 1 for ``round_1``. None for any other
-    name.
-    """
+    """Return the number in the name of a past round, such as 1 for ``round_1``, else None."""
     found = _ROUND.fullmatch(state)
     return int(found[1]) if found else None
 
 
 def test_sections(section: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Return the tests of an axis in one form: mappings with ``files`` (a list) and ``name``."""
+    """Return the tests of an axis as mappings with the keys ``files`` (a list) and ``name``."""
     before = section.get("before", [])
     entries = before if isinstance(before, list) else [before]
     found = []
@@ -79,7 +77,7 @@ def test_sections(section: Mapping[str, Any]) -> list[dict[str, Any]]:
 def earlier_test(
     section: Mapping[str, Any], files: Sequence[str], name: str, was: str, paths: Mapping[str, str]
 ) -> dict[str, Any]:
-    """Return a test of the last round with its ``name`` and the state in which it was taken.
+    """Return a test of the last job for the next job, with a new ``name`` and state.
 
     ``was``: what the state that was in the control then is called now.
     """
@@ -97,9 +95,7 @@ def test_after(
     temperatures: Mapping[str, Sequence[float]],
     paths: Mapping[str, str],
 ) -> dict[str, Any]:
-    """Return the test after loading in the form of the repeated test ``section``, with its own
-    ``temperatures`` (°C).
-    """
+    """Return the test after loading for the next job, with the keys of the repeated test."""
     test = {**_copied(section, files, paths), "measured_in": AS_FOUND}
     own = test.get("thermal")
     if isinstance(own, dict):
@@ -168,7 +164,7 @@ def _axis(section: Mapping[str, Any], then: NextAxis) -> dict[str, Any]:
 
 
 def _acknowledged(section: Mapping[str, Any], axes: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
-    """Yield the acknowledgements for the axes in the next job."""
+    """Yield those acknowledgements that concern axes in the next job."""
     for code, given in section.items():
         kept = [
             entry
@@ -180,13 +176,13 @@ def _acknowledged(section: Mapping[str, Any], axes: Mapping[str, Any]) -> Iterat
 
 
 def environment_files(section: Any) -> list[str]:
-    """Return the files of an environment record from any form in which the job writes them."""
+    """Return the files of an environment record, from any form that the job allows."""
     files = section.get("files", []) if isinstance(section, dict) else section or []
     return files if isinstance(files, list) else [files]
 
 
 def _uncertainty(section: Mapping[str, Any], paths: Mapping[str, str]) -> dict[str, Any]:
-    """Return the declared uncertainty with the paths of the copied drift tests."""
+    """Return the job's uncertainty section with the paths of the copied drift tests."""
     found = dict(section)
     if isinstance(found.get("rotary"), dict):
         found["rotary"] = _uncertainty(found["rotary"], paths)

@@ -1,4 +1,4 @@
-"""Plain data of a job before the schema has checked the types, and their faults."""
+"""Helpers for the plain data of a job whose types the schema has not checked yet."""
 
 from __future__ import annotations
 
@@ -11,22 +11,22 @@ from compwright.records.job import AS_FOUND
 
 
 def default_name(file: str) -> str:
-    """Return the default name of a test: the name of its file without folder and ending."""
+    """Return the default name of a test: its file name without folder and extension."""
     return PureWindowsPath(file).stem or file
 
 
 def mapping_of(value: Any) -> Mapping[str, Any]:
-    """Return a mapping; an empty one for anything else."""
+    """Return a value if it is a mapping, else an empty mapping."""
     return value if isinstance(value, dict) else {}
 
 
 def list_of(value: Any) -> Sequence[Any]:
-    """Return a list; an empty one for anything else."""
+    """Return a value if it is a list, else an empty list."""
     return value if isinstance(value, list) else []
 
 
 def number_of(value: Any) -> float | None:
-    """Return a number; None for anything else, and for one that is too large."""
+    """Return a value if it is a number of plausible size, else None."""
     if isinstance(value, bool) or not isinstance(value, int | float) or too_large(value):
         return None
     return float(value)
@@ -42,7 +42,7 @@ def repeated_files(files: Sequence[Any], path: KeyPath) -> Iterator[KeyFault]:
 def unknown_state(
     section: Mapping[str, Any], path: KeyPath, states: Sequence[str]
 ) -> Iterator[KeyFault]:
-    """Yield a fault for a test measured in a state that is not in the job."""
+    """Yield a fault for a test that was measured in a state not listed in the job."""
     state = section.get("measured_in", AS_FOUND)
     if isinstance(state, str | int) and str(state) not in states:
         yield KeyFault(

@@ -56,7 +56,7 @@ from compwright.records.job import (
 
 @dataclass(frozen=True, slots=True)
 class CheckedJob:
-    """The result of `check`: the validated sections, or the faults."""
+    """The result of `check`: the validated job, or its faults."""
 
     section: JobSection | None
     faults: tuple[Fault, ...]
@@ -95,9 +95,7 @@ def read_job(content: bytes, file: str, further: Further = _nothing_further) -> 
 
 
 def check(document: YamlDocument, file: str, further: Further = _nothing_further) -> CheckedJob:
-    """Check plain data against the schema, for contradictions, and with the checks in
-    ``further``.
-    """
+    """Check a job by the schema, for contradictions, and by the ``further`` checks."""
     data = document.data
     if not isinstance(data, dict):
         return CheckedJob(
@@ -136,7 +134,7 @@ def _line(place: str) -> int:
 
 
 def _refuse_other_versions(document: YamlDocument, file: str) -> None:
-    """Refuse a newer version of the job file first, because its other keys are unknown here."""
+    """Raise UsageError for a job file of a newer version before any unknown key is reported."""
     version = document.data.get("compwright") if isinstance(document.data, dict) else None
     if version == SCHEMA_VERSION or not isinstance(version, int) or isinstance(version, bool):
         return
@@ -157,7 +155,7 @@ def _refuse_other_versions(document: YamlDocument, file: str) -> None:
 
 
 def job_of(section: JobSection, file: str) -> Job:
-    """Return the record of a job without faults."""
+    """Return the job record for a validated job file."""
     findings = (
         *_idle_findings(section),
         *_absent_axes(section),
@@ -271,9 +269,7 @@ def _test(
 
 
 def _thermal(*sections: OwnThermalSection | None) -> Thermal | None:
-    """Return the differential expansion from the keys of ``sections``; later sections override
-    earlier ones. None without any.
-    """
+    """Return the differential expansion by the keys of all ``sections``, or None without any."""
     keys: dict[str, Any] = {}
     for section in sections:
         keys |= section.model_dump(exclude_none=True) if section else {}
@@ -348,7 +344,7 @@ def _rotary_budget(section: JobSection) -> UncertaintyBudget | None:
 
 
 def _circular_budget(section: JobSection) -> CircularBudget | None:
-    """Return the contributors of circular tests; the temperature is that of the machine."""
+    """Return the contributors to the uncertainty of circular tests that the job states."""
     given = section.uncertainty
     if given is None or given.circular is None:
         return None
@@ -358,7 +354,7 @@ def _circular_budget(section: JobSection) -> CircularBudget | None:
 
 
 def _range(variation: float | DriftSection) -> float:
-    """Return a range of the environmental variation. 0 until its drift test is read."""
+    """Return the environmental variation, 0 if its drift test has yet to be evaluated."""
     return 0.0 if isinstance(variation, DriftSection) else variation
 
 
@@ -376,7 +372,7 @@ def _drifts(section: JobSection) -> dict[AxisKind, DriftRequest]:
 
 
 def _absent_axes(section: JobSection) -> list[Finding]:
-    """Return a finding for every correction of an axis that is not in the job."""
+    """Return a finding for each requested correction whose axis is not in the job."""
     requested: list[tuple[str, tuple[str, ...]]] = [
         (f"cross[{index}]", (entry.input, entry.output))
         for index, entry in enumerate(section.cross)

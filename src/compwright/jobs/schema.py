@@ -81,21 +81,21 @@ class ControllerSection(JobMapping):
 
 
 class PositionMapSection(JobMapping):
-    """machine = sense * instrument + offset."""
+    """The conversion of positions: machine = sense * instrument + offset."""
 
     sense: Sense = 1
     offset: float = 0.0
 
 
 class EncoderSection(JobMapping):
-    """The measuring system. ``system`` defaults to the one that the control's files use, else 1."""
+    """The measuring system. ``system``: 1 or 2, by default as in the control's files, else 1."""
 
     type: Literal["incremental", "absolute", "distance_coded"] = "incremental"
     system: Annotated[Literal[1, 2] | None, BeforeValidator(no_truth_value)] = None
 
 
 class OwnThermalSection(JobMapping):
-    """Keys of the differential expansion that an axis or a test overrides."""
+    """Keys on differential expansion that an axis or a test may override."""
 
     alpha_m: float | None = None
     """Coefficient of expansion of the machine's scale or of the workpiece. Unit: µm/(m K).
@@ -116,15 +116,13 @@ class OwnThermalSection(JobMapping):
 
 
 class ThermalSection(OwnThermalSection):
-    """Nominal differential expansion: µm/(m K), °C, µm/(m K), °C, mm. ``T_m`` may come from the
-    environment record.
-    """
+    """Differential expansion: µm/(m K), °C, mm. The environment record may give ``T_m``."""
 
     alpha_m: float
 
 
 class InstrumentAirSection(JobMapping):
-    """The air that the display of a laser assumes."""
+    """The air for which the display of a laser is valid."""
 
     air_c: float = Field(20.0, ge=-20.0, le=60.0)
     """Temperature of the air. Unit: °C. Default: `20`."""
@@ -135,7 +133,7 @@ class InstrumentAirSection(JobMapping):
 
 
 class EnvironmentSection(JobMapping):
-    """Records of the environment, and the air that the display of the laser assumes."""
+    """Environment records, and the air for which the laser's display is valid."""
 
     files: Annotated[list[Text], BeforeValidator(listed), Field(min_length=1)]
     """Path, or list of paths, of CSV files with the columns `time` and `air_c`, `pressure_hpa`,
@@ -151,9 +149,7 @@ class EnvironmentSection(JobMapping):
 
 
 class TestSection(JobMapping):
-    """One test: its files, name, state, position map (None: that of the axis), motion and
-    temperatures.
-    """
+    """One positioning test: its files, name, state, position map, motion and temperatures."""
 
     __test__ = False  # not a test class, whatever the name suggests to a collector
 
@@ -180,7 +176,7 @@ class TestSection(JobMapping):
 
 
 class TableSection(JobMapping):
-    """The requested grid of a table. None: the control's grid, or one that compwright chooses.
+    """The required grid of a table. By default the existing grid stays, or one is chosen.
 
     ``gain``: from which gain on a table is written.
     """
@@ -209,16 +205,14 @@ class TableSection(JobMapping):
 
 
 class GantrySection(JobMapping):
-    """The slave axis of a gantry, or the word none. Also which table it gets if it has its own."""
+    """The slave axis of a gantry, or ``none``, and which table it gets if it has its own."""
 
     axis: Text
     table: Literal["same", "change"] | None = None
 
 
 class AxisSection(JobMapping):
-    """One axis. Further rules for ``accept`` and ``before`` are in
-    `compwright.jobs.consistency`.
-    """
+    """One axis of a job. `compwright.jobs.consistency` checks its keys together."""
 
     travel: Annotated[list[float], Field(min_length=2, max_length=2)]
     """`[low, high]` of the travel, low < high; the targets of the tests from which the table is
@@ -321,10 +315,7 @@ class CircleSection(JobMapping):
 
 
 class CrossSection(JobMapping):
-    """Deviations of one axis over another, in ``unit``, and the state in which they were measured.
-
-    Of ``states``.
-    """
+    """Measured deviations of one axis over the positions of another, in a state ``measured_in``."""
 
     input: Text
     """The axis that moves, and the one that deviates. Required."""
@@ -341,7 +332,7 @@ class CrossSection(JobMapping):
 
 
 class ApplySection(JobMapping):
-    """Which results of the circular tests are corrected."""
+    """What is corrected by the results of circular tests."""
 
     squareness: dict[str, Text] = {}
     """`{XY: Y}`: in the plane XY the axis Y is bent; each plane once. Default: nothing."""
@@ -361,7 +352,7 @@ class DeviceSection(JobMapping):
 
 
 class DriftSection(JobMapping):
-    """The file of a drift test, and the duration of a positioning test, min."""
+    """The file of a drift test, and how long a positioning test takes (min)."""
 
     file: Text
     duration_min: Positive | None = None
@@ -376,9 +367,7 @@ Variation = Annotated[
 
 
 class RotaryUncertaintySection(JobMapping):
-    """The contributors of rotary axes, arcsec: certificate of the instrument, set-up, drift of a
-    drift test.
-    """
+    """Contributors to the uncertainty of rotary axes (arcsec): instrument, set-up and drift."""
 
     U: NotNegative = 0.0
     setup: NotNegative = 0.0
@@ -386,9 +375,7 @@ class RotaryUncertaintySection(JobMapping):
 
 
 class CircularUncertaintySection(JobMapping):
-    """The contributors of circular tests, µm: certificate of the instrument, calibration of the
-    bar's length, set-up, range of the reading of a machine at rest.
-    """
+    """Contributors for circular tests (µm): instrument, length of the bar, set-up and drift."""
 
     U: NotNegative = 0.0
     length: NotNegative = 0.0
@@ -397,9 +384,7 @@ class CircularUncertaintySection(JobMapping):
 
 
 class UncertaintySection(JobMapping):
-    """Contributors of ISO 230-2:2006 annex A: mm, K, µm/(m K), µm, µm; of rotary axes and circular
-    tests apart.
-    """
+    """Contributors to uncertainty (ISO 230-2:2006, annex A), also of rotary axes and circles."""
 
     device: DeviceSection = DeviceSection()
     misalignment_mm: NotNegative = 0.0
@@ -428,7 +413,7 @@ class UncertaintySection(JobMapping):
 
 
 class ProvenSection(JobMapping):
-    """A machine on which tables for this control were seen to be active."""
+    """A machine on which tables for this control proved to be active."""
 
     control: Text
     machine: Text
@@ -437,14 +422,14 @@ class ProvenSection(JobMapping):
 
 
 class AcknowledgementSection(JobMapping):
-    """The reason why a doubt does not count. ``axis``: for one axis only."""
+    """The reason why a doubt is acknowledged, for one ``axis`` or for all."""
 
     reason: Text
     axis: Text | None = None
 
 
 class ReportSection(JobMapping):
-    """The form of reports and the contents of their heading. ``logo``: a file."""
+    """The language of reports, and the entries and logo in their head."""
 
     language: Literal["en", "de", "fr", "ru"] = "en"
     number: Text | None = None
@@ -455,8 +440,8 @@ class ReportSection(JobMapping):
 
 
 class StateSection(JobMapping):
-    """The files of a state, or the word none. ``active``: whether compensation was active, if the
-    files leave it open.
+    """Files of a state, or ``none``. ``active``: whether it was compensated, if files leave it
+    open.
     """
 
     files: Annotated[list[Text], BeforeValidator(listed), Field(min_length=1)]
@@ -535,9 +520,7 @@ class JobSection(JobMapping):
 
 
 def known_keys(location: KeyPath) -> list[str]:
-    """Return the keys of the section at ``location``. Free mappings and list indices are
-    skipped.
-    """
+    """Return the keys that the job's section at the key path ``location`` may have."""
     section: type[BaseModel] = JobSection
     for part in location:
         entry = section.model_fields.get(part) if isinstance(part, str) else None

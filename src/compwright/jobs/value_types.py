@@ -10,9 +10,7 @@ from pydantic_core import PydanticCustomError
 
 
 def _one_line_of_text(value: Any) -> Any:
-    """Accept a word or a whole number as text; a decimal number must be in quotes, because it may
-    have lost digits (1.10).
-    """
+    """Accept a word or whole number as text, but a decimal number such as 1.10 only in quotes."""
     if isinstance(value, int) and not isinstance(value, bool):
         return str(value)
     if not isinstance(value, str):
@@ -27,41 +25,39 @@ def _one_line_of_text(value: Any) -> Any:
 
 
 def listed(value: Any) -> Any:
-    """Accept a single entry instead of a list."""
+    """Return a value as a list, as a single entry may be written without a list."""
     return value if isinstance(value, list) else [value]
 
 
 def named_file(value: Any) -> Any:
-    """Accept a file name instead of a mapping with ``files``."""
+    """Return a value as a mapping with ``files``, as a file name alone may be written."""
     return {"files": [value]} if isinstance(value, str) else value
 
 
 def named_axis(value: Any) -> Any:
-    """Accept an axis name instead of a mapping with ``axis``."""
+    """Return a value as a mapping with ``axis``, as an axis name alone may be written."""
     return value if isinstance(value, dict) else {"axis": value}
 
 
 def acknowledgements(value: Any) -> Any:
-    """Accept a reason alone, one mapping, or one mapping per axis."""
+    """Return a list of mappings; a reason alone or a single mapping may be written instead."""
     return [{"reason": one} if isinstance(one, str) else one for one in listed(value)]
 
 
 def no_truth_value(value: Any) -> Any:
-    """Refuse ``true`` as a number, although it equals 1."""
+    """Refuse ``true`` where a number is expected, although Python takes it for 1."""
     if isinstance(value, bool):
         raise PydanticCustomError("truth_value", "is a truth value")
     return value
 
 
 def yes_or_no(value: Any) -> Any:
-    """Read ``yes`` and ``no``, which are text in a job file; ``true`` and ``false`` are accepted
-    too.
-    """
+    """Return the truth value that ``yes``, ``no``, ``true`` or ``false`` means in a job file."""
     return {"yes": True, "no": False}.get(value, value) if isinstance(value, str) else value
 
 
 def files_or_mapping(value: Any) -> Any:
-    """Accept one or several file names instead of a mapping with ``files``."""
+    """Return a value as a mapping with ``files``, as one or several names may be written."""
     return value if isinstance(value, dict) else {"files": value}
 
 
@@ -70,14 +66,12 @@ def _auto_or_number(value: Any) -> str:
 
 
 def drift_file(value: Any) -> Any:
-    """Accept a file name instead of a mapping with ``file``."""
+    """Return a value as a mapping with ``file``, as a file name alone may be written."""
     return {"file": value} if isinstance(value, str) else value
 
 
 def drift_or_number(value: Any) -> str:
-    """Return whether a value is a file name, a number, or text that was meant as a number
-    (``1,5``).
-    """
+    """Return ``drift`` for a file name or mapping, and ``number`` for any other value."""
     if isinstance(value, dict):
         return "drift"
     named = isinstance(value, str) and re.search(r"[^\W\d_]", value) is not None

@@ -1,4 +1,4 @@
-"""Write a job file as text: prefilled from files, or complete from plain data.
+"""Write a job file as text, from values found in the control's files or from plain data.
 
 In a prefilled file every known value has its source; every unknown one is left empty, with a
 comment.
@@ -15,9 +15,7 @@ from typing import Any
 
 @dataclass(frozen=True, slots=True)
 class Prefilled:
-    """A value with its source. ``value`` None: the user must fill it in; ``source`` describes
-    it.
-    """
+    """A value for a new job file and its source, or None if the user must fill it in."""
 
     value: object
     source: str
@@ -25,7 +23,7 @@ class Prefilled:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisDraft:
-    """One axis of a new job file: values by key, in the order of writing."""
+    """One axis of a new job file: its values by key, in the order of the file."""
 
     name: str
     values: Mapping[str, Prefilled]
@@ -70,18 +68,14 @@ def _line(indent: int, name: str, entry: Prefilled) -> str:
 
 
 def _plain(value: object) -> str:
-    """Return a value as YAML on one line: plain words, everything else as JSON, which is valid
-    YAML.
-    """
+    """Return a value as YAML on one line: plain words, and everything else as JSON."""
     if isinstance(value, str) and _is_word(value):
         return value
     return json.dumps(value, ensure_ascii=False)
 
 
 def data_text(data: Mapping[str, Any], heading: Sequence[str]) -> str:
-    """Return a whole job as YAML that reads back as the same data. ``heading``: comment lines above
-    it.
-    """
+    """Return a whole job as YAML. ``heading``: comment lines above it."""
     lines = [f"# {line}" for line in heading]
     for key, value in data.items():
         if key in _SPREAD and isinstance(value, Mapping) and value:
@@ -98,7 +92,7 @@ _SPREAD = frozenset({"axes", "states"})
 
 
 def _spread(name: str, value: object, indent: int) -> list[str]:
-    """Return a mapping with one line per key. Anything else stays on one line."""
+    """Return a key with its value as YAML lines, one line per key of a mapping."""
     if not (isinstance(value, Mapping) and value):
         return _entry(name, value, indent)
     lines = [f"{' ' * indent}{word(name)}:"]
@@ -108,7 +102,7 @@ def _spread(name: str, value: object, indent: int) -> list[str]:
 
 
 def _entry(key: str, value: object, indent: int) -> list[str]:
-    """Return one key with its value on one line. A list of mappings has one line each."""
+    """Return a key with its value on one YAML line, or a line per mapping of a list."""
     start = f"{' ' * indent}{word(key)}:"
     if isinstance(value, list) and value and all(isinstance(each, Mapping) for each in value):
         return [start, *(f"{' ' * indent}  - {flow(each)}" for each in value)]
