@@ -1,1 +1,1 @@
-"""JSON in and out. Only here units are converted to those of the JSON."""
+"""Write and read JSON documents. Only this room converts units to those of the JSON."""

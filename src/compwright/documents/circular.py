@@ -1,6 +1,4 @@
-"""The entry of a circular test in the JSON of ``evaluate`` (``compwright/evaluation/1``):
-deviations in µm.
-"""
+"""The entry of a circular test in the JSON of ``evaluate``, with deviations in µm."""
 
 from __future__ import annotations
 
@@ -27,8 +25,7 @@ _UNITS: Final = {"squareness": "um/m", "scale_error": "um/m", "backlash": "um"}
 
 
 def circular_document(result: CircularResult) -> dict[str, Any]:
-    """Return one circular result as an entry of ``results``. A parameter that does not exist is
-    null (see ``not_applicable``).
+    """Return one circular result as an entry of ``results``; null for undefined parameters.
 
     ``centre`` and ``mean_radius_deviation`` have null for a direction that was not measured;
     ``diagnosis``, ``plain`` and ``correlation`` are null as long as no diagnosis was made.
@@ -86,7 +83,7 @@ def machine_document(
     contradictions: Sequence[tuple[str, Sequence[tuple[str, str, float, float]]]],
     findings: Iterable[Finding],
 ) -> dict[str, Any]:
-    """Return the common result of several circles of one machine.
+    """Return what several circles of one machine show together, with their contradictions.
 
     ``values`` with standard error by cause and axis or plane; ``contradictions``: of a cause the
     circles with their axes, value and error; ``stated``: ``machine`` and ``serial`` of their files.
@@ -126,7 +123,7 @@ def machine_document(
 
 
 def _number(value: float, factor: float = 1.0) -> float | None:
-    """Return a number for JSON. None for one that is not finite."""
+    """Return a number for JSON, or None if it is not finite."""
     return (
         round(float(value) * factor, _DIGITS) + 0.0 if np.isfinite(value) else None
     )  # no minus zero
@@ -185,13 +182,13 @@ def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
 
 
 def _absent(name: str) -> dict[str, Any]:
-    """Return a cause that this test cannot have: nothing but its unit."""
+    """Return the JSON entry of a cause that the test cannot show: only its unit is given."""
     unit = "um/m" if name.startswith("scale_error") else "um"
     return {"value": None, "std_error": None, "unit": unit, "effect": None, "share": None}
 
 
 def _effect(effect: CircularEffect, *, given: bool) -> dict[str, Any]:
-    """Return one cause in its own unit. ``low`` only where the value cannot be negative.
+    """Return the JSON entry of one cause, its value in the cause's own unit.
 
     And what else belongs to it. A cause that is not ``given`` keeps its standard error alone, if it
     has one.
@@ -211,7 +208,7 @@ def _effect(effect: CircularEffect, *, given: bool) -> dict[str, Any]:
 
 
 def _plain(value: object) -> Any:
-    """Return the results printed by the instrument as JSON values.
+    """Return the results that the instrument's software printed, as values that JSON allows.
 
     Numbers stay as they are, what JSON cannot hold becomes text or null.
     """
@@ -234,7 +231,7 @@ def _run(run: CircularRun) -> dict[str, Any]:
 
 
 def _numbers(values: FloatArray) -> list[float | None]:
-    """Return a list of numbers for JSON; None for each that is not finite."""
+    """Return a list of numbers for JSON, with None for each that is not finite."""
     if not np.all(np.isfinite(values)):
         return [_number(value) for value in values.tolist()]
     return [round(value, _DIGITS) + 0.0 for value in values.tolist()]

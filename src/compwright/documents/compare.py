@@ -1,6 +1,4 @@
-"""The JSON document of ``compare``: the contents of the control compared with the plan, each
-difference named.
-"""
+"""The JSON document of ``compare``: each difference between the control and the plan."""
 
 from __future__ import annotations
 
@@ -22,7 +20,7 @@ SCHEMA = "compwright/compare/1"
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """One differing quantity, as text of the control or as numbers in ``unit`` (um, arcsec).
+    """One value that differs from the plan, as the control's text or in ``unit`` (um, arcsec).
 
     ``axis`` of the plan, the address of another one, or empty; None: not there.
     """
@@ -36,7 +34,7 @@ class Difference:
 
 @dataclass(frozen=True, slots=True)
 class ComparedAxis:
-    """One axis: its address and kind, the comparison of the corrections, and the differences.
+    """The comparison of one axis with the plan: its correction and the values that differ.
 
     A ``read_back`` in words: why the correction from the values read back is unknown. ``look_at``:
     sentences on what to check on the control.
@@ -71,9 +69,7 @@ def compare_document(
     findings: Sequence[Finding],
     doubts: Sequence[Finding],
 ) -> dict[str, Any]:
-    """Return the document: one entry per differing quantity, and the ``verdict`` same, different,
-    or undecided where nothing known differs and ``doubts`` are open.
-    """
+    """Return the document with all differences, and the verdict: same, different or undecided."""
     own = (difference for axis in axes.values() for difference in axis.differences)
     differences = [*own, *others.differences]
     unreadable = any(isinstance(axis.read_back, str) for axis in axes.values())

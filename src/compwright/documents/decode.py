@@ -1,4 +1,4 @@
-"""The JSON of ``decode`` (``compwright/decode/1``)."""
+"""The JSON document of ``decode`` (``compwright/decode/1``)."""
 
 from __future__ import annotations
 
@@ -18,9 +18,7 @@ SCHEMA = "compwright/decode/1"
 
 @dataclass(frozen=True, slots=True)
 class DecodedAxis:
-    """The corrections of one axis (k,) by approach direction at ``positions`` (k,), mm or deg.
-    ``kind`` None: unknown.
-    """
+    """The corrections (k,) of one axis at ``positions`` (k,), mm or deg, per approach direction."""
 
     kind: AxisKind | None
     positions: FloatArray
@@ -35,7 +33,7 @@ def decode_document(
     cross: Iterable[CrossCompensation] = (),
     unknown: Container[str] = (),
 ) -> dict[str, Any]:
-    """Return the corrections of a control by address. Positions keep their order.
+    """Return the corrections of a control by address, at the positions in their given order.
 
     ``cross``: what one axis' position adds to another. ``unknown``: addresses of axes of unknown
     kind; their corrections are thousandths of the unit of their positions, and ``unit`` is null.

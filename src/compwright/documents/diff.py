@@ -1,4 +1,4 @@
-"""The JSON of ``diff``: the differences between two backups of one machine."""
+"""The JSON document of ``diff``: the differences between two backups of one machine."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ MOST_EXAMPLES = 5
 
 @dataclass(frozen=True, slots=True)
 class EntryDifference:
-    """One differing value, as the control writes it.
+    """A value that differs between two backups, as the control writes it.
 
     ``quantity``: its name up to the value; ``group``: what many such are counted by; ``addresses``:
     the axes that it belongs to; ``old``, ``new`` None: not there; ``at``: the position of a value
@@ -37,7 +37,7 @@ class EntryDifference:
 
 @dataclass(frozen=True, slots=True)
 class Changed:
-    """The largest change of a correction, mm or deg, and its place."""
+    """The largest change of a correction (mm or deg), with its position and direction."""
 
     kind: AxisKind
     most: float
@@ -93,7 +93,7 @@ def diff_document(
 
 
 def change_document(change: Changed) -> dict[str, Any]:
-    """Return the largest change of a correction: new minus old, in µm or arcsec."""
+    """Return the largest change of a correction, new minus old, in µm or arcsec."""
     key = f"max_change_{outside_unit(change.kind.unit)}"
     return {
         key: change.most * outside_factor(change.kind.unit),
@@ -114,9 +114,7 @@ def _entry(entry: EntryDifference, address: str | None) -> dict[str, Any]:
 
 
 def others_document(entries: Iterable[EntryDifference]) -> list[dict[str, Any]]:
-    """Return the differences of other values, counted by parameter. Those in both backups come
-    first.
-    """
+    """Return the other differing values counted by parameter, those in both backups first."""
     groups: dict[str, list[EntryDifference]] = {}
     for entry in entries:
         groups.setdefault(entry.group, []).append(entry)

@@ -1,6 +1,4 @@
-"""The JSON of ``evaluate`` (``compwright/evaluation/1``): deviations in µm or arcsec, positions in
-mm or deg.
-"""
+"""The JSON of ``evaluate``: deviations in µm or arcsec, positions in mm or deg."""
 
 from __future__ import annotations
 
@@ -29,7 +27,7 @@ COVERAGE: Final = 2.0
 def evaluation_document(
     results: Iterable[PositioningResult], errors: Iterable[Fault] = ()
 ) -> dict[str, Any]:
-    """Return evaluations, and the faults of files without evaluation, as the JSON document."""
+    """Return the JSON document with all evaluated tests, and the faults of all other files."""
     return {
         "schema": SCHEMA,
         "results": [result_document(result) for result in results],
@@ -40,8 +38,7 @@ def evaluation_document(
 
 
 def result_document(result: PositioningResult) -> dict[str, Any]:
-    """Return one positioning result. A parameter that does not exist is null, with its reason in
-    ``not_applicable``.
+    """Return one positioning result for JSON; null for undefined parameters, with the reason.
 
     Beyond the contract: ``name``, ``coverage`` (k), ``spread`` (std or range), ``header`` (what the
     file says about the test) and in each target the readings ``deviations_positive`` and
@@ -93,8 +90,7 @@ _AT_LENGTH = frozenset(
 
 
 def in_short(entry: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the short entry of a test: parameters, causes, facts and findings, without targets and
-    readings.
+    """Return an entry without targets and readings: parameters, causes, facts and findings.
 
     Without what its size grows with. Of a thousand tests in one answer that is not JSON.
     """
@@ -102,7 +98,7 @@ def in_short(entry: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _outside(value: float | None, factor: float) -> float | None:
-    """Return a deviation in the unit of the JSON. None for a missing one."""
+    """Return a deviation in the unit of the JSON, or None if it is missing."""
     if value is None or not np.isfinite(value):
         return None
     return round(float(value) * factor, _DIGITS) + 0.0  # no minus zero
@@ -115,7 +111,7 @@ def _traverses(deviations: FloatArray) -> int:
 def uncertainty_document(
     stated: Mapping[str, ExpandedUncertainty] | None, factor: float
 ) -> dict[str, Any] | None:
-    """Return U and its coverage factor by parameter; ``factor``: to the unit of the entry."""
+    """Return U and coverage factor by parameter. ``factor``: from mm or deg to the JSON's unit."""
     if stated is None:
         return None
     return {
@@ -133,9 +129,7 @@ def _extreme(extreme: Extreme, factor: float) -> dict[str, Any]:
 
 
 def _budget(result: PositioningResult) -> dict[str, Any] | None:
-    """Return the contributors, their standard uncertainties (µm or arcsec), and their sum at the
-    far end of the measured length.
-    """
+    """Return the uncertainty budget: contributors and their sum over the whole measured length."""
     if not result.budget:
         return None
     combined = math.hypot(*(one.standard for one in result.budget))
@@ -184,9 +178,7 @@ def _targets(result: PositioningResult, factor: float) -> list[dict[str, Any]]:
 
 
 def _expansion(test: PositioningTest, i: int, factor: float) -> dict[str, Any]:
-    """Return how much expansion was subtracted from the readings: one value for all targets, or one
-    for each.
-    """
+    """Return the thermal expansion subtracted at target ``i``: one value, or one per reading."""
     if test.removed is not None:
         return {
             f"removed_{name}": [_outside(value, factor) for value in block[i]]

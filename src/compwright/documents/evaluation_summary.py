@@ -1,4 +1,4 @@
-"""Summarise many tests: number and size by axis, and the count of each finding."""
+"""Summarise many tests: how many there are, their size by axis, and how often each finding."""
 
 from __future__ import annotations
 
@@ -94,5 +94,5 @@ def _findings(results: Iterable[Mapping[str, Any]]) -> list[dict[str, Any]]:
 
 
 def first_file(result: Mapping[str, Any]) -> str:
-    """Return the file of a test. Its name where no file is known."""
+    """Return the first file of a test, or the name of the test if no file is known."""
     return str(result["sources"][0]["file"] if result["sources"] else result["name"])

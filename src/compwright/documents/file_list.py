@@ -1,4 +1,4 @@
-"""The list of files that commands wrote into a folder without a record: ``.compwright-files.json``.
+"""The file ``.compwright-files.json``, which lists what commands wrote into a folder.
 
 ``compwright/files/1``, each file with its SHA-256, its size and the command.
 
@@ -23,7 +23,7 @@ LIST: Final = ".compwright-files.json"
 
 @dataclass(frozen=True, slots=True)
 class ListedFile:
-    """A file written by a command. ``by``: the command; ``size`` in bytes."""
+    """A file that a command wrote: its SHA-256, its size in bytes, and the command."""
 
     sha256: str
     size: int
@@ -31,7 +31,7 @@ class ListedFile:
 
 
 def listed_now(files: Mapping[str, bytes], command: str) -> dict[str, ListedFile]:
-    """Return the list entries of the files that ``command`` writes, by relative name."""
+    """Return the list entries, by relative name, of the files that ``command`` writes."""
     return {
         encoded(name).decode(): ListedFile(fingerprint(content), len(content), command)
         for name, content in files.items()
@@ -39,7 +39,7 @@ def listed_now(files: Mapping[str, bytes], command: str) -> dict[str, ListedFile
 
 
 def list_text(entries: Mapping[str, ListedFile]) -> bytes:
-    """Return the list of files as the bytes of its file."""
+    """Return the contents of the list file as bytes."""
     listed = [
         {"file": name, "sha256": entry.sha256, "size": entry.size, "by": entry.by}
         for name, entry in sorted(entries.items())
@@ -48,7 +48,7 @@ def list_text(entries: Mapping[str, ListedFile]) -> bytes:
 
 
 def listed_before(content: bytes) -> dict[str, ListedFile]:
-    """Return the entries of an earlier list. Empty where ``content`` is not such a list."""
+    """Return the entries of an earlier list, or nothing if ``content`` is not such a list."""
     try:
         listed = read_json(content, LIST, SCHEMA, "list of files", "the list that a command left")
         return {

@@ -1,4 +1,4 @@
-"""Findings as JSON, in documents and in plans."""
+"""Findings as JSON, for documents and for plans."""
 
 from __future__ import annotations
 
@@ -24,14 +24,12 @@ def finding_documents(findings: Iterable[Finding]) -> list[dict[str, Any]]:
 
 
 def planned_finding(finding: Finding) -> dict[str, Any]:
-    """Return a finding as stored in a plan. `read_sentence` makes its sentence again."""
+    """Return a finding as it is stored in a plan, from which `read_sentence` can restore it."""
     return {**asdict(finding), "message": finding.message}
 
 
 def read_sentence(written: object, message: str) -> Sentence:
-    """Return the sentence of a plan's finding. If this version has no such sentence: the stored
-    ``message``.
-    """
+    """Return the sentence of a finding in a plan, or the stored ``message`` if it is unknown."""
     try:
         sentence = _value(written)
         if isinstance(sentence, Sentence) and str(sentence) == message:

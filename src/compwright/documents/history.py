@@ -1,6 +1,4 @@
-"""``compwright/history/1``: machines over the years. Deviations in µm or arcsec, squareness in
-µm/m.
-"""
+"""The JSON document of ``history``: deviations in µm or arcsec, squareness in µm/m."""
 
 from __future__ import annotations
 
@@ -27,8 +25,7 @@ _MOST = 99.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestSeries:
-    """The tests of one axis or plane of a machine in the order of time, and the changes between
-    them.
+    """The tests of one axis or plane in the order of time, with the changes between them.
 
     ``key``: identifies the machine, also where it has no name.
     """
@@ -48,9 +45,7 @@ def history_document(
     notes: Iterable[str],
     errors: Iterable[Fault],
 ) -> dict[str, Any]:
-    """Return the history of machines. ``folders``: the result folders, with their ``notes`` and
-    changed ``files``.
-    """
+    """Return the history of machines as JSON. ``notes``: remarks on each result folder."""
     machines: dict[str, dict[str, Any]] = {}
     for one in series:
         machine = machines.setdefault(
@@ -146,9 +141,7 @@ def _rounded(value: float | None) -> float | None:
 
 
 def history_csv(document: Mapping[str, Any]) -> bytes:
-    """Return every test as a CSV row: comma, decimal point, UTF-8. ``changed``: the parameters that
-    differ from before.
-    """
+    """Return every test of a history as a row of CSV, with the parameters that changed."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(

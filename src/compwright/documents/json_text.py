@@ -1,4 +1,4 @@
-"""Write a document as JSON text. Equal documents give equal bytes, and NaN is refused."""
+"""Write a document as JSON text: the same bytes for equal documents, and no NaN."""
 
 from __future__ import annotations
 
@@ -30,8 +30,7 @@ def to_json(document: Mapping[str, Any]) -> str:
 
 
 def _pieces(value: Any, line: str) -> Iterator[str]:
-    """Yield the text of a value in pieces. ``line``: a line break with the blanks of the
-    indentation.
+    """Yield the JSON text of a value piece by piece. ``line``: line break and indentation.
 
     The standard library writes indented text number by number, in Python. Rows of numbers are most
     of a document; they are written by its fast encoder, which does not indent.
@@ -64,7 +63,7 @@ def no_number(word: str) -> float:
 
 
 def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    """Return the mapping of a JSON object. Raises ValueError for a duplicate key."""
+    """Return a JSON object as a mapping. Raises ValueError for a key given twice."""
     data = dict(pairs)
     if len(data) < len(pairs):
         names = [key for key, _ in pairs]
@@ -74,8 +73,7 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def read_json(content: bytes, file: str, schema: str, name: str, expected: str) -> dict[str, Any]:
-    """Return a document of this ``schema``. Raises InputError for any other contents (file, key,
-    expected, found).
+    """Return a document of the given ``schema``. Raises InputError for any other contents.
 
     ``name``: what such a document is called; ``expected``: the file that should have been given.
     """

@@ -1,4 +1,4 @@
-"""The key ``next`` of ``verification.json``: the next round of ``verify --update``."""
+"""The key ``next`` of ``verification.json``, about the next round that ``verify --update`` made."""
 
 from __future__ import annotations
 
@@ -9,9 +9,7 @@ from typing import Any
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class UpdatedAxis:
-    """One axis of the plan in the next round. ``updated``: it is part of it; ``table``: it gets a
-    table; ``reason``: why, as text.
-    """
+    """Whether an axis is part of the next round and gets a table, and the ``reason`` as text."""
 
     reason: str
     updated: bool = False
@@ -25,9 +23,7 @@ def next_document(
     *,
     written: bool = False,
 ) -> dict[str, Any]:
-    """Return the key ``next``. ``between``: sentences about corrections between axes; ``written``:
-    whether the folder exists.
-    """
+    """Return the value of the key ``next``. ``between``: sentences on corrections between axes."""
     return {
         "written": written,
         "reason": reason,

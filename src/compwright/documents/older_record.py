@@ -1,4 +1,4 @@
-"""Rebuild the record of a result folder from its documents, if an older version wrote none."""
+"""Rebuild the record of a result folder that a version without records wrote."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def older_record(
     verification: Mapping[str, Any] | None,
     errors: Errors,
 ) -> dict[str, Any]:
-    """Return a record rebuilt from the documents of an older version. None for a missing document.
+    """Return a record made from older documents, each of which may be None if it is missing.
 
     Files cannot be checked. Raises KeyError, TypeError, ValueError or AttributeError for documents
     that violate their schema.
@@ -44,7 +44,7 @@ def older_record(
 
 
 def _inputs(plan: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Return the files of the states, which a plan contains as text."""
+    """Return the control files of the states in a plan as inputs of a record."""
     return [
         {
             "role": "state",
@@ -71,7 +71,7 @@ def _measured_in(plan: Mapping[str, Any]) -> dict[str, str]:
 def _after(
     verification: Mapping[str, Any] | None, evaluation: Mapping[str, Any] | None
 ) -> list[dict[str, Any]]:
-    """Return the tests after loading from a verification, with only their parameters."""
+    """Return the tests after loading in a verification, which has only their parameters."""
     if verification is None:
         return []
     before = {

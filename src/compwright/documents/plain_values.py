@@ -1,4 +1,4 @@
-"""Schemas of the values in plans and records: numbers, texts, arrays, bytes."""
+"""Pydantic schemas for values in plans and records: numbers, texts, arrays, bytes."""
 
 from __future__ import annotations
 
@@ -24,9 +24,7 @@ def is_number(value: Any) -> bool:
 
 
 def _array(value: Any) -> Any:
-    """Return the schema of an array. A damaged row is one fault, because a file may contain
-    thousands.
-    """
+    """Return the schema of an array of numbers, which reports a damaged row as one fault."""
     odd = value if not isinstance(value, list) else [one for one in value if not is_number(one)]
     if odd or not isinstance(value, list):
         expected = f"a list of numbers, none larger than {LARGEST:g}"
@@ -43,7 +41,7 @@ def _bytes(value: Any) -> bytes:
 
 
 def _anything(value: Any) -> Any:
-    """Return a value that is checked elsewhere, such as an option of a control."""
+    """Accept any value, such as an option of a control, which is checked elsewhere."""
     faults = list(_odd(value, ()))
     if faults:
         refuse(*faults)

@@ -1,5 +1,4 @@
-"""The plan file ``plan.json``: mm or deg, totals before rounding, and byte copies of the control's
-own files.
+"""The file ``plan.json``: corrections before rounding (mm or deg), and copies of control files.
 
 ``compwright/plan/1``.
 """
@@ -41,7 +40,7 @@ _T = TypeVar("_T")
 
 
 def plan_document(plan: Plan) -> dict[str, Any]:
-    """Return a plan as plain data without dates, so that the same input gives the same bytes."""
+    """Return a plan as plain data without dates, so that equal inputs give equal bytes."""
     untested = {name: _record_out(axis) for name, axis in plan.untested.items()}
     return {
         "schema": SCHEMA,
@@ -78,7 +77,7 @@ def _budgets_out(budgets: Mapping[AxisKind, UncertaintyBudget] | None) -> dict[s
 
 
 def carried_definition(content: bytes) -> Texts:
-    """Return the user's definition in a plan. Empty where it has none, or is no plan."""
+    """Return the user's control definition that a plan contains, or nothing."""
     try:
         return _definition_in(json.loads(content))
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
@@ -86,9 +85,7 @@ def carried_definition(content: bytes) -> Texts:
 
 
 def _definition_out(texts: Texts) -> dict[str, Any]:
-    """Return the stored definition: nothing for a control that ships, because every installation
-    has it.
-    """
+    """Return the control definition to be stored in a plan: none if it is installed everywhere."""
     entries = [{"name": name, "text": content.decode("utf-8")} for name, content in texts]
     return {"definition": entries} if entries else {}
 
@@ -99,9 +96,7 @@ def _definition_in(data: Mapping[str, Any]) -> Texts:
 
 
 def listed_files(content: bytes) -> Mapping[str, str]:
-    """Return the results (relative name -> SHA-256) listed in an earlier plan. Empty without a
-    list.
-    """
+    """Return the SHA-256 of each result file listed in a plan, by relative name."""
     try:
         listed = json.loads(content)["results"]
         return {str(name): str(digest) for name, digest in listed.items()}
@@ -230,9 +225,7 @@ def _arrays_out(record: Any) -> dict[str, Any]:
 
 
 def _wanted_out(wanted: WantedCorrection) -> dict[str, Any]:
-    """Return the wanted correction. It includes the tests that judge a goal only if the job has
-    one.
-    """
+    """Return the wanted correction as plain data, with simulated tests if it has any."""
     out = _arrays_out(replace(wanted, scenarios=None))
     del out["scenarios"]
     if wanted.scenarios is None:

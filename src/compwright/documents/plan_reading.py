@@ -31,7 +31,7 @@ from compwright.records.positioning import PositioningTest
 
 
 def plan_of(data: Mapping[str, Any]) -> tuple[Plan | None, list[KeyFault]]:
-    """Return the plan in a document, and all its faults. The plan is None with faults."""
+    """Return the plan in a document, or None with faults, and all faults."""
     plan, faults = checked(plan_validator(Plan), data)
     faults = faults or list(contradictions(plan))
     return (None if faults else cast("Plan", plan)), faults
@@ -39,20 +39,18 @@ def plan_of(data: Mapping[str, Any]) -> tuple[Plan | None, list[KeyFault]]:
 
 @cache
 def plan_validator(cls: type) -> SchemaValidator:
-    """Return the function that reads a record of a plan."""
+    """Return the pydantic validator of a record class in a plan."""
     return RecordSchemas(FORMS, RULES, PLAIN).validator(cls)
 
 
 def _periods(values: dict[str, Any]) -> dict[str, Any]:
-    """Move the periods of an estimate to their own key."""
+    """Return the fields of an axis in a plan, with its periods moved into the estimate."""
     estimate = replace(values["estimate"], periods=values.get("periods", ()))
     return {**values, "estimate": estimate}
 
 
 def _finding(values: dict[str, Any]) -> dict[str, Any]:
-    """Return the sentence of a finding. If another version wrote it, the sentence stays as
-    stored.
-    """
+    """Return the fields of a finding, with its sentence restored if this version knows it."""
     return {**values, "sentence": read_sentence(values.get("sentence"), values["message"])}
 
 
@@ -64,7 +62,7 @@ def _unit(unit: Any, info: cs.ValidationInfo) -> None:
 
 
 def _readings(rows: Any) -> FloatArray:
-    """Return the schema of rows of numbers of equal length. null is a missing reading."""
+    """Return rows of readings as an array; all rows have equal length, and null is no reading."""
     if not isinstance(rows, list) or not all(isinstance(row, list) for row in rows):
         refuse(KeyFault((), "is not a table", "a list of rows, one for each target", shown(rows)))
     width = mode(len(row) for row in rows) if rows else 0
@@ -96,7 +94,7 @@ def _definition(entries: Any) -> Any:
 
 
 def _both(sides: Any) -> Any:
-    """Check the active correction in both directions. All wrong keys are one fault."""
+    """Check that an active correction has exactly the keys ``positive`` and ``negative``."""
     if not isinstance(sides, dict) or set(sides) != {"positive", "negative"}:
         expected = "null, or the keys positive and negative"
         refuse(KeyFault((), "is not an accepted value", expected, shown(sides)))

@@ -1,4 +1,4 @@
-"""Rules for the records of a plan beyond types: finite numbers, sizes, order, and matching names.
+"""Rules for the parts of a plan that types cannot express, such as order and matching names.
 
 A plan may have been edited, or cut and pasted, before it comes back; a record that breaks its word
 would end as a fault of compwright's own somewhere later, or, worse, as a table.
@@ -25,14 +25,14 @@ from compwright.records.positioning import PositioningTest
 
 
 def contradictions(plan: Plan) -> Iterator[KeyFault]:
-    """Yield the contradictions between the parts of a plan, each with its key path."""
+    """Yield a fault with its key path for each contradiction between parts of a plan."""
     yield from _names(plan)
     yield from _between(plan)
     yield from _copies(plan)
 
 
 def _names(plan: Plan) -> Iterator[KeyFault]:
-    """Check that keys name existing objects. Names of states must be usable in paths."""
+    """Yield faults of names that differ from their keys, and of states not usable as file names."""
     for name, entry in plan.axes.items():
         yield from _other(("axes", name, "axis", "name"), name, entry.axis.name)
     for name, axis in plan.untested.items():
@@ -66,9 +66,7 @@ def _between(plan: Plan) -> Iterator[KeyFault]:
 
 
 def _copies(plan: Plan) -> Iterator[KeyFault]:
-    """Check that the copies of the control's own files are those that the run wrote for the way
-    back.
-    """
+    """Yield faults of copied control files that are not the rollback files of the run."""
     for index, file in enumerate(plan.states.get(AS_FOUND, ())):
         listed = plan.results.get(f"rollback/{plan.format}/{file.name}")
         found = fingerprint(file.content)
@@ -112,9 +110,7 @@ def _estimate(estimate: ErrorEstimate) -> Iterator[str]:
 
 
 def _scenarios(tests: Scenarios) -> Iterator[str]:
-    """Check that every simulated test has the same number of targets. An unmeasured direction has
-    none.
-    """
+    """Yield what is expected if simulated tests have different numbers of targets."""
     size = tests.positions.size
     sides = ((tests.positive, tests.half_positive), (tests.negative, tests.half_negative))
     whole = tests.count > 0 and size > 0 and size % tests.count == 0
@@ -171,7 +167,7 @@ def _readings(test: PositioningTest) -> Iterator[str]:
 
 
 def _active(planned: PlannedTest) -> Iterator[str]:
-    """Check that the active correction is given for every target, or for none."""
+    """Yield what is expected if an active correction is given for only some targets."""
     fits = planned.acted is None or all(
         side.shape == planned.test.targets.shape and bool(np.isfinite(side).all())
         for side in planned.acted
@@ -180,7 +176,7 @@ def _active(planned: PlannedTest) -> Iterator[str]:
 
 
 def _one_kind(axis: PlannedAxis) -> Iterator[str]:
-    """Check that all data of an axis have the unit of its kind."""
+    """Yield what is expected if parts of an axis are linear and others rotary."""
     compensations = [axis.active, None if axis.fitted is None else axis.fitted.compensation]
     kinds = {axis.axis.kind, axis.estimate.kind, *(planned.test.kind for planned in axis.tests)}
     kinds |= {entry.kind for entry in (*compensations, axis.wanted) if entry is not None}

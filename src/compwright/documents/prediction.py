@@ -1,6 +1,4 @@
-"""``prediction.json`` (``compwright/prediction/1``): deviations in µm or arcsec, positions in mm or
-deg.
-"""
+"""The file ``prediction.json``: deviations in µm or arcsec, positions in mm or deg."""
 
 from __future__ import annotations
 
@@ -41,7 +39,7 @@ def prediction_document(
     *,
     judged: Judged,
 ) -> dict[str, Any]:
-    """Return the prediction of a run. ``cross``: the corrections between axes, by the job's names.
+    """Return the prediction of a run as JSON. ``cross``: the corrections between axes.
 
     ``doubts``: what to clear up before the tables are loaded; ``acknowledged``: what the job
     acknowledges of it. ``judged``: by whom the files
@@ -59,15 +57,14 @@ def prediction_document(
 
 
 def acknowledged_outside(acknowledged: Iterable[Acknowledged]) -> list[dict[str, Any]]:
-    """Return the doubts that a job acknowledges, with its reasons."""
+    """Return the doubts that a job acknowledges, with its reasons, for JSON."""
     return [
         {**finding_documents([each.finding])[0], "reason": each.by.reason} for each in acknowledged
     ]
 
 
 def cross_outside(entry: CrossCompensation) -> dict[str, Any]:
-    """Return the correction of one axis by another: positions in mm or deg, corrections in µm or
-    arcsec.
+    """Return the correction of one axis by another for JSON, in µm or arcsec.
 
     ``correction`` is that of both directions; where they differ, that of +, and both are in
     ``correction_positive`` and ``correction_negative``.
@@ -90,9 +87,7 @@ def cross_outside(entry: CrossCompensation) -> dict[str, Any]:
 
 
 def circle_outside(circle: CirclePrediction) -> dict[str, Any]:
-    """Return one circular test, before and predicted: parameters in µm, causes in their own units,
-    by JSON names.
-    """
+    """Return a circular test before and predicted, for JSON: parameters (µm) and causes."""
     return {
         "before": circle_values(circle.before),
         "predicted": circle_quantiles(circle),
@@ -101,9 +96,7 @@ def circle_outside(circle: CirclePrediction) -> dict[str, Any]:
 
 
 def circle_values(result: CircularResult) -> dict[str, float | None]:
-    """Return the parameters (µm) and causes (their own units) of a circular test by their JSON
-    names.
-    """
+    """Return the parameters (µm) and causes (in their units) of a circular test by JSON name."""
     values = {
         name: None if value is None else rounded_number(value * MICROMETRES_PER_MILLIMETRE, OUTSIDE)
         for name, value in result.parameters.items()
@@ -119,7 +112,7 @@ def circle_values(result: CircularResult) -> dict[str, float | None]:
 
 
 def circle_quantiles(circle: CirclePrediction) -> dict[str, dict[str, float]]:
-    """Return the predicted quantiles of a circular test, in the units of `circle_values`."""
+    """Return the predicted quantiles of a circular test by JSON name, as `circle_values` does."""
     return {
         **quantiles_outside(circle.predicted, AxisKind.LINEAR),
         **{
@@ -157,9 +150,7 @@ def quantiles_outside(
 
 
 def compensation_outside(table: AxisCompensation) -> dict[str, Any]:
-    """Return a table as in the JSON: totals (table and backlash) for each direction, µm or
-    arcsec.
-    """
+    """Return a table for JSON: correction including backlash per direction, µm or arcsec."""
     factor = outside_factor(table.kind.unit)
     return table_outside(
         table.positions,
@@ -172,9 +163,7 @@ def compensation_outside(table: AxisCompensation) -> dict[str, Any]:
 def table_outside(
     positions: FloatArray, positive: FloatArray, negative: FloatArray, kind: AxisKind
 ) -> dict[str, Any]:
-    """Return positions (mm, deg) and corrections (already in µm or arcsec) in the form of the
-    JSON.
-    """
+    """Return a table for JSON from positions (mm, deg) and corrections (µm, arcsec)."""
     return {
         "positions": positions.tolist(),
         "correction_positive": positive.tolist(),
@@ -263,8 +252,7 @@ def _accept(accept: Mapping[str, AcceptDecision]) -> dict[str, Any]:
 
 
 def _evidence(evidence: PeriodEvidence, factor: float) -> dict[str, Any]:
-    """Return periods in mm or deg, the log evidence for each, and the smallest amplitude that the
-    test shows.
+    """Return the evidence for periodic errors and the smallest visible amplitudes, for JSON.
 
     ``factor``: to the unit outside; None: none.
     """

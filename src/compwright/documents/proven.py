@@ -1,6 +1,4 @@
-"""Write the facts that a verification proved as lines for a job and for the definition of a
-control.
-"""
+"""Write what a verification proved as YAML lines for a job and for a control's definition."""
 
 from __future__ import annotations
 
@@ -13,7 +11,7 @@ KEYS = ("control", "machine", "date", "how")
 
 
 def proven_lines(entry: Mapping[str, str], heading: Sequence[str], indent: int) -> bytes:
-    """Return the key ``proven`` with one entry (`KEYS`) as YAML, below comment lines."""
+    """Return comment lines, and the YAML key ``proven`` with one entry below them."""
     blanks = " " * indent
     lines = [*(f"# {_one_line(line)}" for line in heading), "proven:"]
     for place, key in enumerate(KEYS):

@@ -1,5 +1,4 @@
-"""The file ``record.json``: inputs, software, decisions and results of a result folder, in µm or
-arcsec.
+"""The file ``record.json``: inputs, software, decisions and results of a result folder.
 
 ``compwright/record/1``.
 
@@ -28,9 +27,7 @@ COPIES_OF_VERIFY = "inputs/verify/"
 
 
 def definition_entry(definition_id: str, data: Any, files: Iterable[str], *, own: bool) -> Any:
-    """Return the entry about a definition in a record: its id, the hash of its contents, its
-    files.
-    """
+    """Return a record's entry on the control definition: id, SHA-256 and files."""
     text = json.dumps(data, sort_keys=True, ensure_ascii=False, default=str)
     return {
         "id": definition_id,
@@ -77,7 +74,7 @@ def run_record(
 def planned_record(
     about: Mapping[str, Any], plan: str, evaluation: Mapping[str, Any], errors: Errors
 ) -> dict[str, Any]:
-    """Return the record of a run without a record file, from its plan."""
+    """Return a record made from the plan of a run whose record file is missing."""
     return {
         "schema": SCHEMA,
         **about,
@@ -92,13 +89,13 @@ def planned_record(
 
 
 def elsewhere(record: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the record of a run for another folder, which contains none of its files."""
+    """Return a run's record for a folder that contains none of the run's files."""
     inputs = [{**entry, "copy": None} for entry in record["inputs"]]
     return {**record, "inputs": inputs, "files": []}
 
 
 def files_listed(files: Mapping[str, bytes]) -> list[dict[str, Any]]:
-    """Return the files of a result folder by relative name, with hash and size."""
+    """Return hash and size of the files in a result folder, by relative name."""
     return [
         {
             "file": encoded(name).decode("utf-8"),
@@ -121,7 +118,7 @@ def _decided(axis: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _of_circles(circles: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the decisions about circles with limits. Empty without limits."""
+    """Return the decisions on circles that have limits, or nothing."""
     limited = {
         name: {"accept": dict(circle["accept"])}
         for name, circle in circles.items()
@@ -140,7 +137,7 @@ def verified_record(
     version: str,
     errors: Errors,
 ) -> dict[str, Any]:
-    """Return the record of a run with its verification, which replaces an earlier one.
+    """Return the record of a run with a verification, in place of an earlier verification.
 
     ``evaluation``: of the tests after loading; ``files``: all that ``verify`` writes.
     """
@@ -176,8 +173,7 @@ def verified_record(
 
 
 def kept_verification(record: Mapping[str, Any], earlier: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the record of a repeated run. The verification in an ``earlier`` record stays if it
-    still applies.
+    """Return the record of a repeated run, with the earlier verification if it still applies.
 
     It keeps the earlier verification where that belongs to the same plan; else only the copies of
     the measurements after loading, which may exist nowhere else.
@@ -202,7 +198,7 @@ def kept_verification(record: Mapping[str, Any], earlier: Mapping[str, Any]) -> 
 
 
 def _planned(record: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the entries of a record that depend only on the plan, not on file names or folders."""
+    """Return those entries of a record that are equal for equal plans in any folder."""
     apart = ("version", "plan", "files", "inputs", "tests", "verification")
     return {
         **{key: value for key, value in record.items() if key not in apart},
@@ -221,9 +217,7 @@ def _planned(record: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def outdated_verification(record: Mapping[str, Any], earlier: Mapping[str, Any]) -> dict[str, str]:
-    """Return the verification files in an ``earlier`` record that belong to a different plan
-    (relative name -> SHA-256).
-    """
+    """Return the SHA-256 of verification files of another plan, by relative name."""
     if _planned(earlier) == _planned(record):
         return {}
     return {
@@ -247,24 +241,20 @@ def _verified(axis: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _read_back(findings: Iterable[Mapping[str, str]]) -> str:
-    """Return whether the values read back were the planned ones: ``equal``, ``other``, or ``none``
-    without values.
-    """
+    """Return how values read back compare with the plan: ``equal``, ``other`` or ``none``."""
     codes = {finding["code"] for finding in findings}
     return "other" if "CW-V011" in codes else "equal" if "CW-V010" in codes else "none"
 
 
 def read_record(content: bytes, file: str) -> dict[str, Any]:
-    """Return a record. Raises InputError for another file, a newer schema, and every invalid
-    key.
-    """
+    """Return the record in a file. Raises InputError with every invalid key."""
     data = read_json(content, file, SCHEMA, "record", f"{RECORD} of a run")
     raise_all(InputError, [fault.in_file(file) for fault in faults_of_record(data)])
     return data
 
 
 def is_record(content: bytes) -> bool:
-    """Return whether these bytes are a record of this schema."""
+    """Return whether the bytes are a record of the present schema."""
     try:
         read_record(content, RECORD)
     except InputError:
@@ -273,9 +263,7 @@ def is_record(content: bytes) -> bool:
 
 
 def copied_by_record(content: bytes) -> dict[str, str]:
-    """Return the inputs in an earlier record (relative name of the copy -> SHA-256). Empty without
-    a list.
-    """
+    """Return the SHA-256 of the copied inputs listed in an earlier record, by relative name."""
     try:
         listed = json.loads(content)["inputs"]
         return {str(entry["copy"]): str(entry["sha256"]) for entry in listed if entry["copy"]}
@@ -284,7 +272,7 @@ def copied_by_record(content: bytes) -> dict[str, str]:
 
 
 def listed_in_record(content: bytes) -> dict[str, str]:
-    """Return the files in an earlier record (relative name -> SHA-256). Empty without a list."""
+    """Return the SHA-256 of the files listed in an earlier record, by relative name."""
     try:
         listed = json.loads(content)["files"]
         return {str(entry["file"]): str(entry["sha256"]) for entry in listed}

@@ -1,4 +1,4 @@
-"""The checked keys of ``record.json``. An edited record is refused with every invalid key."""
+"""Check the keys of ``record.json``, which a user may have edited."""
 
 from __future__ import annotations
 
@@ -19,9 +19,7 @@ from compwright.records.input_record import InputRole
 
 
 def faults_of_record(data: Mapping[str, Any]) -> list[KeyFault]:
-    """Return the faults of a record, or of older documents in place of a record, each with its key
-    path.
-    """
+    """Return the faults of a record (or of older documents in its place) with key paths."""
     return checked(_validator(), data)[1]
 
 
@@ -62,9 +60,7 @@ class _Squareness:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Test:
-    """The common entries of every test. ``measured_in``: the state of a test before loading, else
-    empty.
-    """
+    """The entries that every test in a record has. ``measured_in``: state before loading, or ""."""
 
     name: str
     taken: Literal["before", "after"]

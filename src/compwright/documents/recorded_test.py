@@ -1,4 +1,4 @@
-"""The record of one test, in µm or arcsec, made from the document of its evaluation."""
+"""The entry of one test in a record (µm or arcsec), from the document of its evaluation."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Errors = Callable[[Mapping[str, Any]], Mapping[str, tuple[float, float]]]
 def measured_test(
     result: Mapping[str, Any], taken: str, measured_in: Mapping[str, str], errors: Errors
 ) -> dict[str, Any]:
-    """Return the record of one test, from its evaluation (`compwright/evaluation/1`).
+    """Return the entry of one test in a record, from its entry in an evaluation document.
 
     ``taken``: ``before`` or ``after``; ``measured_in``: the state by ``axis test`` or the circle's
     name; ``errors``: gives the standard errors of a positioning result. ``date`` is that of the
@@ -73,7 +73,7 @@ def _axis(result: Mapping[str, Any], errors: Errors) -> dict[str, Any]:
 
 
 def _means(result: Mapping[str, Any], key: str) -> list[float]:
-    """Return the mean deviation of each target in a direction; empty where one is missing."""
+    """Return the mean deviations of all targets in a direction, or nothing if one is missing."""
     means = [target.get(key) for target in result["targets"]]
     return [] if None in means else [round(mean, 9) for mean in means]
 
@@ -110,7 +110,7 @@ def _circle(result: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def pooled(targets: Iterable[Mapping[str, Any]]) -> float | None:
-    """Return the pooled standard deviation of a reading; None without repeats."""
+    """Return the pooled standard deviation of readings, or None without repeated readings."""
     total, dof = 0.0, 0
     for target in targets:
         for direction in ("positive", "negative"):

@@ -1,4 +1,4 @@
-"""Entries of drift tests and lost-motion tables in the JSON of ``evaluate``."""
+"""Entries of drift tests and tables of lost motion in the JSON of ``evaluate``."""
 
 from __future__ import annotations
 
@@ -15,9 +15,7 @@ from compwright.records.drift import DriftTest, LostMotionTest
 def stand_still_document(
     drift: DriftTest, E_VE: float, findings: Iterable[Finding]
 ) -> dict[str, Any]:
-    """Return the entry of a drift test: the range ``E_VE`` (µm or arcsec) over its whole
-    duration, and the readings.
-    """
+    """Return the JSON entry of a drift test: its range ``E_VE`` (µm, arcsec) and readings."""
     unit = drift.kind.unit
     factor = outside_factor(unit)
     return {
@@ -49,8 +47,7 @@ def lost_motion_document(
     depends: bool,
     findings: Iterable[Finding],
 ) -> dict[str, Any]:
-    """Return the entry of a lost-motion table: the best ``constant`` and the largest remaining
-    error (``left``), µm.
+    """Return the JSON entry of lost motion: best ``constant``, and what it leaves (``left``).
 
     ``depends``: whether the lost motion is not one constant.
     """

@@ -1,6 +1,4 @@
-"""``verification.json`` (``compwright/verification/1``): before, predicted and after side by
-side.
-"""
+"""The file ``verification.json``: results before, predicted and after side by side."""
 
 from __future__ import annotations
 
@@ -31,9 +29,7 @@ SCHEMA = "compwright/verification/1"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ExpectedMeans:
-    """The mean deviations (m,) that the plan predicts after loading, mm or deg, and the scatter
-    ``s`` of one reading.
-    """
+    """Predicted means (m,) after loading (mm or deg), and the scatter ``s`` of a reading."""
 
     positions: FloatArray
     positive: FloatArray
@@ -63,9 +59,7 @@ class VerifiedAxis:
 
 @dataclass(frozen=True, slots=True)
 class SquarenessCheck:
-    """The squareness after loading, µm/m: its value, its prediction, the uncertainty of the
-    difference, and the correction.
-    """
+    """The squareness (µm/m) after loading compared with the prediction."""
 
     value: float | None
     expected: float
@@ -74,9 +68,7 @@ class SquarenessCheck:
 
     @property
     def decision(self) -> Decision:
-        """The decision about squareness: reject where the difference exceeds its uncertainty, else
-        accept or undecided.
-        """
+        """The decision on squareness: reject if it differs from the prediction by more than U."""
         if self.value is None:
             return "undecided"
         if abs(self.value - self.expected) > self.U:
@@ -107,9 +99,7 @@ def verification_document(
     circles: Mapping[str, VerifiedCircle] | None = None,
     findings: Iterable[Finding] = (),
 ) -> dict[str, Any]:
-    """Return the verification of a run as JSON. ``findings``: those that belong to no single
-    axis.
-    """
+    """Return a verification as JSON. ``findings``: those about no single axis."""
     general, tests = tuple(findings), circles or {}
     every: list[VerifiedAxis | VerifiedCircle] = [*axes.values(), *tests.values()]
     of_tests = [
@@ -142,7 +132,7 @@ def _headline(
     circles: Mapping[str, VerifiedCircle],
     verdict: Literal["good", "bad", "undecided"],
 ) -> str:
-    """Return the verdict as text. It mentions limits only where the job has any."""
+    """Return the verdict as text, with the limits only if the job has any."""
     if verdict == "bad":
         limits = (entry.decision for one in circles.values() for entry in one.accept.values())
         return SentenceText(say("headline.bad", circles="reject" in limits))
@@ -197,9 +187,7 @@ def _accept(accept: Mapping[str, AcceptDecision]) -> dict[str, Any]:
 
 
 def _circle(circle: VerifiedCircle) -> dict[str, Any]:
-    """Return one circular test: parameters in µm and causes in their own units, by their JSON
-    names.
-    """
+    """Return a verified circular test for JSON: parameters in µm, causes in their units."""
     after, predicted = circle_values(circle.after), circle_quantiles(circle.prediction)
     check = circle.squareness
     return {
@@ -234,7 +222,5 @@ def _circle(circle: VerifiedCircle) -> dict[str, Any]:
 
 
 def _within(value: float | None, band: Mapping[str, float], guard: float = 0.0) -> bool | None:
-    """Return whether the value is in the 90 % interval, widened by ``guard`` on both sides. None
-    where the test lacks it.
-    """
+    """Return whether a value is in the 90 % interval widened by ``guard``, None without value."""
     return None if value is None else band["p05"] - guard <= value <= band["p95"] + guard
