@@ -1,4 +1,4 @@
-"""The command line. It starts quickly, because each command imports what it needs."""
+"""The command line. Each command imports only what it needs, so that it starts quickly."""
 
 from compwright.cli import (
     completing,

@@ -1,4 +1,4 @@
-"""The command that prints a script for the completion of words in a shell."""
+"""The command that prints a script with which a shell completes typed words."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The help of the command line: what a command requires, two examples, and where to read more."""
+"""The help of commands: required arguments, options, two examples, and a page to read."""
 
 from __future__ import annotations
 
@@ -19,8 +19,7 @@ _HEADINGS = {command: heading for heading, commands in ORDER.items() for command
 
 
 class HelpfulCommand(click.Command):
-    """A command whose help lists the required arguments, shows examples and names a page of the
-    documentation.
+    """A command whose help shows required arguments, examples and a page of the documentation.
 
     ``examples``: whole command lines; ``page``: path of the page.
     """
@@ -33,7 +32,7 @@ class HelpfulCommand(click.Command):
         self.page = page
 
     def format_arguments(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write nothing, because the files of a command are listed with the required arguments."""
+        """Write nothing: the file arguments are listed with the required options."""
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the required arguments first, then the options."""
@@ -49,7 +48,7 @@ class HelpfulCommand(click.Command):
                     formatter.write_dl(rows[required])
 
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write the examples and the page."""
+        """Write the examples, and the page of the documentation."""
         del ctx
         if self.examples:
             with formatter.section("Examples"):
@@ -65,7 +64,7 @@ def _row(param: click.Parameter, ctx: click.Context) -> tuple[str, str] | None:
 
 
 class OrderedGroup(HelpfulCommand, click.Group):
-    """A group that lists its commands in the order of work, each with its whole sentence."""
+    """A command group that lists its commands in the order of work with their full description."""
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the options, then the commands."""
@@ -73,13 +72,13 @@ class OrderedGroup(HelpfulCommand, click.Group):
         self.format_commands(ctx, formatter)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        """Return the names of the commands. Those without a heading come last."""
+        """Return the names of the commands, those without a heading last."""
         places = list(_HEADINGS)
         names = super().list_commands(ctx)
         return sorted(names, key=lambda name: places.index(name) if name in places else len(places))
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write the commands under their headings."""
+        """Write the list of commands under headings."""
         listed: dict[str, list[tuple[str, str]]] = {}
         names = self.list_commands(ctx)
         width = max(map(len, names))

@@ -1,4 +1,4 @@
-"""Commands of a job: write it, run it, verify it."""
+"""Commands that write, run and verify a job."""
 
 from __future__ import annotations
 

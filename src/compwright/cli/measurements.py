@@ -1,4 +1,4 @@
-"""Commands that only read or make measurements."""
+"""Commands that need only measurements, or that simulate them."""
 
 from __future__ import annotations
 
@@ -162,7 +162,7 @@ def _repeated(
     report: Path | None,
     lang: Literal["en", "de", "fr", "ru"],
 ) -> str:
-    """Return the command that repeats a report."""
+    """Return the command line that makes the same report again."""
     words = ["compwright", "evaluate", *map(str, paths)]
     words += [word for standard in standards for word in ("--standard", standard)]
     words += ["--spread", spread] if spread != "std" else []
@@ -179,9 +179,7 @@ def _tell_notes(names: Sequence[str], what: str) -> None:
 
 
 def _tell_errors(entries: Sequence[Mapping[str, str]], *, one_each: bool) -> None:
-    """Print the errors of measurement files. With ``one_each``: only the first error of each file,
-    and the number of the others.
-    """
+    """Print the errors of measurement files. ``one_each``: only the first error of each file."""
     lines: dict[str, list[str]] = {}
     for place, entry in enumerate(entries):
         line = ": ".join(filter(None, (entry["file"], entry["message"])))

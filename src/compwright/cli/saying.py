@@ -1,4 +1,4 @@
-"""Printing to standard output and standard error, and what happens when printing fails."""
+"""Print to standard output and standard error, even if these are closed or full."""
 
 from __future__ import annotations
 
@@ -19,9 +19,7 @@ _MOST_ERRORS = 25
 
 
 def print_safely(say: Callable[[], None]) -> None:
-    """Print on standard output. A reader that stops early (``| head``) does not change the work or
-    its exit code.
-    """
+    """Print to standard output. A reader that stops early (``| head``) causes no error."""
     try:
         say()
     except (BrokenPipeError, SystemExit):  # SystemExit: rich leaves the program then
@@ -36,7 +34,7 @@ def print_lines(lines: Iterable[str]) -> None:
 def answer(
     document: Mapping[str, Any], json_path: Path | None, renderables: Callable[[], list[Any]]
 ) -> None:
-    """Print the answer of a command: as JSON for ``--json -``, else as text."""
+    """Print the result of a command: as JSON for ``--json -``, else as text and tables."""
     from compwright.workflow.results.answers import show, to_json
 
     if _on_output(json_path):
@@ -54,9 +52,7 @@ def deliver(
     *,
     force: bool,
 ) -> None:
-    """Write the document of a command to the file given by ``--json``, and print its answer. Raises
-    StorageError.
-    """
+    """Write a command's document to the file of ``--json``, and print the result."""
     from compwright.workflow.results.answers import write_document
 
     to_file = json_file(json_path)
@@ -68,7 +64,7 @@ def deliver(
 def answer_lines(
     document: Mapping[str, Any], json_path: Path | None, lines: Callable[[], Iterable[str]]
 ) -> None:
-    """Print the answer of a command without tables: as JSON for ``--json -``, else as lines."""
+    """Print the result of a command: as JSON for ``--json -``, else as lines of text."""
     if _on_output(json_path):
         answer(document, json_path, list)
     else:
@@ -76,7 +72,7 @@ def answer_lines(
 
 
 def next_step_line(json_path: Path | None, line: Callable[[], str]) -> None:
-    """Print the last line of an answer: the next step."""
+    """Print the next step as the last line, unless the result is printed as JSON."""
     if not _on_output(json_path):
         print_lines([line()])
 
@@ -86,14 +82,12 @@ def _on_output(json_path: Path | None) -> bool:
 
 
 def json_file(json_path: Path | None) -> Path | None:
-    """Return the file given by ``--json``. None without it, and for standard output."""
+    """Return the file named by ``--json``, or None without one or for standard output (``-``)."""
     return None if _on_output(json_path) else json_path
 
 
 def errors(lines: Iterable[str]) -> int:
-    """Print each error on its own line. Of very many only the first; returns the number of the
-    others.
-    """
+    """Print errors, one per line, up to a limit. Returns the number of those not printed."""
     texts = list(lines)
     for line in texts[:_MOST_ERRORS]:
         tell(f"error: {visible(line)}")
@@ -104,7 +98,7 @@ def errors(lines: Iterable[str]) -> int:
 
 
 def tell(line: str) -> None:
-    """Print a line on standard error. Nothing is raised if standard error is closed or full."""
+    """Print a line on standard error, without an exception if that is closed or full."""
     try:
         click.echo(visible_lines(line), err=True)
     except OSError:
@@ -112,12 +106,12 @@ def tell(line: str) -> None:
 
 
 def ask_for_report() -> None:
-    """Print what to do after an internal fault of compwright."""
+    """Print how to report an internal error of compwright."""
     tell(
         f"Please report this line with the command, the input files and the version {__version__}."
     )
 
 
 def on_terminal() -> bool:
-    """Return whether messages go to a terminal that can show a progress bar."""
+    """Return whether standard error is a terminal, which can show a progress bar."""
     return sys.stderr.isatty()

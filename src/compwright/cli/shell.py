@@ -34,15 +34,14 @@ def main() -> NoReturn:
 
 
 def _side_by_side(items: int, ready: Callable[[], None]) -> AbstractContextManager[Each]:
-    """Provide the parallel workers for the axes of a job. Rare imports are made here."""
+    """Provide parallel workers for the axes of a job; imports their module only when needed."""
     from compwright.foundations.processes import side_by_side
 
     return side_by_side(items, ready)
 
 
 def run(arguments: list[str], crew: Crew = alone) -> int:
-    """Run a command and return its exit code. Every error becomes lines on standard error, never a
-    traceback.
+    """Run a command and return its exit code. Errors are printed as lines, without traceback.
 
     ``crew``: who works on the axes of a job.
     """

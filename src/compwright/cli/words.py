@@ -1,4 +1,4 @@
-"""Common parts of all commands: arguments, options, and the command group."""
+"""Arguments, options and the command group that all commands use."""
 
 from __future__ import annotations
 
@@ -27,16 +27,14 @@ _STANDARD_ID = re.compile(r"(iso[0-9-]+|gost[0-9]+):[0-9]{4}|vdi[0-9]+")
 
 @dataclass(frozen=True, slots=True)
 class Invocation:
-    """One call of the command line, with the data that its command needs. ``crew``: the parallel
-    workers.
-    """
+    """One call of the command line: its session and the parallel workers (``crew``)."""
 
     session: Session
     crew: Crew
 
 
 class _PathType(click.ParamType[Path]):
-    """The type of a file or folder argument. Whether it is readable is checked later."""
+    """The type of a file or folder argument, which is not checked before it is read."""
 
     name = "path"
 
@@ -69,9 +67,7 @@ class _FileWord(click.ParamType[str]):
 def _matched(
     session: Session, kind: click.ParamType[Any], values: Iterable[object]
 ) -> Iterator[Any]:
-    """Yield the files that match the values, where the shell does not expand ``*`` and ``?``
-    (Windows).
-    """
+    """Yield the files that match patterns, as the shell of Windows does not expand ``*``."""
     for value in values:
         text = str(value)
         if not {"*", "?"} & set(text):
@@ -83,7 +79,7 @@ def _matched(
 
 
 class _Command(HelpfulCommand):
-    """A command whose options with ``...`` take several values at once; see `command_words`."""
+    """A command whose options shown with ``...`` take several values after one option name."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         forms = {
@@ -151,7 +147,7 @@ force_option = click.option("--force", is_flag=True, help="Replace files that ex
 def complete_format(
     ctx: click.Context, param: click.Parameter, incomplete: str
 ) -> list[CompletionItem]:
-    """Return the control ids that begin with the typed text, and the user's own files."""
+    """Return the control ids and definition files that begin with the typed text."""
     del param
     from compwright.workflow.commands.formats import shipped_ids
 
@@ -205,7 +201,7 @@ report_option = click.option(
 
 
 def exiting(command: Callable[P, int]) -> Callable[P, None]:
-    """Convert the number that a command returns into its exit code."""
+    """Return a command that ends with the exit code that ``command`` returns."""
 
     @wraps(command)
     def wrapper(*args: P.args, **kwargs: P.kwargs) -> None:
@@ -215,7 +211,7 @@ def exiting(command: Callable[P, int]) -> Callable[P, None]:
 
 
 def pairs(options: Iterable[str]) -> dict[str, object]:
-    """Return the options K=V of the command line. Raises UsageError for invalid ones."""
+    """Return the options ``K=V`` as a mapping. Raises UsageError for invalid ones."""
     given: dict[str, object] = {}
     faults = []
     for text in options:

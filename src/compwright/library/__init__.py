@@ -1,1 +1,1 @@
-"""The public library: what ``import compwright`` provides, based on the commands' own functions."""
+"""The public library ``compwright``, which calls the same functions as the commands."""

@@ -1,4 +1,4 @@
-"""Errors of the library name its own arguments in the place of the command line's options."""
+"""Name the library's arguments in error messages in place of command-line options."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _NUMBER = re.compile(r"-?\d+(\.\d+)?")
 
 
 def in_argument_names(function: Callable[P, T]) -> Callable[P, T]:
-    """Return ``function`` with errors that name its arguments: ``force=True`` for ``--force``.
+    """Return ``function`` with errors that name ``force=True`` instead of ``--force``.
 
     Options that it does not have, and whole commands, stay as they are.
     """

@@ -60,7 +60,7 @@ def evaluate(
     *,
     spread: Literal["std", "range"] = "std",
 ) -> Evaluation:
-    """Evaluate a test, or the one test of a file, to a standard.
+    """Evaluate a test, or a file with one test, to a standard.
 
     ``standard``: an id such as ``iso230-2:2014`` (the default of positioning tests),
     ``gost27843``, ``vdi3441`` or ``iso230-4:2005`` (of circular tests). Parameters are in um or
@@ -150,9 +150,7 @@ def estimate(
 
 @in_argument_names
 def load_job(path: PathName) -> LoadedJob:
-    """Read and check a job file. Raises UsageError with every fault of it, InputError where it
-    cannot be read.
-    """
+    """Read and check a job file. Raises UsageError with all faults, or InputError."""
     from compwright.workflow.inputs.jobs import default_folder, read_job_file
 
     session, file = Session(), Path(path)
@@ -161,8 +159,7 @@ def load_job(path: PathName) -> LoadedJob:
 
 @in_argument_names
 def plan(job: LoadedJob | PathName, *, accept_worse: bool = False) -> JobPlan:
-    """Work a job through: evaluate, fit the tables, write them into the control's form, read them
-    back with an independent second reader, predict the next test. Nothing is written to the disk.
+    """Run a job: evaluate tests, fit tables, write and read them back, predict the next test.
 
     ``accept_worse``: make a table even where it would not improve the axis. Raises UsageError,
     InputError and CapacityError.
@@ -185,7 +182,7 @@ def verify(
     plan: PathName | None = None,
     loaded: PathName | Sequence[PathName] = (),
 ) -> Verification:
-    """Judge the tests after loading by the plan. Nothing is written.
+    """Compare the tests after loading with the plan. No file is written.
 
     ``after``: the tests, or their files, each a path or ``"TEST=FILE"``; ``plan``: the folder of a
     run or its ``plan.json``, default: that of the job; ``loaded``: the files read back from the
@@ -208,8 +205,7 @@ def decode(
     options: Mapping[str, object] | None = None,
     axis: str | None = None,
 ) -> DecodedFiles:
-    """Return the corrections that a control makes with given files, by a reader that shares no code
-    with the writer.
+    """Return the corrections that a control makes with given files, by an independent reader.
 
     ``format``: an id of ``compwright formats list`` or the path of a definition; ``options``: as
     ``controller.options`` of a job; ``axis``: only this address. Raises UsageError and InputError.

@@ -1,4 +1,4 @@
-"""Results of the library: immutable, with values and units in ``repr``, ``to_dict`` and ``plot``.
+"""Immutable results of the library, with values and units in ``repr``, ``to_dict`` and ``plot``.
 
 Each holds the document that the command line writes as JSON, so that both give the same values.
 """
@@ -46,7 +46,7 @@ def _listed(values: Mapping[str, float | None], unit: str) -> str:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class DocumentResult:
-    """A result with its JSON document. The document's keys state the units."""
+    """A result of a command, with its JSON document, whose keys state the units."""
 
     _document: Mapping[str, Any]
 
@@ -56,7 +56,7 @@ class DocumentResult:
 
     @property
     def findings(self) -> list[dict[str, Any]]:
-        """The findings: ``code``, ``severity`` (info, warning, error) and ``message``."""
+        """The findings, each with ``code``, ``severity`` (info, warning, error) and ``message``."""
         return deepcopy(list(self._document.get("findings", [])))
 
 
@@ -70,7 +70,7 @@ class Evaluation(DocumentResult):
         return f"Evaluation({about}: {_listed(self.parameters, self.unit)})"
 
     def __getitem__(self, name: str) -> float | None:
-        """Return a parameter in `unit`. None where the standard does not define it for this test.
+        """Return a parameter in `unit`, or None if the standard does not define it for the test.
 
         Raises KeyError for a name that is no parameter of this kind of test.
         """
@@ -117,8 +117,7 @@ class Evaluation(DocumentResult):
         return pandas.DataFrame([dict(target) for target in targets])
 
     def plot(self, ax: Any = None) -> Any:
-        """Draw the means of each direction over the position into matplotlib axes. Returns the
-        axes.
+        """Draw the means over the position into matplotlib axes. Returns the axes.
 
         Raises UsageError without matplotlib, and for a circular test.
         """
@@ -178,9 +177,7 @@ class EstimatedError:
         ]
 
     def to_dict(self, points: int = 201) -> dict[str, Any]:
-        """Return mean and standard uncertainty by direction at ``points`` evenly spaced positions,
-        in `unit`.
-        """
+        """Return mean and standard uncertainty at evenly spaced positions, by direction."""
         where = np.linspace(*self.measured, points)
         curves = {
             f"{what}_{name}": getattr(self, what)(where, approach).tolist()
@@ -190,7 +187,7 @@ class EstimatedError:
         return {"axis": self.axis, "unit": self.unit, "positions": where.tolist(), **curves}
 
     def plot(self, ax: Any = None) -> Any:
-        """Draw the error with ± 2 standard uncertainties into matplotlib axes; returns the axes.
+        """Draw the error ± 2 standard uncertainties into matplotlib axes. Returns the axes.
 
         Raises UsageError without matplotlib.
         """
@@ -214,7 +211,7 @@ class EstimatedError:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class LoadedJob:
-    """A job file that was read and checked, and its default result folder."""
+    """A job that was read and checked, and the folder for its results."""
 
     path: Path
     out: Path
@@ -226,7 +223,7 @@ class LoadedJob:
 
     @property
     def control(self) -> str:
-        """The id of the control's format."""
+        """The id of the control, as ``compwright formats list`` shows it."""
         return self.record.format
 
     @property
@@ -237,7 +234,7 @@ class LoadedJob:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class JobPlan(DocumentResult):
-    """Tables and prediction of a job. Nothing is on the disk before `write`.
+    """The tables and the prediction of a job, before `write` stores them on the disk.
 
     ``exit_code``: that of ``compwright run`` for the same job: 0 where every limit is predicted to
     be met and nothing is in doubt, 1 where not, 2 where no table is made because the state of the
@@ -249,7 +246,7 @@ class JobPlan(DocumentResult):
     _planned: PlannedJob = field(repr=False)
 
     def __repr__(self) -> str:
-        """Return each axis with A before and predicted, with unit."""
+        """Return each axis with its accuracy A, before and predicted, as text."""
         return f"JobPlan({self.job.control}: {'; '.join(self._lines())})"
 
     def _lines(self) -> Iterator[str]:
@@ -267,24 +264,22 @@ class JobPlan(DocumentResult):
 
     @property
     def prediction(self) -> dict[str, Any]:
-        """The prediction by axis: ``before``, ``predicted``, ``table``, ``accept`` as in
-        ``prediction.json``.
-        """
+        """The prediction by axis, with ``before`` and ``predicted``, as in ``prediction.json``."""
         return deepcopy(dict(self._document["axes"]))
 
     @property
     def evaluation(self) -> dict[str, Any]:
-        """The document of the tests before, as in ``evaluation.json``."""
+        """The evaluation of the tests before, as in ``evaluation.json``."""
         return deepcopy(dict(self._planned.results.evaluation))
 
     @property
     def findings(self) -> list[dict[str, Any]]:
-        """The findings: ``code``, ``severity`` and ``message``."""
+        """The findings, each with ``code``, ``severity`` and ``message``."""
         return self._planned.finding_documents()
 
     @property
     def tables(self) -> dict[str, bytes]:
-        """The files that the control loads: name -> bytes. Empty where no table is made."""
+        """The contents of the files that the control loads, by name; empty without a table."""
         folder = f"tables/{self.job.control}/"
         return {
             name.removeprefix(folder): content
@@ -294,7 +289,7 @@ class JobPlan(DocumentResult):
 
     @in_argument_names
     def write(self, folder: str | Path | None = None, *, force: bool = False) -> list[Path]:
-        """Write everything that ``compwright run`` writes, all or nothing; returns the paths.
+        """Write all files that ``compwright run`` writes, or none. Returns their paths.
 
         ``folder``: default: that of the job. ``force``: replace an earlier result. Raises
         StorageError where files exist or cannot be written.
@@ -308,7 +303,7 @@ class JobPlan(DocumentResult):
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Verification(DocumentResult):
-    """The result of the tests after loading: ``verdict`` good, bad or undecided."""
+    """The result of tests after loading, compared with the plan."""
 
     def __repr__(self) -> str:
         """Return the verdict, and for each axis whether the table is active."""
@@ -319,13 +314,13 @@ class Verification(DocumentResult):
 
     @property
     def verdict(self) -> str:
-        """Good, bad or undecided."""
+        """The verdict: ``good``, ``bad`` or ``undecided``."""
         return str(self._document["verdict"])
 
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Comparison(DocumentResult):
-    """The control's files compared with a plan."""
+    """The comparison of the control's files with a plan."""
 
     def __repr__(self) -> str:
         """Return the verdict, and for each axis the differences."""
@@ -336,19 +331,19 @@ class Comparison(DocumentResult):
 
     @property
     def verdict(self) -> str:
-        """``same``, ``different`` or ``undecided``."""
+        """The verdict: ``same``, ``different`` or ``undecided``."""
         return str(self._document["verdict"])
 
 
 @dataclass(frozen=True, slots=True, repr=False)
 class DecodedFiles(DocumentResult):
-    """The decoded files of a control. ``decoded["X"]`` is the correction of an axis."""
+    """The decoded files of a control; ``decoded["X"]`` is the correction of the axis X."""
 
     _state: DecodedState
     _unknown: Sequence[str]
 
     def __repr__(self) -> str:
-        """Return each axis with the range of its correction and unit."""
+        """Return each axis with the range of its correction and the unit, as text."""
         parts = []
         for address, axis in self._document["axes"].items():
             values = [*axis["correction_positive"], *axis["correction_negative"], 0.0]
@@ -358,9 +353,7 @@ class DecodedFiles(DocumentResult):
         return f"DecodedFiles({', '.join(parts).rstrip()})"
 
     def __getitem__(self, address: str) -> AxisCorrection:
-        """Return the correction of the axis with the control's name ``address``. Raises
-        KeyError.
-        """
+        """Return the correction of the axis with this address. Raises KeyError."""
         axis = self._state.state.axes[address]
         unit = None if address in self._unknown else outside_unit(axis.kind.unit)
         return AxisCorrection(address, unit, outside_factor(axis.kind.unit), self._state)
@@ -376,8 +369,7 @@ class DecodedFiles(DocumentResult):
 
 @dataclass(frozen=True, slots=True, repr=False)
 class AxisCorrection:
-    """The correction that the control adds to the command of one axis, as a function of position
-    and approach.
+    """The correction that the control adds to an axis, by position and approach.
 
     ``unit``: um or arcsec; None where the files do not tell whether the axis is linear or rotary
     (then thousandths of the unit of its positions).
@@ -393,9 +385,7 @@ class AxisCorrection:
         return f"AxisCorrection({self.address}, {_micro(self.unit or 'unit unknown')})"
 
     def __call__(self, positions: ArrayLike, approach: Approach) -> FloatArray:
-        """Return the correction at ``positions`` (k,), mm or deg, approached in direction
-        ``approach``.
-        """
+        """Return the correction at ``positions`` (k,), mm or deg, for an approach direction."""
         from compwright.controls.decoded_state import judged_values
 
         where = np.atleast_1d(np.asarray(positions, dtype=np.float64))

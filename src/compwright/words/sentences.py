@@ -1,4 +1,4 @@
-"""Sentences as a name with values. The text is made here from the catalogue of a language.
+"""Sentences as a name with values, written as text from the catalogue of a language.
 
 A template is text with fields. ``{name}`` inserts a value, in the form behind a colon:
 
@@ -36,7 +36,7 @@ _MOST_ODDS: Final = 0.999e6
 
 
 def _russian_plural(number: float) -> int:
-    """Return the Russian plural form of a number: 0 for 1 and 21, 1 for 2 to 4, 2 for others."""
+    """Return which of the three Russian plural forms a number needs: 0 for 1, 1 for 2, 2 for 5."""
     if number != int(number):
         return 1
     tens, ones = int(abs(number)) % 100, int(abs(number)) % 10
@@ -89,7 +89,7 @@ _MORE_THAN: Final[dict[Language, str]] = {
 
 
 class NumberText(str):
-    """A number as written in English, with a decimal point."""
+    """A number as English text, which can be written with another language's decimal mark."""
 
     __slots__ = ()
 
@@ -99,7 +99,7 @@ class NumberText(str):
 
 
 class DateText(str):
-    """A text with a date in the form of ISO 8601."""
+    """A text with an ISO 8601 date, which can be written as another language writes dates."""
 
     __slots__ = ()
 
@@ -111,7 +111,7 @@ class DateText(str):
 
 @dataclass(frozen=True, slots=True)
 class Amount:
-    """A number with its printed unit (µm, arcsec, mm, deg) and its number format."""
+    """A number with its unit (µm, arcsec, mm, deg) and the format in which it is printed."""
 
     value: float
     unit: str
@@ -122,7 +122,7 @@ class Amount:
         return self.text("en")
 
     def text(self, language: Language) -> str:
-        """Return number and unit as text, with the decimal mark of the language."""
+        """Return number and unit as text in a language."""
         unit = in_language(self.unit, language)
         between = "" if unit in _CLOSE else " "
         return f"{number_text(self.value, self.form, language)}{between}{unit}".rstrip()
@@ -143,39 +143,37 @@ class Sentence:
         return self.text("en")
 
     def text(self, language: Language) -> str:
-        """Return the sentence in the language."""
+        """Return the sentence as text in a language."""
         return filled(catalogue(language)[self.name], dict(self.values), language)
 
     def outside(self) -> dict[str, Any]:
-        """Return the values in a form for JSON."""
+        """Return the values as plain data for JSON."""
         return {name: _outside(value) for name, value in self.values}
 
 
 class SentenceText(str):
-    """An English sentence for documents. A page shows it in its own language."""
+    """An English text that keeps its `Sentence`, so that a page can translate it."""
 
     __slots__ = ("sentence",)
     sentence: Sentence
 
     def __new__(cls, sentence: Sentence) -> Self:
-        """Return an English text that keeps its sentence for translation."""
+        """Return the English text of a sentence, which it keeps for translation."""
         written = super().__new__(cls, str(sentence))
         written.sentence = sentence
         return written
 
     def __reduce__(self) -> tuple[type[SentenceText], tuple[Sentence]]:
-        """Return how to copy the text: from its template and values."""
+        """Return how to copy or pickle the text: from its sentence."""
         return SentenceText, (self.sentence,)
 
     def text(self, language: Language) -> str:
-        """Return the sentence in the language."""
+        """Return the sentence as text in a language."""
         return self.sentence.text(language)
 
 
 class ControlText(str):
-    """An English text from a control's definition or family, filled in. Other languages translate
-    its template.
-    """
+    """An English text about a control that keeps its template, so that a page can translate it."""
 
     __slots__ = ("template", "values")
     template: str
@@ -188,11 +186,11 @@ class ControlText(str):
         return written
 
     def __reduce__(self) -> tuple[type[ControlText], tuple[str, Mapping[str, str]]]:
-        """Return how to copy the text."""
+        """Return how to copy or pickle the text: from its template and values."""
         return ControlText, (self.template, self.values)
 
     def text(self, language: Language) -> str:
-        """Return the text in a language. Without a translation: in English."""
+        """Return the text in a language, or in English if there is no translation."""
         template = control_texts(language).get(self.template, self.template)
         return _inserted(template, self.values, language)
 
@@ -202,12 +200,12 @@ class ControlText(str):
 
 
 def control_text(template: str, /, **values: str) -> ControlText:
-    """Return a text with the given English ``template``, translated when it is shown."""
+    """Return the English ``template`` with its values as a text that can be translated."""
     return ControlText(template, values)
 
 
 def unconfirmed(what: str) -> ControlText:
-    """Return the evidence text of an unconfirmed fact."""
+    """Return the text for evidence of a fact that is not confirmed."""
     return control_text("unconfirmed: {what}", what=what)
 
 
@@ -221,7 +219,7 @@ def say(name: str, /, **values: object) -> Sentence:
 
 
 def number_text(value: float, form: str, language: Language = "en") -> str:
-    """Return a number in the format of a template, with the decimal mark of the language."""
+    """Return a number as text in a template's ``form``, with the decimal mark of a language."""
     if form == "odds":
         if value > _MOST_ODDS:
             return f"{_MORE_THAN[language]} 1000000"
@@ -237,7 +235,7 @@ def number_text(value: float, form: str, language: Language = "en") -> str:
 
 
 def in_language(value: object, language: Language) -> str:
-    """Return a value as text in a language: a sentence, a number, or a unit or symbol alone."""
+    """Return a value as text in a language: a sentence, number, unit or symbol."""
     if isinstance(value, Amount | Sentence | NumberText | DateText | SentenceText | ControlText):
         return value.text(language)
     text = str(value)
@@ -245,9 +243,7 @@ def in_language(value: object, language: Language) -> str:
 
 
 def catalogue(language: Language) -> Mapping[str, str]:
-    """Return the templates of a language by name. Languages other than English are loaded when
-    needed.
-    """
+    """Return the templates of a language by name, loaded at the first use."""
     if language == "en":
         from compwright.words import english
 
@@ -258,7 +254,7 @@ def catalogue(language: Language) -> Mapping[str, str]:
 
 
 def control_texts(language: Language) -> Mapping[str, str]:
-    """Return the translated texts of controls by their English template. None for English."""
+    """Return a language's texts about controls by English template, or None for English."""
     if language == "en":
         return {}
     from compwright.words import french, german, russian
@@ -267,7 +263,7 @@ def control_texts(language: Language) -> Mapping[str, str]:
 
 
 def placeholders(template: str) -> frozenset[str]:
-    """Return the names of all values that a template may use."""
+    """Return the names of all values that occur in a template."""
     return frozenset(_names(template))
 
 
@@ -279,9 +275,7 @@ def _names(template: str) -> Iterator[str]:
 
 
 def _kept(value: Any) -> Any:
-    """Return a value in a form that is the same on every processor: rounded numbers, tuples,
-    texts.
-    """
+    """Return a value of a sentence in a form that is equal on every processor, such as rounded."""
     if value is None or isinstance(value, str | bool | int | Sentence):
         return value
     if isinstance(value, float | Decimal):
@@ -294,7 +288,7 @@ def _kept(value: Any) -> Any:
 
 
 def filled(template: str, values: Mapping[str, Any], language: Language) -> str:
-    """Return the text of a template with its values. Raises KeyError for a missing value."""
+    """Return a template with its values filled in. Raises KeyError for a missing value."""
     return "".join(
         text + ("" if field is None else _field(values[field], form or "", values, language))
         for text, field, form, _ in _PARSED.parse(template)
@@ -322,7 +316,7 @@ def _field(value: Any, form: str, values: Mapping[str, Any], language: Language)
 
 
 def parts(form: str) -> list[str]:
-    """Return the parts of a format between its bars. Bars inside fields do not count."""
+    """Return the parts of a format separated by bars (``|``), except bars inside fields."""
     parts, depth = [""], 0
     for character in form:
         depth += (character == "{") - (character == "}")

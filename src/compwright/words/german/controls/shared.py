@@ -1,4 +1,4 @@
-"""Translated texts of several controls, and of the card. The key is the English text."""
+"""Translated texts for several families of controls and for the card, by the English text."""
 
 from __future__ import annotations
 

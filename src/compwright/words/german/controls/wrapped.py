@@ -1,6 +1,4 @@
-"""Translated texts of controls with repeating tables in fractions of a count, by the English
-template.
-"""
+"""Translated texts for the controls of `formats.families.wrapped`, by the English text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Russian texts of controls, from their definitions and families. The key is the English text."""
+"""Russian texts for controls, from their definitions and families, by the English text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Translated texts of controls with columns of tables. The key is the English text."""
+"""Translated texts for the controls of `formats.families.columns`, by the English text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Translated texts of controls with whole increments by section. The key is the English text."""
+"""Translated texts for the controls of `formats.families.increments`, by the English text."""
 
 from __future__ import annotations
 

@@ -1,6 +1,4 @@
-"""Translated texts of controls with tables by index and cross-axis tables, by the English
-template.
-"""
+"""Translated texts for the controls of `formats.families.pairs`, by the English text."""
 
 from __future__ import annotations
 
