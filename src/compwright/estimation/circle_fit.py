@@ -101,9 +101,7 @@ class CircleProblem:
     mixture: FloatArray
 
     def spiked(self, right: FloatArray) -> FloatArray:
-        """Return rows over all columns from rows in which the spike shapes are given by common
-        curves.
-        """
+        """Return rows of all columns from rows that give spike shapes by a few common curves."""
         count, (curves, shapes) = len(self.names), self.mixture.shape
         if not shapes:
             return right

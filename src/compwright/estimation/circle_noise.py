@@ -174,7 +174,7 @@ def estimate_spectrum(residual: FloatArray, leverage: FloatArray) -> ResidualSpe
 
 @lru_cache(maxsize=2)
 def _tried(size: int) -> tuple[IndexArray, FloatArray, FloatArray, FloatArray]:
-    """Return the noise spectra to compare with residuals of ``size`` orders.
+    """Return the noise spectra to compare with residuals of ``size`` cosine-transform orders.
 
     First order of each pool (p,), the inverse and the logarithm (m, p) of the spectra at the middle
     of each pool, and the correlated densities (2 l, size).
@@ -221,8 +221,8 @@ def _correlated(frequency: FloatArray, lengths: FloatArray) -> FloatArray:
 
 
 def _pools(size: int) -> IndexArray:
-    """Return the first index of each group of neighbouring orders. Low orders are single, and
-    groups of higher orders are wider.
+    """Return the first order of each group of neighbouring orders of the cosine transform. Low
+    orders are single, and groups of higher orders are wider.
     """
     if size <= _SINGLE + 1:
         return np.arange(size)

@@ -61,7 +61,7 @@ _EDGE: Final = 0.17
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _ReportedCause:
-    """One cause as reported: its value, its curve and its draws.
+    """One cause as reported: its value, random draws of the value, and its radial deviations.
 
     ``drawn`` (d,): random draws of the value from its posterior. ``curve`` (n,): its radial
     deviation, mm. ``variance``: variance of the value that the draws do not contain. ``reason``:

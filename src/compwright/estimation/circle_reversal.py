@@ -61,7 +61,7 @@ _PAIRS: Final = 6
 
 
 class SpikeShapes:
-    """The spike shapes chosen at each reversal point. Each of its `SLOTS` slots has the index of a
+    """Up to `SLOTS` spike shapes (slots) that add up at each reversal point: the index of each
     shape (-1: none), and whether it differs between directions.
     """
 
@@ -85,11 +85,11 @@ class SpikeShapes:
         self.rare = {n: i for i, n in enumerate(problem.names) if n in RARE}
 
     def columns(self, reversal: int, slot: int) -> list[int]:
-        """Return the columns of one slot of a reversal point."""
+        """Return the columns of shape number ``slot`` at a reversal point."""
         return self._columns[reversal, slot]
 
     def at(self, place: tuple[int, int] | str) -> tuple[object, ...]:
-        """Return the shape in one slot of a reversal point, or whether a rare cause is present."""
+        """Return the shape at ``place`` (reversal point, slot), or whether a rare cause exists."""
         if isinstance(place, str):
             return (self.present[place],)
         return *self._columns[place], self.size[place]
@@ -97,7 +97,7 @@ class SpikeShapes:
     def put(
         self, reversal: int, slot: int, place: int, *, unlike: bool = False, size: int = 0
     ) -> None:
-        """Set one slot of a reversal point to the shape with index ``place``, or to none (-1)."""
+        """Set shape number ``slot`` at a reversal point to that with index ``place`` (-1: none)."""
         self.place[reversal, slot] = place
         if place >= 0:
             self.unlike[reversal, slot], self.size[reversal, slot] = unlike, size
@@ -112,9 +112,7 @@ class SpikeShapes:
         self.precision[found] = _SIZES[self.size[reversal, slot]] ** -2.0
 
     def chosen(self, but: tuple[int, int] | str | None = None) -> IndexArray:
-        """Return the columns of spikes and rare causes in the model, except those of slot or cause
-        ``but``.
-        """
+        """Return the columns of spikes and rare causes in the model, except those of ``but``."""
         rare = [column for name, column in self.rare.items() if self.present[name] and name != but]
         found = [
             column
@@ -129,7 +127,7 @@ class SpikeShapes:
         return np.concatenate([self.always, self.chosen()])
 
     def options(self, reversal: int, slot: int) -> IndexArray:
-        """Return the indices of the spike shapes possible in one slot of a reversal point."""
+        """Return the indices of shapes possible as shape number ``slot`` at a reversal point."""
         return self._kinds[reversal][slot >= _DECAYS]
 
     @property
@@ -150,7 +148,7 @@ class SpikeShapes:
         return total
 
     def slots(self) -> Iterator[tuple[int, int]]:
-        """Yield each pair of reversal point and slot, as indices."""
+        """Yield each pair of a reversal point and a shape number (slot), as indices."""
         for slot in range(SLOTS):
             for reversal in range(len(self.reversals)):
                 yield reversal, slot
@@ -187,7 +185,7 @@ def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
 
 
 def _set(shapes: SpikeShapes, reversal: int, slot: int, option: int) -> None:
-    """Set one slot of a reversal point to the ``option`` with this index in `_Options`."""
+    """Make an ``option`` of `_Options` shape number ``slot`` at a reversal point."""
     options = shapes.options(reversal, slot)
     if option == 0:
         shapes.put(reversal, slot, -1)
@@ -245,7 +243,7 @@ def _odds(marginal: MarginalEquations, shapes: SpikeShapes, name: str) -> tuple[
 
 
 class _Options:
-    """The shapes that are possible in one slot of a reversal point, compared by their evidence."""
+    """The shapes possible as one of the shapes at a reversal point, compared by evidence."""
 
     def __init__(
         self, marginal: MarginalEquations, shapes: SpikeShapes, reversal: int, slot: int

@@ -113,7 +113,7 @@ class _Design:
         periods: FloatArray,
         shares: FloatArray,
     ) -> _Design:
-        """Return the Fisher information of the present targets, before any target is added."""
+        """Return the design before any target is added, from what the present targets show."""
         bidirectional = bidirectional_means(posterior.cells, endless=False)
         m, every = bidirectional.targets.size, np.concatenate([bidirectional.targets, places])
         length = float(np.ptp(bidirectional.targets))

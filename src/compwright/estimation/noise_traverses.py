@@ -266,7 +266,8 @@ class ReducedTraverses:
         )
 
     def _of_others(self, sizes: Sizes, kind: int) -> tuple[FloatArray, FloatArray]:
-        """Return two covariances of the scores for each pattern of ``kind``, (forms, r, r) each.
+        """Return two covariances of the scores for each pattern of ``kind`` (forms, r, r): by all
+        other causes, and by ``kind`` of unit size.
 
         All other causes with the noise of the readings; and ``kind`` of unit size. For a drift the
         second is its column (rates, r).

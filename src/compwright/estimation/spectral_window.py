@@ -53,9 +53,7 @@ class SpectralWindow:
         return np.asarray(np.maximum(self.at(frequencies - other), self.at(frequencies + other)))
 
     def slow(self, frequencies: FloatArray, lowest: float) -> NDArray[np.bool_]:
-        """Return which ``frequencies`` look at the targets like a wave far below the frequency
-        ``lowest``.
-        """
+        """Return which ``frequencies`` appear at the targets as a wave far below ``lowest``."""
         right = np.searchsorted(self.peaks, frequencies).clip(0, self.peaks.size - 1)
         left = (right - 1).clip(0)
         away = np.minimum(

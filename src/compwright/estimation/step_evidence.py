@@ -90,7 +90,7 @@ class StepEvidence:
         self.products = np.repeat(products[kept], variances.size, axis=0)
 
     def found(self) -> list[FoundStep]:
-        """Return the probable steps, by the gap between targets."""
+        """Return the probable steps, each with the index of its gap between targets."""
         every = np.ones(self.products.shape[1] - 1, dtype=np.bool_)
         best = self._best((), every)
         while True:

@@ -49,8 +49,8 @@ _OFFSET_EFFECT: Final = 1e-4
 def test_findings(
     test: CircularTest, centres: Mapping[str, Point], *, F_given: bool
 ) -> list[Finding]:
-    """Return the findings about the test as a whole. ``centres`` mm; ``F_given``: F from the set-up
-    centre or none is stated.
+    """Return the findings about the test as a whole. ``centres`` are in mm; ``F_given``: the result
+    contains F.
     """
     return [
         *_directions(test),
@@ -134,7 +134,7 @@ def _unequal(test: CircularTest) -> list[Finding]:
 
 def _offset(test: CircularTest, centres: Mapping[str, Point], *, F_given: bool) -> list[Finding]:
     """Return the finding CW-C010 if F on an arc contains the set-up offset (3.5 a, note 6), and
-    CW-C011 if the offset is so large that the kind of angle matters.
+    CW-C011 if it matters at this offset whether angles were commanded or measured.
     """
     x, y = centres["common"] if "common" in centres else next(iter(centres.values()))
     offset = float(np.hypot(x, y))

@@ -191,7 +191,7 @@ def _times(test: PositioningTest, environment: Environment) -> FloatArray | None
 
 
 def _shown(time: float, record: EnvironmentRecord) -> str:
-    """Return a time as text for people."""
+    """Return a time as text: a number, or date and time, as in the record."""
     if record.clock == "number":
         return f"{time:.10g}"
     moment = datetime.fromtimestamp(time, UTC)

@@ -143,7 +143,7 @@ def _dof(cell: FloatArray) -> int:
 
 
 def _ends(blocks: list[FloatArray], coverage: float) -> tuple[FloatArray, FloatArray] | None:
-    """Return the readings at the highest and the lowest target, which determine A.
+    """Return the readings at the targets of the highest mean + k s and the lowest mean - k s.
 
     The highest mean + k s and the lowest mean - k s. None without repeated readings.
     """

@@ -60,8 +60,8 @@ class CurveChain:
 
     @property
     def left(self) -> float:
-        """The second derivative of the objective by the constant, if the table values are optimal
-        for each constant.
+        """The second derivative of the objective by the constant (reversal value), if the table
+        values are optimal for each constant.
         """
         return self.stiffness - float(self.coupling @ self.solve(self.coupling))
 
@@ -310,7 +310,7 @@ class LimitMultipliers:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Relaxation:
-    """A lower bound of the objective over real table values, as a function of the constant c.
+    """A lower bound of the objective over real table values, by the constant c (reversal value).
 
     Dual function (Boyd and Vandenberghe 2004, section 5.1.2): the Lagrange function L(v, c) = f +
     y'(Av - limits) <= f has its minimum over v, ``base - tilt (c - c0) + curve (c - c0)^2 / 2``, at
@@ -325,13 +325,15 @@ class Relaxation:
     follow: FloatArray
 
     def bound(self, shift: FloatArray) -> FloatArray:
-        """Return the lower bound for constants that differ by ``shift`` (n,) from the optimum."""
+        """Return the lower bound for reversal values that differ by ``shift`` (n,) from the
+        optimum.
+        """
         bounds: FloatArray = self.base - self.tilt * shift + 0.5 * self.curve * shift**2
         return bounds
 
     def centres(self, shift: FloatArray) -> FloatArray:
-        """Return the optimal table values (n, m), mm or deg, for constants that differ by ``shift``
-        (n,) from the optimal one.
+        """Return the optimal table values (n, m), mm or deg, for reversal values that differ by
+        ``shift`` (n,) from the optimum.
         """
         centres: FloatArray = self.centre - shift[:, np.newaxis] * self.follow
         return centres

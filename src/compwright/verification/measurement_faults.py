@@ -219,8 +219,8 @@ def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
 
 
 def proof_findings(after: PositioningTest, first: PositioningTest) -> list[Finding]:
-    """Return findings why the test after loading proves less: missing targets (CW-V020), or
-    implausible noise (CW-V021).
+    """Return the findings that make the test after loading a weak proof: missing targets (CW-V020),
+    or implausible noise (CW-V021).
 
     Relative to the ``first`` test.
     """

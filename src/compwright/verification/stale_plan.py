@@ -42,7 +42,7 @@ def stale_plan(
 
 
 def stale_fault(what: str, mine: str, theirs: str, file: str) -> Fault:
-    """Return the fault that ``what`` is ``mine`` in the job but ``theirs`` in its plan."""
+    """Return the fault that ``what`` is ``mine`` in the job, but ``theirs`` in its plan."""
     return Fault(
         message="the plan was made for another job, or before this job was edited",
         file=file,
