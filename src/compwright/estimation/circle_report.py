@@ -61,7 +61,7 @@ _EDGE: Final = 0.17
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _ReportedCause:
-    """One cause as reported: its value, random draws of the value, and its radial deviations.
+    """One cause as reported: its value, random draws of it, and its radial deviations.
 
     ``drawn`` (d,): random draws of the value from its posterior. ``curve`` (n,): its radial
     deviation, mm. ``variance``: variance of the value that the draws do not contain. ``reason``:
@@ -227,9 +227,7 @@ def _linear(
 
 
 def _unseen_end(samples: CircleSamples, axis: str) -> float:
-    """Return the extra variance, um², of the mean lost motion if the arc lacks a reversal point of
-    the axis, else 0.
-    """
+    """Return the extra variance, um², of the mean lost motion if the arc lacks a reversal."""
     return 0.0 if all(samples.reversals(axis)) else _ENDS_DIFFER**2
 
 
@@ -428,9 +426,7 @@ def _stated(
     *,
     detail: bool,
 ) -> _ReportedCause:
-    """Return a cause with the value and standard error in ``found``. Without ``found`` it has only
-    the ``reason`` why it has no value.
-    """
+    """Return a cause with value and standard error ``found``, or with the ``reason`` for none."""
     value, error = found or (0.0, 0.0)
     return _ReportedCause(
         name=name,
