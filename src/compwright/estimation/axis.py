@@ -131,7 +131,7 @@ class AxisPosterior:
 
     @property
     def _held(self) -> NDArray[np.bool_]:
-        """Return which draws (n,) have at most the median number of periods."""
+        """A mask (n,) of the draws that have at most the median number of periods."""
         periods = np.repeat(
             [len(part.basis.periods) for part in self.parts],
             [part.draws.size for part in self.parts],

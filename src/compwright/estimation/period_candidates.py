@@ -258,8 +258,8 @@ def _peaks(
 def _aliases(
     centre: float, members: FloatArray, targets: FloatArray, resolution: float
 ) -> FloatArray:
-    """Return the frequencies among ``members`` whose waves have the same values at the targets as a
-    wave of frequency ``centre``.
+    """Return the frequencies near ``members`` whose waves have nearly the same values at the
+    targets as a wave of frequency ``centre``.
     """
     far = np.sort(members[np.abs(members - centre) > 2.0 * PEAK * resolution])
     if not far.size:

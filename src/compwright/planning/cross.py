@@ -240,8 +240,8 @@ class _Planner:
                 self.find("CW-P108", "info", plane=plane, squareness=angle.words, tests=angle.tests)
 
     def _not_corrected(self, plane: str, pair: frozenset[str], angle: Squareness | None) -> None:
-        """Return the finding that states why the squareness of a plane is not corrected, and what
-        to measure.
+        """Add the finding that states why the squareness of a plane is not corrected, and what to
+        measure.
         """
         mine = (work for work in self.circles if frozenset(work.planned.test.axes) == pair)
         if angle is not None:

@@ -128,8 +128,8 @@ class HypothesisBuilder:
         weight: float,
         **more: Any,
     ) -> Iterator[Hypothesis]:
-        """Yield two hypotheses of a table with other values: as they are, and shifted to zero at
-        the reference.
+        """Yield hypotheses of a table with other values: as they are, and shifted to the planned
+        value at the reference if that differs.
         """
         curve = self.values(curves)
         yield from self.both(name, curve, weight, **more)

@@ -138,7 +138,7 @@ def _relevant(after: AfterMeans, rated: Sequence[RatedHypothesis]) -> list[Rated
 
 def _effect(ways: Sequence[Hypothesis]) -> Hypothesis | None:
     """Return the hypothesis of the old correction plus an unknown share of the planned effect, or
-    None where it is not needed.
+    None unless both ``loaded`` and ``not_active`` are among the hypotheses.
     """
     loaded = next((each for each in ways if each.name == "loaded"), None)
     inactive = next((each for each in ways if each.name == "not_active"), None)

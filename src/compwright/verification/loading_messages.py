@@ -111,7 +111,7 @@ class ShownTest:
 
     @property
     def effect_text(self) -> Sentence | None:
-        """Return the measured share of the planned effect as text, None if no effect is planned."""
+        """The measured share of the planned effect as text, None if no effect is planned."""
         part, error = self.effect
         return say("loading.effect", part=part, error=error) if math.isfinite(error) else None
 
