@@ -1,1 +1,1 @@
-"""Write and read JSON documents. Only this room converts units to those of the JSON."""
+"""Write and read JSON documents. Only this package converts units to those of the JSON."""

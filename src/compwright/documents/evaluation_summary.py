@@ -1,4 +1,4 @@
-"""Summarise many tests: how many there are, their size by axis, and how often each finding."""
+"""Summarise many tests: their number, their size by axis, and the count of each finding."""
 
 from __future__ import annotations
 

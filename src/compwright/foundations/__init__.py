@@ -1,1 +1,1 @@
-"""Common foundations of all rooms: errors, units, findings, provenance, storage, YAML."""
+"""Foundations of all packages: errors, units, findings, provenance, storage, YAML."""

@@ -119,8 +119,7 @@ class InputError(CompwrightError):
 
 
 class CapacityError(CompwrightError):
-    """The control cannot hold the required correction, or no certified solution was found (exit
-    code 4).
+    """The correction exceeds the control's limits, or lacks a certified solution (exit code 4).
 
     The fault says which limit is broken, by how much, and what would help.
     """

@@ -115,7 +115,7 @@ def shown(value: Any) -> str:
 
 
 def nearest(word: str, known: Iterable[str], similarity: float = 0.6) -> str | None:
-    """Return the known name most similar to a word, or None if no similarity reaches the limit."""
+    """Return the known name most similar to a word, or None if none reaches ``similarity``."""
     lowered = {name.lower(): name for name in known}
     near = difflib.get_close_matches(word.lower(), list(lowered), 1, similarity)
     return lowered[near[0]] if near else None

@@ -1,1 +1,1 @@
-"""Read measurement files as records, from bytes. The entry is `compwright.instruments.reading`."""
+"""Read the bytes of measurement files into records. The entry point is `reading.read_tests`."""

@@ -1,4 +1,4 @@
-"""Combine single readings to a positioning test, with the checks that need all readings."""
+"""Combine single readings into a positioning test, with the checks that need all readings."""
 
 from __future__ import annotations
 

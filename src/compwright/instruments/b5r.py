@@ -68,7 +68,7 @@ class _Spec:
 
 @dataclass(frozen=True, slots=True)
 class _FeedRun:
-    """A circular run with its feed (mm/min) by the sample rate; None without a sample rate."""
+    """A circular run with its feed (mm/min) computed from the sample rate, or None."""
 
     run: CircularRun
     feed: float | None

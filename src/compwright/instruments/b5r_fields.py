@@ -14,9 +14,7 @@ _NUMBER: Final = re.compile(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[
 
 
 def text_of(parent: Element, faults: FaultList, *path: str) -> tuple[str, str]:
-    """Return text and place of a required element. If it is missing, note a fault and return empty
-    text.
-    """
+    """Return text and place of a required element. If it is missing, add a fault and return ""."""
     element = parent.first(*path)
     if element is None or not element.text:
         place = f"line {(element or parent).line}, {parent.tag}/{'/'.join(path)}"
@@ -34,7 +32,7 @@ def finite(text: str) -> float | None:
 def number_of(
     parent: Element, tag: str, faults: FaultList, *, above: float = -LARGEST, most: float = LARGEST
 ) -> float:
-    """Return an element's number between ``above`` and ``most``; else note a fault, return NaN."""
+    """Return an element's number between ``above`` and ``most``; else add a fault, return NaN."""
     text, place = text_of(parent, faults, tag)
     if not text:
         return math.nan

@@ -62,8 +62,7 @@ class Sweep:
 
 
 def sweep_of(sense: Sense, number: int, angles: FloatArray, faults: FaultList) -> Sweep | None:
-    """Return the samples of a run in ascending order, from ``angles`` (n,) deg in any order. If
-    impossible, note a fault and return None.
+    """Return a run's samples in order of their ``angles`` (n,) deg, or None after a fault.
 
     Angles may be counted modulo 360, so an arc through 0 is given as two pieces: the widest gap on
     the circle is the part outside the arc. Samples all around with a gap of at most 5 deg are a
@@ -165,9 +164,7 @@ def check_same_arc(
     names: tuple[str, str],
     faults: FaultList,
 ) -> None:
-    """Note a fault when two arcs (smallest angle, extent; deg) differ by more than ``step`` at
-    either end.
-    """
+    """Add a fault if two arcs (start, extent; deg) differ by more than ``step`` at either end."""
     shift = (other[0] - one[0] + 180.0) % 360.0 - 180.0
     if max(abs(shift), abs(shift + other[1] - one[1])) > step + _TINY:
         faults.add(

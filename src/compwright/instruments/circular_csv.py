@@ -188,9 +188,7 @@ def _axes(comments: Comments, faults: FaultList) -> tuple[str, str]:
 
 
 def axes_of_plane(text: str) -> tuple[str, str] | None:
-    """Return the two axes of a plane such as ``XY`` or ``X1-Y1``. None when ``text`` does not name
-    two axes.
-    """
+    """Return the two axes of a plane such as ``XY`` or ``X1-Y1``, or None for another text."""
     match = PLANE.fullmatch(text.strip())
     if match is None or match[1].upper() == match[2].upper():
         return None
@@ -244,9 +242,7 @@ def _centre(comments: Comments, faults: FaultList) -> tuple[float, ...] | None:
 
 
 def centre_of(text: str) -> tuple[float, ...] | None:
-    """Return the two or three coordinates (mm) in ``text``. None when it contains no such
-    numbers.
-    """
+    """Return the two or three coordinates (mm) in a text, or None for another text."""
     inner = text.strip().strip("[]()").strip()
     parts = inner.split(";") if ";" in inner else [part.strip(",") for part in inner.split()]
     if len(parts) < 2:
@@ -412,9 +408,7 @@ def _assembled(
 
 
 def _check_unit(radii: FloatArray, nominal: float, name: str, faults: FaultList) -> None:
-    """Note a fault when the radii differ much from the nominal one, with the unit that would
-    explain it.
-    """
+    """Add a fault if the radii differ much from the nominal one, with a unit that explains it."""
     middle = float(np.median(radii))
     far = max(_FAR[0], _FAR[1] * nominal)
     if abs(middle - nominal) <= far:

@@ -51,9 +51,7 @@ def paired(tests: Sequence[CircularTest]) -> tuple[CircularTest, ...]:
 
 
 def _partners(tests: Mapping[int, CircularTest], *, by_name: bool) -> dict[int, list[int]]:
-    """Return for each one-directional test its possible partners of the other direction, at most
-    two.
-    """
+    """Return for each test with one direction at most two tests that may be its other direction."""
     ways: dict[tuple[Sense, Hashable], list[int]] = defaultdict(list)
     mine: dict[int, tuple[Sense, Hashable]] = {}
     for index, test in tests.items():
@@ -119,7 +117,7 @@ def _bare(name: str) -> str:
 
 
 def _place(test: CircularTest) -> tuple[str, str]:
-    """Return the folder of the test's file and its name without the direction."""
+    """Return the folder of a test's file, and the file name without ``ccw`` or ``cw``."""
     folder = str(PurePath(test.sources[0].file).parent) if test.sources else ""
     return folder, _bare(test.name).lower()
 

@@ -1,5 +1,4 @@
-"""Read circular tests: bytes of a ``.b5r`` or plain CSV file to a record. Several files of one test
-become one record.
+"""Read circular tests from ``.b5r`` or plain CSV files. Several files of a test are joined.
 
 Codes made here:
 
@@ -43,7 +42,7 @@ _SAME_CENTRE: Final = 0.01  # mm
 
 @dataclass(frozen=True, slots=True)
 class CircularForm:
-    """A file form of circular tests. ``grammar``: what each part of its text means.
+    """A file format of circular tests: its reader, and the meaning of its text (``grammar``).
 
     ``read`` takes content, name of the file and name of the test; by the grammar `redact` keeps and
     replaces.

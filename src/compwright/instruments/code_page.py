@@ -1,5 +1,4 @@
-"""Read plain CSV in the code page of an older Windows, only if no relevant text depends on the code
-page.
+"""Read plain CSV in a Windows code page, if no relevant text depends on which one it is.
 
 Numbers, directions and key words are ASCII, which all these code pages share. Only free text
 (comment lines, and names in the header row) may need the code page, and that is reported.

@@ -91,7 +91,7 @@ def plain_key(written: str) -> str:
 
 
 def spans_in_comment(text: str) -> Spans:
-    """Return the meaning of each part of a comment line's text."""
+    """Return the parts of a comment line's text, each with its meaning, such as ``key``."""
     match = _KEY_VALUE.fullmatch(text)
     meaning = KEYS.get(plain_key(match["key"])) if match is not None else None
     if match is None or meaning is None:

@@ -79,7 +79,7 @@ def is_compensation_text(text: Sequence[str]) -> bool:
 
 
 def spans_of(text: Sequence[str]) -> Iterator[Spans]:
-    """Yield the meaning of the parts of each line: key and value, row of the table, or remark."""
+    """Yield the parts of each line, each with its meaning: ``key``, ``row`` or ``remark``."""
     rows = False
     for line in text:
         match = _KEY.fullmatch(line)

@@ -262,7 +262,7 @@ def read_table(lines: Sequence[tuple[int, str]], faults: FaultList) -> CsvTable:
 def _rows(
     lines: Iterable[tuple[int, str]], delimiter: str, columns: Sequence[str], faults: FaultList
 ) -> tuple[Sequence[int], tuple[Sequence[str], ...]]:
-    """Return the lines of the rows and the cells of each column."""
+    """Return the line number of each row, and the cells of each column."""
     found = GatheredRows(len(columns))
     for number, line in lines:
         cells = row_cells(line, delimiter)

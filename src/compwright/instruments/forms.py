@@ -1,6 +1,4 @@
-"""The forms of positioning files: how each is recognised and read, and the meaning of the parts of
-its lines.
-"""
+"""The file formats of positioning tests: how each is recognised and read."""
 
 from __future__ import annotations
 
@@ -28,8 +26,7 @@ from compwright.instruments.spans import SpansOf
 
 @dataclass(frozen=True, slots=True)
 class MeasurementForm:
-    """One form of positioning files. ``read``: its reader; ``spans_of``: the meaning of the parts
-    of each line.
+    """One file format of positioning tests. ``spans_of``: gives the meaning of parts of a line.
 
     ``name``: in messages; the reader takes the lines of the file and the user's answers; by the
     spans `redact` keeps and replaces.
@@ -91,7 +88,7 @@ PLAIN_CSV = MeasurementForm(
 
 
 def form_of(text: Sequence[str], file: str) -> MeasurementForm:
-    """Return the form of the lines of a file. Raises InputError if two forms recognise it."""
+    """Return the file format of the lines of a file. Raises InputError if two formats match."""
     found = [form for form in FORMS if form.recognises(text)]
     if len(found) > 1:
         raise InputError(

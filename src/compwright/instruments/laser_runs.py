@@ -1,4 +1,4 @@
-"""Positioning tests of laser software in its text form: ``.rtl`` (linear) and ``.rta`` (angular).
+"""Reader of laser software's text files ``.rtl`` (linear) and ``.rta`` (angular).
 
 Targets in mm or deg with their count, ``Flags``, runs counted by traverse, and rows of run, target
 (both from 1) and deviation: µm for linear axes, µrad for angular ones; deviation = measured minus

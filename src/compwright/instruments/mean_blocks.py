@@ -1,4 +1,4 @@
-"""The text form ``.pos`` of a laser (API): mean deviations of a positioning test, in mm.
+"""Reader of the text files ``.pos`` of API lasers: mean deviations of a test, in mm.
 
 Blocks of a title line ``Position <tab> Forward Directional Avg Error`` and rows of position and
 mean deviation.
@@ -62,7 +62,7 @@ def is_mean_blocks(text: Sequence[str]) -> bool:
 
 
 def spans_of(text: Sequence[str]) -> Iterator[Spans]:
-    """Yield the meaning of the parts of each line; rows of numbers follow the title of a block."""
+    """Yield the parts of each line, each with its meaning: ``key``, ``row`` or ``remark``."""
     block = False
     for line, found in zip(text, spans_of_sections(text), strict=True):
         title = _TITLE.fullmatch(line)

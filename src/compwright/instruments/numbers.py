@@ -93,7 +93,7 @@ def counts_of(
 
 @dataclass(slots=True)
 class _Marked:
-    """The numbers of a file with the same decimal mark."""
+    """What is known of the numbers in a file that use the same decimal mark."""
 
     count: int = 0
     #: Line (0 where it is not counted) and place of the first.
@@ -118,7 +118,7 @@ class DecimalMarks:
     def parse(
         self, text: str, *, place: str, column: str, expected: str = "a number"
     ) -> float | None:
-        """Return the number in a cell, or None after a fault. ``column`` names its print format."""
+        """Return the number in a cell, or None after adding a fault."""
         try:
             value = parse_number(text)
         except ValueError as reason:
@@ -151,7 +151,7 @@ class DecimalMarks:
         column: str,
         expected: str = "a number",
     ) -> FloatArray:
-        """Return the numbers (n,) in a column, NaN for invalid cells. ``place`` locates a cell."""
+        """Return the numbers (n,) in a column, NaN for an invalid cell, which is a fault."""
         for mark in _PLAIN:
             plain = plain_numbers(cells, mark)
             if plain is not None:

@@ -130,9 +130,7 @@ def read_target_data_file(text: Sequence[str], faults: FaultList) -> Parsed:
 
 
 def spans_of_plain_csv(text: Sequence[str]) -> Iterator[Spans]:
-    """Yield the meaning of the parts of each line of a plain CSV file (positioning, circular,
-    drift).
-    """
+    """Yield the parts of each line of a plain CSV file, each with its meaning, such as ``key``."""
     delimiter = ""
     meanings: list[Meaning] = []
     for line in text:
@@ -149,7 +147,7 @@ def spans_of_plain_csv(text: Sequence[str]) -> Iterator[Spans]:
 
 
 def spans_of_target_data(text: Sequence[str]) -> Iterator[Spans]:
-    """Yield the meaning of the parts of each line of a file of the form ``TGT_DATA[1]=``."""
+    """Yield the parts of each line of a target data file, each with its meaning."""
     for line in text:
         remark = comment_text(line) is not None
         yield whole(line, "comment") if remark else spans_in_target_data(line)

@@ -27,7 +27,7 @@ class TestPart:
 
 
 def plain_parts(text: Sequence[str], faults: FaultList) -> tuple[TestPart, ...]:
-    """Return the parts of a plain CSV file: one per axis if it has a column ``axis``."""
+    """Return the lines of each test in a plain CSV file: one per axis in the column ``axis``."""
     first = first_row(text)
     if first is None:
         return (TestPart(text),)
@@ -46,8 +46,7 @@ def parts_by_axis(
     rows: Sequence[int],
     faults: FaultList,
 ) -> tuple[TestPart, ...]:
-    """Return one part per axis, by the column ``header`` (its line and index) of the lines
-    ``rows``.
+    """Return the lines of each axis. ``header``: line and index of the column with axis names.
 
     A row with contents but without an axis name is a fault.
     """

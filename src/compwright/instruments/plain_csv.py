@@ -150,7 +150,7 @@ def _refuse_unsigned(table: CsvTable, wide: bool, faults: FaultList) -> None:  #
 def _refuse_twice(
     table: CsvTable, traverses: Mapping[str, tuple[str, int]], faults: FaultList
 ) -> None:
-    """Note a fault for two columns of the same traverse, such as ``+3`` and ``3 +``."""
+    """Add a fault for two columns of the same traverse, such as ``+3`` and ``3 +``."""
     first: dict[tuple[str, int], str] = {}
     for column, traverse in traverses.items():
         other = first.setdefault(traverse, column)
@@ -354,7 +354,7 @@ def _wide(
 def _rows_of_new_targets(
     table: CsvTable, target: str, positions: Sequence[float], faults: FaultList
 ) -> list[int]:
-    """Return the rows, and note a fault for each row that repeats the target of an earlier one."""
+    """Return the rows, and add a fault for each row that repeats the target of an earlier one."""
     first: dict[float, int] = {}
     rows = []
     for row, position in enumerate(positions):

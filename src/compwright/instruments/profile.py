@@ -24,7 +24,7 @@ SIGNS: Final = ("measured minus target", "target minus measured")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Profile:
-    """The meaning of a table's columns. ``layout``: long (a row per reading), wide or own.
+    """The meaning of a table's columns. ``layout``: long, wide, or own for a known file form.
 
     Own: a form that has its own reader; only ``unit`` and ``sign`` count.
 

@@ -135,7 +135,7 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
 def _refuse_contradictions(
     before: Sequence[str], axis: str, profile: Profile, faults: FaultList
 ) -> None:
-    """Note a fault where the text above a table contradicts the profile."""
+    """Add a fault where the text above a table contradicts the profile."""
     named = any(map(unit_of, (profile.value, *profile.traverses)))  # the column says it itself
     unit = "" if named else next(filter(None, map(stated_unit, before)), "")
     sign = next(filter(None, map(difference_of, before)), "")
@@ -301,7 +301,7 @@ def _long(
 
 
 def _refuse_steps(rows: _ProfiledRows, profile: Profile, faults: FaultList) -> None:
-    """Note a fault for a column of distances between targets instead of deviations."""
+    """Add a fault for a column of distances between targets instead of deviations."""
     steps = np.diff(rows.targets)
     if profile.measured or steps.size < 2 or not np.any(steps):
         return

@@ -1,4 +1,4 @@
-"""Findings about readings that the readers of several file formats share."""
+"""Findings that several readers of measurement files report."""
 
 from __future__ import annotations
 

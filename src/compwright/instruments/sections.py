@@ -90,7 +90,7 @@ class FileSections:
 
 
 def spans_of(text: Sequence[str]) -> Iterator[Spans]:
-    """Yield the meaning of the parts of each line in a file with sections."""
+    """Yield the parts of each line of a file with sections, each with its meaning."""
     rows = False
     for line in text:
         match = _SECTION.fullmatch(line)
@@ -103,7 +103,7 @@ def spans_of(text: Sequence[str]) -> Iterator[Spans]:
 
 
 def spans_in(line: str, *, rows: bool) -> Spans:
-    """Return the meaning of the parts of a line. ``rows``: it may be a row of numbers."""
+    """Return the parts of a line with their meaning. ``rows``: it may be a row of numbers."""
     match = _KEY.fullmatch(line)
     meaning = KEYS.get(" ".join(match["key"].lower().split())) if match is not None else None
     if match is None or meaning is None:
@@ -195,7 +195,7 @@ def with_axis(header: Mapping[str, str], text: str) -> dict[str, str]:
 
 
 def check_units(sections: FileSections, names: Iterable[str], faults: FaultList) -> None:
-    """Note a fault for a line that states an unexpected unit, such as inches."""
+    """Add a fault for a line that states an unexpected unit, such as inches."""
     for name in names:
         for number, text in sections.lines.get(name, ()):
             match = _KEY.fullmatch(text)

@@ -1,4 +1,4 @@
-"""The meaning of the parts of a line in a measurement file, as its reader understands it.
+"""The parts of a line in a measurement file with their meaning, such as key, row or remark.
 
 A reader gives the spans of each line; a part that no span covers is unknown. `redaction` keeps and
 replaces by them, so that no form has its sections and keys listed twice.
@@ -49,7 +49,7 @@ Meaning = Literal[
 
 @dataclass(frozen=True, slots=True)
 class TextSpan:
-    """A part of a line: characters from ``start`` (counted from 0) to before ``end``."""
+    """A part of a line with its meaning: characters from ``start`` to before ``end``."""
 
     start: int
     end: int

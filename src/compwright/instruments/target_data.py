@@ -1,4 +1,4 @@
-"""The text form ``TGT_DATA[i]=`` of the ecmc test tools (ESS, PSI).
+"""Reader of text files with lines ``TGT_DATA[i]=value`` of the ecmc test tools (ESS, PSI).
 
 ``REF_DATA_FWD[i,j]=``, ``REF_DATA_BWD[i,j]=``.
 
@@ -135,7 +135,7 @@ def is_target_data(lines: Iterable[str]) -> bool:
 
 
 def spans_in(line: str) -> Spans:
-    """Return the meaning of the parts of a line that is not a comment."""
+    """Return the parts of a line that is not a comment, each with its meaning."""
     match = _ASSIGNMENT.fullmatch(line)
     if match is None:
         return whole(line, "remark")

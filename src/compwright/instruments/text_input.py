@@ -209,7 +209,7 @@ def _decode(content: bytes, file: str) -> str:
 
 
 def _as_windows(byte: bytes) -> str:
-    """Return a byte as text in the code page of western Windows, the most frequent one."""
+    """Return which character a byte is in Windows-1252, as text for a message."""
     try:
         character = byte.decode("cp1252")
     except UnicodeDecodeError:

@@ -440,9 +440,7 @@ class ReportSection(JobMapping):
 
 
 class StateSection(JobMapping):
-    """Files of a state, or ``none``. ``active``: whether it was compensated, if files leave it
-    open.
-    """
+    """Files of a state, or ``none``. ``active``: whether compensation was active, if unclear."""
 
     files: Annotated[list[Text], BeforeValidator(listed), Field(min_length=1)]
     active: Annotated[bool | None, BeforeValidator(yes_or_no)] = None

@@ -25,22 +25,22 @@ def _one_line_of_text(value: Any) -> Any:
 
 
 def listed(value: Any) -> Any:
-    """Return a value as a list, as a single entry may be written without a list."""
+    """Return a list, also for a single entry that is written without a list."""
     return value if isinstance(value, list) else [value]
 
 
 def named_file(value: Any) -> Any:
-    """Return a value as a mapping with ``files``, as a file name alone may be written."""
+    """Return a mapping with ``files``, also for a value that is only a file name."""
     return {"files": [value]} if isinstance(value, str) else value
 
 
 def named_axis(value: Any) -> Any:
-    """Return a value as a mapping with ``axis``, as an axis name alone may be written."""
+    """Return a mapping with ``axis``, also for a value that is only an axis name."""
     return value if isinstance(value, dict) else {"axis": value}
 
 
 def acknowledgements(value: Any) -> Any:
-    """Return a list of mappings; a reason alone or a single mapping may be written instead."""
+    """Return a list of mappings, also for a value that is one mapping or only a reason."""
     return [{"reason": one} if isinstance(one, str) else one for one in listed(value)]
 
 
@@ -57,7 +57,7 @@ def yes_or_no(value: Any) -> Any:
 
 
 def files_or_mapping(value: Any) -> Any:
-    """Return a value as a mapping with ``files``, as one or several names may be written."""
+    """Return a mapping with ``files``, also for a value that is only file names."""
     return value if isinstance(value, dict) else {"files": value}
 
 
@@ -66,7 +66,7 @@ def _auto_or_number(value: Any) -> str:
 
 
 def drift_file(value: Any) -> Any:
-    """Return a value as a mapping with ``file``, as a file name alone may be written."""
+    """Return a mapping with ``file``, also for a value that is only a file name."""
     return {"file": value} if isinstance(value, str) else value
 
 

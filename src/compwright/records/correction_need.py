@@ -24,7 +24,7 @@ def correction_need(value: float, std_error: float) -> Need:
 
 
 def most_uncertain(value: float) -> float:
-    """Return the largest 2 standard errors with which ``value`` (µm/m) is still corrected."""
+    """Return the limit of two standard errors below which ``value`` (µm/m) is corrected."""
     return min(0.5 * abs(value), MOST_UNCERTAIN)
 
 

@@ -1,3 +1,1 @@
-"""Show documents as terminal text, plots, HTML and commissioning card. This room computes
-nothing.
-"""
+"""Show documents as terminal text, plots, HTML and commissioning card, without computing."""

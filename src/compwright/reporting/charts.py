@@ -139,7 +139,7 @@ class Chart:
 
 
 def result_chart(result: Document) -> Chart:
-    """Return the chart of a positioning test: readings, means, mean ± k s (ISO 230-2, figure 2).
+    """Return the chart of a positioning test: readings, means, ± k s (ISO 230-2:1997, figure 2).
 
     ``result`` is an entry of ``results`` of an evaluation document. Its ``deviations_positive`` /
     ``deviations_negative`` per target, where given, are drawn as points; ``coverage`` (default 2)

@@ -1,4 +1,4 @@
-"""Circular results as terminal output of 80 columns. Computes nothing.
+"""Circular results as terminal output of 80 columns.
 
 This module loads rich; whoever serves a command that may not print tables imports it inside a
 function.

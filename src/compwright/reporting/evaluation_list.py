@@ -1,4 +1,4 @@
-"""Many tests at the terminal: one line each, and a summary. Computes nothing.
+"""Many tests at the terminal: one line each, and a summary.
 
 This module loads rich; whoever serves a command that may not print tables imports it inside a
 function.

@@ -1,5 +1,4 @@
-"""The report of ``evaluate``: one self-contained HTML page of tests without a job. Computes
-nothing.
+"""The report of ``evaluate``: one self-contained HTML page of tests without a job.
 
 Its view holds ``evaluation`` (the document), ``report`` (see `paper.head`), ``command`` (what
 repeats the report), ``version`` and ``language`` (English without it).

@@ -1,5 +1,4 @@
-"""Many tests as a table for spreadsheets and scripts: one row per test, with units in the header.
-Computes nothing.
+"""Many tests as a table for spreadsheets: one row per test, with units in the header.
 
 Text from files and their names is data: what a spreadsheet would take for a formula is made
 harmless, in CSV by an apostrophe before it, in a workbook by its type.

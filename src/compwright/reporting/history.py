@@ -1,6 +1,4 @@
-"""A history at the terminal: the results of each test of a machine, and the changes. Computes
-nothing.
-"""
+"""A history at the terminal: the results of each test of a machine, and the changes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Parts of a printed report: head, conformity, conditions, uncertainty budget. Computes nothing."""
+"""Parts of a printed report: head, conformity, conditions, uncertainty budget."""
 
 from __future__ import annotations
 

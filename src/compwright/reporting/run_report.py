@@ -1,4 +1,4 @@
-"""The report of ``run``: one self-contained HTML page made from documents. Computes nothing.
+"""The report of ``run``: one self-contained HTML page made from documents.
 
 Its view holds ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title``), ``evaluation``
 and ``prediction`` (the documents), ``axes``, ``assumed``, ``findings``, ``files`` (relative names),

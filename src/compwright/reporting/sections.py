@@ -1,5 +1,4 @@
-"""Parts of a page as rows of text: parameters, tests, findings, assumptions, verdicts. Computes
-nothing.
+"""Parts of a page as rows of text: parameters, tests, findings, assumptions, verdicts.
 
 A table of text is ``{"heads": [{"text", "unit", "numeric"}], "rows": [[str]]}``; a mark is
 ``{"tone", "text"}`` with the tones good, bad, open (undecided, or to be looked at) and none.
@@ -187,7 +186,7 @@ def median_text(quantiles: object) -> str:
 
 
 def main_parameters(parameters: Document, limits: Document | None) -> list[str]:
-    """Return the parameters shown with a verdict: those with a limit, else A, P or E."""
+    """Return the parameters shown with a verdict: those with a limit, else the first one."""
     if limits:
         return [key for key in (*PARAMETERS, *limits) if key in limits][: len(limits)]
     return [key for key in ("A", "P", "E", *PARAMETERS) if parameters.get(key) is not None][:1]

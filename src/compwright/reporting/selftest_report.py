@@ -1,4 +1,4 @@
-"""The page of ``selftest``, to be signed: expected and obtained values. Computes nothing."""
+"""The page of ``selftest``, to be signed: expected and obtained values."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The terminal output of ``run``, ``decode``, ``verify`` and ``demo``. Computes nothing.
+"""The terminal output of ``run``, ``decode``, ``verify`` and ``demo``.
 
 This module loads rich; whoever serves a command that may not print tables imports it inside a
 function.

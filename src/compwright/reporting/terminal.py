@@ -1,4 +1,4 @@
-"""An evaluation at the terminal, readable from 80 columns on. Computes nothing.
+"""An evaluation at the terminal, readable from 80 columns on.
 
 This module loads rich; whoever serves a command that may not print tables imports it inside a
 function.

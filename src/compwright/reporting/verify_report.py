@@ -1,4 +1,4 @@
-"""The report of ``verify``: one self-contained HTML page made from documents. Computes nothing.
+"""The report of ``verify``: one self-contained HTML page made from documents.
 
 Its view is that of `run_report`, with ``verification``, ``evaluation_before`` and
 ``evaluation_after`` in the place of the first two documents.

@@ -1,4 +1,4 @@
-"""A figure, as plain SVG, of what more table points are worth: a predicted parameter over them."""
+"""A figure, as plain SVG, of a predicted parameter over the number of table points."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""The commands, one module each. Only this room touches the file system."""
+"""The commands, one module each. Only this package reads and writes files."""

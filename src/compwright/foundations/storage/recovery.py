@@ -88,7 +88,7 @@ def _not_searched(session: Session, folder: Path) -> list[Path]:
 
 
 def _put_right(session: Session, folder: Path) -> None:
-    """Undo the interrupted change in a folder, or note why that is impossible."""
+    """Undo the interrupted change in a folder, or record why that is impossible."""
     if str(folder) in session.unrestored:
         return
     try:

@@ -162,7 +162,7 @@ def _users_files(
     known: Mapping[Path, bool],
     targets: Mapping[Path, bytes],
 ) -> Iterator[Fault]:
-    """Yield a fault for each file to be replaced that no earlier run wrote."""
+    """Yield a fault for each file to be replaced that no run wrote or that was changed since."""
     for path in below:
         if not known.get(path, True) and earlier_bytes(session, path) != targets[path]:
             yield Fault(

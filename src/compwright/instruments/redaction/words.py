@@ -150,9 +150,7 @@ def is_axis(text: str) -> bool:
 
 
 def is_keywords(text: str, *, digits: int = 2) -> bool:
-    """Return whether a text contains only permitted words, units, letters, marks, and numbers of at
-    most ``digits`` digits.
-    """
+    """Return whether a text has only permitted words, units, letters, punctuation and numbers."""
     for token in _TOKEN.findall(text):
         if token.isspace() or token in _MARKS:
             continue

@@ -1,4 +1,4 @@
-"""``run``: measure, fit, write and read back, predict, report."""
+"""``run``: evaluate measurements, fit tables, write and read them back, predict, report."""
 
 from __future__ import annotations
 

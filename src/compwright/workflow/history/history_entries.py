@@ -17,7 +17,7 @@ _NOT_GIVEN = "not given"
 
 
 def entries_of(folder: ResultFolder) -> list[HistoryEntry]:
-    """Return the tests of a result folder."""
+    """Return the tests of a result folder as entries of a history."""
     return list(_entries(folder))
 
 

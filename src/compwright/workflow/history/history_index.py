@@ -122,7 +122,7 @@ class HistoryIndex:
 
 @contextmanager
 def opened(session: Session, path: Path | None) -> Iterator[HistoryIndex]:
-    """Open the index in a file, or make a new index: in the file, or in memory without a file.
+    """Open the index stored in a file, or a new index if there is no file.
 
     Raises InputError for a file that is no index of this version; it stays as it is.
     """

@@ -138,7 +138,7 @@ def _readable(
 
 
 def _same_numbers(linear: DecodedState, rotary: DecodedState | None) -> None:
-    """Raise an error if table values differ for a linear and a rotary axis, as in inches."""
+    """Raise an error if table values depend on whether the axis is linear or rotary."""
     if rotary is None:
         return
     faults = []

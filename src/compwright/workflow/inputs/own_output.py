@@ -67,7 +67,7 @@ def refuse_own_output(
     folder: Path,
     out: Path,
 ) -> None:
-    """Raise UsageError (2) if a state of the job was made by an earlier run from the same test.
+    """Raise UsageError if an earlier run made a state's tables from a test of the job.
 
     ``circles``: circular tests, each with the state it was measured in. ``folder``: what the job's
     paths are relative to; ``out``: where this run writes. Also where ``as_found`` lies in a folder

@@ -71,7 +71,7 @@ class _Somebody:
 def names_of_copies(
     files: Sequence[str], removed: Iterable[tuple[str, str]], names: Names
 ) -> list[str]:
-    """Return names for the copies of ``files`` that differ, even with upper case as lower case.
+    """Return names for the copies that differ even if upper and lower case count as equal.
 
     A name is kept, except for parts that contain a text removed from any file, or that may be a
     serial number. ``removed``: the removed texts, each with its kind before it.

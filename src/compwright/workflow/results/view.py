@@ -52,7 +52,7 @@ def run_view(
     state_files: Sequence[str],
     **documents: Any,
 ) -> dict[str, Any]:
-    """Return the data for the report of a run. ``documents`` are included under their own names."""
+    """Return the data for the report of a run, including its ``documents`` by name."""
     state: str | list[str] | None = None
     if stated:
         state = list(state_files) or "none"

@@ -30,7 +30,7 @@ class Fitted:
 
 
 def fitted(measured: Measured, wanted: Wanted, each: Each = in_turn) -> Fitted:
-    """Return fitted tables that the control can hold; no tables if its contents are unknown.
+    """Return the tables fitted within the control's limits; none if its contents are unknown.
 
     Raises UsageError where an option contradicts the control's files, CapacityError with the faults
     of all axes.
