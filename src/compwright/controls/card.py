@@ -123,7 +123,7 @@ def _numbering(numbered: NumberedSections | None) -> dict[str, Any] | None:
 
 
 def _backlash(table: AxisCompensation | None, held: DecodedState, axis: Axis) -> float:
-    """Return an axis' backlash in mm or deg, including backlash that is counted in its curves.
+    """Return an axis' backlash in mm or deg, including what is part of its correction curves.
 
     Also where the control's own parameter is counted in the curve of one direction.
     """

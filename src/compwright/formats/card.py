@@ -30,7 +30,7 @@ AXIS_COLUMN = "axis"
 
 @dataclass(frozen=True, slots=True)
 class CardStep:
-    """One step for the engineer at the control.
+    """One step of the commissioning card: title, text, evidence, and values that differ by axis.
 
     ``rows``: values that differ by axis, under ``heads``; the text refers to a column as
     ``‹head›``.
@@ -56,8 +56,7 @@ def card_steps_of_all(
     axes: Sequence[tuple[Axis, Mapping[str, str]]],
     rules: Sequence[CardRule] | None = None,
 ) -> tuple[CardStep, ...]:
-    """Return the steps for these axes by the ``rules`` of the definition (those of its card), in
-    their order.
+    """Return the card's steps for several axes, in the order of the definition's ``rules``.
 
     The values of each axis fill the fields of the text (see `AxisCard`); a missing one reads "(not
     known)"; a step without any text is left out. A text that is the same for all axes is printed
@@ -171,7 +170,7 @@ def _used(form: str, values: Mapping[str, str]) -> dict[str, str]:
 
 
 def points_needed(control: ResolvedDefinition, table: AxisCompensation) -> int | None:
-    """Return how many points must be reserved in the control.
+    """Return how many points the control must reserve for a table.
 
     None if it reserves none, or if its files show that it has them.
     """

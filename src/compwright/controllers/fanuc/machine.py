@@ -214,7 +214,7 @@ class Machine:
         return least * (0.1 * MILLIMETRES_PER_INCH if inch else 1.0) / multiplier
 
     def named(self, owner: Owner, number: int) -> tuple[int, ...]:
-        """Return the axes that an axis number may mean, which counts by machine or by path.
+        """Return the axes that an axis number may mean (counted by machine or within a path).
 
         Empty means any axis: a further path whose axes are unknown.
         """

@@ -48,7 +48,7 @@ def _compiled(lines: tuple[str, ...]) -> re.Pattern[str]:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ShapeRules:
-    """What all definitions have in common whose tables have the same shape in the files.
+    """The rules for all definitions whose tables have the same shape in the files.
 
     ``words``: the shape in words. ``grid``: the quantities that define the nodes. ``signs``:
     quantities with a fixed sign, with the signs that a definition may state. ``row``: where

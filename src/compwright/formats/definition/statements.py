@@ -1,5 +1,4 @@
-"""Line templates: one template serves as a tolerant reader and a strict printer. Each token keeps
-its place in the file.
+"""Line templates of control files: one template serves to read a line and to write it.
 
 A form is literal text with ``{fields}``. A blank in it matches any blanks; next to brackets, commas
 and ``=`` blanks are optional, between words and numbers at least one is needed. Printing writes the

@@ -1,4 +1,4 @@
-"""Decide whether tables were active, if the control's files switch them off or do not state it.
+"""Decide whether tables were active during a test if the files deactivate or do not mention them.
 
 The job's answer (`active`) holds only for what the files leave open. A table that the files end
 with switched on was active. A cross-axis table that they switch off was not active if the

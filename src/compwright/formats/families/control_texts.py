@@ -1,6 +1,4 @@
-"""The texts of a control's files, with containers opened. Separate files replace entries of a
-container.
-"""
+"""The texts of a control's files, archives unpacked; values of separate files replace theirs."""
 
 from __future__ import annotations
 
@@ -46,7 +44,7 @@ _KEPT = 16
 def gathered_files(
     definition: Definition, files: Sequence[ControlFile], wanted: Sequence[str] = ()
 ) -> Gathered:
-    """Return the contents of files by axis and measuring system.
+    """Return all values in the files, sorted by axis and measuring system.
 
     ``wanted`` and errors as in `axis_names`; also InputError for files that cannot be read.
     """
@@ -61,9 +59,7 @@ def gathered_files(
 def all_names(
     definition: Definition, files: Sequence[ControlFile], addresses: Sequence[str]
 ) -> set[str]:
-    """Return every name of the axes at ``addresses`` in the read ``files``, with these
-    addresses.
-    """
+    """Return all names that the files give to the axes at ``addresses``, and these addresses."""
     reader, faults = text_reader(definition), list[Fault]()
     texts = [
         text
@@ -77,7 +73,7 @@ def all_names(
 def texts_of(
     definition: Definition, files: Sequence[ControlFile], faults: list[Fault]
 ) -> tuple[ControlFile, ...]:
-    """Return the texts of a control's files, containers opened.
+    """Return the texts of a control's files, with archives unpacked.
 
     Files next to a container were loaded over it, whatever their order. So the texts of the
     container are blank for every entry in those files, and for values after the end of a table in
@@ -101,7 +97,7 @@ def _texts_of(
 def under_new_entries(
     definition: Definition, own: Sequence[ControlFile], new: Sequence[ControlFile]
 ) -> tuple[ControlFile, ...]:
-    """Return the ``own`` files with blanks in place of the lines whose entries ``new`` files hold.
+    """Return the ``own`` files with blanks in place of lines whose values ``new`` files state.
 
     Unchanged where a file is unreadable: its reader reports it.
     """
@@ -117,7 +113,7 @@ def under_new_entries(
 
 
 def is_listing(definition: Definition, file: ControlFile) -> bool:
-    """Return whether a file is a listing that a program printed for people.
+    """Return whether a file is a listing for people, not an export that the control can load.
 
     All its values have decimal commas, which no control accepts.
     """
@@ -147,8 +143,7 @@ def _listed(files: Sequence[ControlFile], definition: Definition) -> tuple[Contr
 
 
 def _assigned_names(files: Sequence[ControlFile]) -> list[tuple[bytes, int]]:
-    """Return the last word before each value in the files, sorted so that words with the same
-    ending are neighbours.
+    """Return the last word before each value in the files, sorted by the ends of the words.
 
     Reversed and in lower case, with the index of its file.
     """
@@ -181,7 +176,7 @@ def _without_unknown(
 
 
 class _Over:
-    """Entries of separate files next to a container. They replace those of the container."""
+    """Values in separate files, which replace the same values in an archive."""
 
     def __init__(self, definition: Definition, names: AxisNames, texts: Iterable[ReadText]) -> None:
         self.definition = definition
@@ -191,7 +186,7 @@ class _Over:
         self.ended = {self._table(one) for one in assigned if self._holds(one, _ROWS.values())}
 
     def blanked(self, file: ControlFile, text: ReadText) -> ControlFile:
-        """Return a text of the container with blanks instead of the replaced lines."""
+        """Return a text of the archive with blanks for the lines that separate files replace."""
         spans = [
             (min(token.start for token in tokens), max(token.end for token in tokens))
             for one in text.occurrences
@@ -206,7 +201,7 @@ class _Over:
         return ControlFile(file.name, apply_changes(file.content, changes))
 
     def _own_tokens(self, one: Occurrence) -> list[Token]:
-        """Return the tokens of an entry without those of the section that contains it."""
+        """Return the fields of a line without those of the section header that precedes it."""
         within = self.definition.statements[one.statement].within or ""
         return [token for name, token in one.tokens.items() if f"{{{name}}}" not in within]
 
@@ -217,7 +212,7 @@ class _Over:
         return self._key(one) in self.keys or (row and self._table(one) in self.ended)
 
     def _counts(self, one: Occurrence) -> bool:
-        """Return whether a line belongs to one axis or table and is not an axis name."""
+        """Return whether a line belongs to one axis or table, and does not define an axis name."""
         of_one = "axis" in one.tokens or "table" in one.tokens
         return of_one and not self._holds(one, NAMES)
 
@@ -234,6 +229,6 @@ class _Over:
 
 
 def _end(content: bytes, place: int) -> int:
-    """Return the end of the line that contains a byte, as a byte position."""
+    """Return the byte position at which the line that contains the byte ``place`` ends."""
     found = content.find(b"\n", place)
     return len(content) if found < 0 else found

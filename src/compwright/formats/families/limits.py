@@ -171,7 +171,7 @@ def spacing(capacity: Capacity, compensation: AxisCompensation, label: str) -> I
 
 
 def ends(definition: Definition, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Return a fault for each end beyond which the control continues the table differently."""
+    """Return a fault for each end beyond which the control's table continues unlike the plan's."""
     faults: list[Fault] = []
     if not compensation.positions.size:
         return faults

@@ -18,9 +18,7 @@ _ROUNDING = 1e-5
 
 
 def name_of(definition: Definition, quantity: str) -> str:
-    """Return the control's name of a quantity: its parameter number, or the name of its
-    variable.
-    """
+    """Return the control's name of a quantity: a parameter number, or the name of a variable."""
     return name_in_form(definition.statements[definition.bindings[quantity].statement].form)
 
 

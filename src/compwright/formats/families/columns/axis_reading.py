@@ -1,4 +1,4 @@
-"""Read one axis: its entry sheet, its parameters, and its column in the table of its own motion."""
+"""Read one axis: its entry sheet, its parameters, and its column in the table by its position."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from compwright.words.sentences import control_text
 
 
 class ColumnAxisReader:
-    """Reads an axis: its entry sheet, its parameters, its column in the table of its own motion."""
+    """Reads an axis: its entry sheet, parameters, and column in the table by its own position."""
 
     def __init__(
         self, values: TableValues, address: str, wanted: Sequence[str], activity: Activity
@@ -338,7 +338,7 @@ class ColumnAxisReader:
         return active is not False
 
     def _column_elsewhere(self) -> bool:
-        """Return whether a table of another axis' motion has a column that corrects this axis."""
+        """Return whether a table by another axis' position has a column that corrects this axis."""
         column = self.sources.column_of(self.address)
         return any(
             moving != self.address and table.column(column) is not None
@@ -346,9 +346,7 @@ class ColumnAxisReader:
         )
 
     def _other_columns_active(self) -> bool:
-        """Return whether a table of another axis' motion has values other than zero that correct
-        this axis.
-        """
+        """Return whether a table by another axis' position corrects this axis (values not zero)."""
         column = self.sources.column_of(self.address)
         cells = [
             row.cells[column].text

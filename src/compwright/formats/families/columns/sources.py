@@ -131,9 +131,7 @@ class Sources:
         return self.numbers.address(int(match[1])) if match else column
 
     def own_column(self, address: str) -> str | None:
-        """Return the name of an axis' column in the table of its own motion; None without such a
-        column.
-        """
+        """Return the name of an axis' column in the table by its own position; None without one."""
         table = self.tables.get(address)
         name = self.column_of(address)
         return name if table is not None and table.column(name) is not None else None

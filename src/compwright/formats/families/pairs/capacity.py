@@ -25,7 +25,7 @@ from compwright.words.sentences import control_text, unconfirmed
 
 
 class PairLimits(GridLimits):
-    """The limits of an axis' two direction tables, which replace one table with backlash."""
+    """The limits of an axis' two tables, one per direction, instead of one table with backlash."""
 
     def capacity(self) -> Capacity:
         """Return the limits of the two tables. Raises CapacityError if fewer than two may be

@@ -60,7 +60,7 @@ class CecWriter:
         self.switches = Switches(self.tables)
 
     def own_pair(self, work: AxisToWrite) -> list[PairEntry]:
-        """Write an axis' two direction tables; return those without lines in the control's files.
+        """Write an axis' two tables, one per direction; return those without lines in the files.
 
         Raises UsageError if the meaning of a value is not given.
         """
@@ -286,7 +286,7 @@ class CecWriter:
 
 
 class PairsWriter(GridWriter):
-    """Writes two direction tables instead of one table and backlash, if the directions differ."""
+    """Writes two tables, one per direction, instead of one with backlash, if directions differ."""
 
     def __init__(
         self, control: Family, files: Sequence[ControlFile], addresses: Iterable[str]
@@ -295,7 +295,7 @@ class PairsWriter(GridWriter):
         self.cec = CecWriter(control, self.own)
 
     def axis(self, work: AxisToWrite) -> list[ControlFile]:
-        """Write the table and backlash of one axis, or its two direction tables; see
+        """Write the table and backlash of an axis, or one table per direction; see
         `GridWriter.axis`.
         """
         self.cec.tables.allowed = allowed_tables(self.definition, work.options)

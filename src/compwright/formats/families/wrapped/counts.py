@@ -45,7 +45,7 @@ class Counts:
 
     @property
     def forward(self) -> Direction:
-        """The axis direction in which the motor counts up; the backlash is active in the other."""
+        """The axis direction in which the motor counts up; the other one has the backlash."""
         return Direction.POSITIVE if self.per_unit > 0 else Direction.NEGATIVE
 
     def added(self, quantity: str, numbers: FloatArray) -> FloatArray:
