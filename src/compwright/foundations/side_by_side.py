@@ -25,8 +25,7 @@ class Each(Protocol):
     """A function that does the same work on each of several items."""
 
     def __call__(self, work: Callable[[T], R], items: Sequence[T]) -> list[R]:
-        """Return the result of ``work`` for each item, in their order. Raises the error of the
-        first item that fails.
+        """Return the results of ``work`` in the order of the items. Raises the first error.
 
         ``work`` is a function of a module, and what it takes and returns can be copied to another
         process.

@@ -1,6 +1,4 @@
-"""Header of a ``.b5r`` file (operator, machine, instrument), and the results printed by the
-vendor's software.
-"""
+"""Read the header of a ``.b5r`` file, and the results printed by the vendor's software."""
 
 from __future__ import annotations
 

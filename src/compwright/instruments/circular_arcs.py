@@ -30,8 +30,7 @@ _TINY: Final = 1e-9  # deg: rounding of sums
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sweep:
-    """The samples of one run in ascending order: ``angles`` (n,) deg, and ``order`` (n,), the
-    indices of the samples.
+    """The samples of a run sorted by angle: ``angles`` (n,) deg, and their indices ``order``.
 
     The first angle lies in 0 <= a < 360. ``step``: median distance of neighbours, deg; ``gap``: the
     widest distance inside and where it begins. ``full``: the run covers the circle up to one

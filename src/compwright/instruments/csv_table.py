@@ -154,9 +154,7 @@ def traverse_of(column: str) -> tuple[str, int] | None:
 
 
 def like_traverse(column: str) -> bool:
-    """Return whether an unrecognised column may be meant as a traverse: a number with a sign or a
-    direction word.
-    """
+    """Return whether an unknown column may be a traverse: a number with a sign or direction."""
     return (
         any(character.isdigit() for character in column)
         and _LIKE_TRAVERSE.search(column) is not None
@@ -169,9 +167,7 @@ def in_inches(names: Iterable[str]) -> str:
 
 
 def split_lines(lines: Sequence[str]) -> tuple[list[tuple[int, str]], list[tuple[int, str]]]:
-    """Return comment lines (without ``#``) and all other lines that are not blank, each with its
-    line number from 1.
-    """
+    """Return comment lines (without ``#``) and other non-blank lines, with line numbers from 1."""
     comments: list[tuple[int, str]] = []
     others: list[tuple[int, str]] = []
     for number, line in enumerate(lines, start=1):

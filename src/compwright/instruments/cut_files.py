@@ -1,5 +1,4 @@
-"""Check whether a file was cut off: its last traverse or target is incomplete, or readings that it
-announces are missing.
+"""Check whether a file was cut off: its last traverse or target is incomplete.
 
 While all others are complete, or it holds less than it states itself.
 """

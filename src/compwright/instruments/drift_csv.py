@@ -79,9 +79,7 @@ def read_drift(content: bytes, file: str, kind: AxisKind | None = None) -> Drift
 
 
 def read_lost_motion(content: bytes, file: str) -> LostMotionTest:
-    """Return a table of lost motion (mm) over the distance (mm) or speed (mm/min) of the move.
-    Raises InputError with every fault at once.
-    """
+    """Return a table of lost motion over distance (mm) or speed (mm/min). Raises InputError."""
     faults = FaultList(file)
     comments, table = _columns(content, faults, (DISTANCE, LOST_MOTION))
     over = SPEED if SPEED in table.columns and DISTANCE not in table.columns else DISTANCE

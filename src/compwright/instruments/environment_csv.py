@@ -98,8 +98,7 @@ def read_environment(content: bytes, file: str) -> EnvironmentRecord:
 
 
 def joined(records: Sequence[EnvironmentRecord]) -> EnvironmentRecord:
-    """Return several files as one environment record. Raises InputError for different columns or
-    repeated times.
+    """Return several files as one record. Raises InputError for different columns, equal times.
 
     Where they do not give the same columns and the same kind of time, or the same moment twice.
     """

@@ -1,6 +1,4 @@
-"""The rows and columns of another program's table: any delimiter, any header row, text before and
-after it.
-"""
+"""Rows and columns of another program's table, with any delimiter, header row and text around."""
 
 from __future__ import annotations
 

@@ -1,5 +1,4 @@
-"""Header words of measurement tables in six languages: the contents of a column, its unit and its
-direction.
+"""Words of table headers in six languages, for contents, unit and direction of a column.
 
 A word gives the contents of a column, never a sign: whether forward is + stays open.
 """

@@ -1,5 +1,4 @@
-"""Hidden parts of a workbook: rows that are hidden or filtered out, columns, whole sheets
-(ECMA-376, 18.3.1.73 ``row``, 18.3.1.13 ``col``, 18.2.19 ``sheet``).
+"""Hidden rows, columns and sheets of a workbook (ECMA-376: 18.3.1.73, 18.3.1.13, 18.2.19).
 
 A spreadsheet program does not show them, but saves their cells like all others.
 """

@@ -122,8 +122,7 @@ def read_csv(table: CsvTable, comments: Comments, faults: FaultList) -> CsvReadi
 
 # one caller
 def _refuse_unsigned(table: CsvTable, wide: bool, faults: FaultList) -> None:  # noqa: FBT001
-    """Raise an error for columns named 1, 2, ... or +0. Spreadsheets remove the plus sign, and then
-    the direction is lost.
+    """Raise an error for columns named 1, 2 or +0: a spreadsheet may have removed the plus sign.
 
     In a ``wide`` file also for ``up 3`` or ``+3 up``: a traverse that is left out would go
     unnoticed.

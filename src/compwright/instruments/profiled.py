@@ -44,9 +44,7 @@ _SAME_STEP = 1e-4  # mm, deg: rounding of printed positions
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _ProfiledRows:
-    """The contents of rows: targets and deviations (n,) in mm or deg, direction and run cells, and
-    line numbers.
-    """
+    """The contents of rows: targets and deviations (n,) in mm or deg, directions, runs, lines."""
 
     targets: FloatArray
     deviations: FloatArray

@@ -145,7 +145,7 @@ class _ProposedColumns:
         self.roles: dict[str, Role | None] = {name: role_of(name) for name in table.columns}
 
     def numbers(self, name: str) -> FloatArray:
-        """Return the numbers of a column. NaN where a cell is not a number."""
+        """Return the numbers of a column, NaN for a cell that is not a number."""
         if name not in self._numbers:
             found = [number_in(text, self.decimal) for text in self.texts[name]]
             self._numbers[name] = np.array([np.nan if one is None else one for one in found])
@@ -183,9 +183,7 @@ class _ProposedColumns:
         return ranked[0]
 
     def traverses(self, target: str | None) -> list[str]:
-        """Return the columns that look like one traverse each: numbers, with a sign, a direction or
-        a count in the name.
-        """
+        """Return the columns that look like a traverse: numbers, named with sign or direction."""
         return [
             name
             for name in self.table.columns

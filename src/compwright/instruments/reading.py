@@ -1,6 +1,4 @@
-"""Read the bytes of a measurement file as records. The form is recognised by the contents, never by
-the file's name.
-"""
+"""Read the bytes of a measurement file as records. The contents decide the file format."""
 
 from __future__ import annotations
 
@@ -62,8 +60,7 @@ class _Read:
 def read_tests(
     content: bytes, file: str, profile: Profile | None = None
 ) -> tuple[PositioningTest, ...]:
-    """Return the positioning tests in ``content``: one per file, per axis in a column ``axis``, or
-    per sheet of a workbook.
+    """Return the positioning tests in a file: one, or one per axis or sheet of a workbook.
 
     ``file`` is the name in messages and in the record's source. Reads the forms of `forms.FORMS`,
     the plain CSV forms (contract, "Plain CSV"), the same in an Excel workbook, and any other table

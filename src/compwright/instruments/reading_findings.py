@@ -100,7 +100,5 @@ def cut_finding(sentence: Sentence) -> Finding:
 
 
 def falling_finding(sentence: Sentence) -> Finding:
-    """Return the finding about targets that are not in ascending order. ``sentence``: how the
-    directions were determined.
-    """
+    """Return the finding about targets that do not ascend. ``sentence``: the directions found."""
     return Finding("CW-R014", "warning", sentence)

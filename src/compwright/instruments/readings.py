@@ -17,9 +17,7 @@ BoolArray = NDArray[np.bool_]
 
 @dataclass(frozen=True, slots=True)
 class ApproachReading:
-    """One reading: ``target`` and ``deviation`` (measured minus target) in mm or deg, and its place
-    in the file.
-    """
+    """One reading: ``target``, ``deviation`` (measured minus target), mm or deg, and its place."""
 
     target: float
     direction: Direction

@@ -50,7 +50,7 @@ class Element:
                 yield from child.all(*path[1:])
 
     def first(self, *path: str) -> Element | None:
-        """Return the first element at ``path``. None when there is none."""
+        """Return the first element at ``path``, or None if there is none."""
         return next(self.all(*path), None)
 
     def anywhere(self, tag: str) -> Iterator[Element]:

@@ -109,9 +109,7 @@ class _Found:
 def split_target_data(
     text: Sequence[str],
 ) -> tuple[list[tuple[int, str]], Iterator[tuple[int, str]]]:
-    """Return the comment lines (without ``#``), and all other lines that are not blank, each with
-    its line number from 1.
-    """
+    """Return comment lines (without ``#``) and other non-blank lines, with line numbers from 1."""
     comments = [
         (number, comment)
         for number, line in enumerate(text, start=1)

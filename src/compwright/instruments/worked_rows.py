@@ -17,9 +17,7 @@ _SHOWN = 3
 
 
 def worked_readings(readings: Readings, kind: AxisKind) -> list[str]:
-    """Return up to three readings as sentences: the largest deviation of each direction, and one at
-    the middle target.
-    """
+    """Return up to three readings as sentences: the largest per direction, and a middle one."""
     chosen: dict[str, ApproachReading] = {}
     for positive in (True, False):
         ours = np.flatnonzero(readings.positive == positive)

@@ -161,9 +161,7 @@ class CrossCompensation:
     period: float | None = None
 
     def at(self, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the correction of ``output`` at ``positions`` (any shape) of ``input``, approached
-        in ``direction``.
-        """
+        """Return the correction of ``output`` at ``positions`` of ``input``, by direction."""
         as_axis = AxisCompensation(
             address=self.input,
             kind=self.input_kind,

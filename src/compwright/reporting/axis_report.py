@@ -1,6 +1,4 @@
-"""The section of one axis in the report of ``run``: before and predicted, limits, periods, table,
-estimate.
-"""
+"""The section of one axis in the report of ``run``: results, limits, periods, table, estimate."""
 
 from __future__ import annotations
 

@@ -62,9 +62,7 @@ def significant_causes(causes: Sequence[CircleCause]) -> list[CircleCause]:
 
 
 def next_step(cause: str, axes: Sequence[str]) -> Sentence | None:
-    """Return the next step for a cause of a test in the plane of ``axes``. None for an unknown
-    cause.
-    """
+    """Return the next step for a cause of a circular test, or None for an unknown cause."""
     first, second = axes
     for ending, axis in (("_first", first), ("_second", second), ("", "")):
         kind = cause.removesuffix(ending)

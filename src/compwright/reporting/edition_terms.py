@@ -49,9 +49,7 @@ _WORDS: Final[Mapping[str, Mapping[str, str]]] = {
 
 
 def parameter_term(parameter: str, standard: object) -> str | Sentence:
-    """Return the term of the ``standard`` (an id such as ``iso230-2:1997``) for a parameter. Empty
-    for other names.
-    """
+    """Return the term for a parameter in the ``standard`` (such as ``iso230-2:1997``), else ""."""
     if parameter not in PARAMETERS:
         return ""
     term = _WORDS.get(str(standard), {}).get(parameter, "")

@@ -1,6 +1,4 @@
-"""The page of a history: for each axis and plane its values over time, changes, and when a limit
-will be reached.
-"""
+"""The page of a history: values over time, changes, and when a limit will be reached."""
 
 from __future__ import annotations
 

@@ -33,8 +33,7 @@ _MOST_LABELS: Final = 12
 
 
 def history_plot(document: Document, *, format: str = "svg") -> bytes:  # noqa: A002
-    """Return the figure of a history. Open marks: before loading; full marks: after loading; bars:
-    two standard errors.
+    """Return the figure of a history: values before and after loading, ± two standard errors.
 
     ``compwright/history/1``; red what changed beyond the uncertainty and green what did with
     another table.

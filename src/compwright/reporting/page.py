@@ -1,5 +1,4 @@
-"""Self-contained HTML pages: templates and style sheet from the package, figures inline, no script,
-no download.
+"""Self-contained HTML pages from templates, with inline figures, no script and no download.
 
 Everything that a document says is escaped by the template engine; control characters, and those
 that turn the direction of writing, stand as their escapes. The pages are well-formed XML as well,

@@ -1,6 +1,4 @@
-"""Decide which words may stay in a redacted measurement file: numbers, units, dates, axis names,
-and a fixed list.
-"""
+"""Decide which words stay in a redacted file: numbers, units, dates, axes, and a fixed list."""
 
 from __future__ import annotations
 

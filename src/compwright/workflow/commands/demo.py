@@ -45,8 +45,7 @@ class DemoOutcome:
 def run_demo(
     session: Session, out: Path, *, force: bool = False, crew: Crew = alone
 ) -> DemoOutcome:
-    """Run the whole sequence in the folder ``out``: machine, measurement, job, tables, second
-    measurement, verification.
+    """Run the whole demo in the folder ``out``: measure, compensate, measure again, verify.
 
     ``crew``: who works on the axes. Raises StorageError when a file exists (unless ``force``) or
     cannot be written.

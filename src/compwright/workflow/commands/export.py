@@ -129,9 +129,7 @@ def export_plan(
 def _refitted(
     plan: Plan, control: Control, axes: Mapping[str, Axis]
 ) -> list[tuple[Axis, FittedTable]]:
-    """Return the tables of a plan within the limits of a control. Raises CapacityError with the
-    faults of all axes.
-    """
+    """Return a plan's tables fitted within a control's limits. Raises CapacityError."""
     fitted = []
     errors: list[CompwrightError] = []
     for name, entry in plan.axes.items():

@@ -23,8 +23,7 @@ NOT_JUDGED = "not independently checked: there is no virtual control for it"
 
 
 def list_formats(session: Session) -> tuple[str, ...]:
-    """Return the installed controls as lines of text, by maker. Raises InputError for an unreadable
-    definition.
+    """Return the installed controls as lines of text, by maker. Raises InputError.
 
     Id, title, the names that are understood, and how many facts are known how well.
     """

@@ -47,8 +47,7 @@ def history_of(
     table_path: Path | None = None,
     force: bool = False,
 ) -> HistoryOutcome:
-    """Show the tests in the result folders below ``tops`` by machine, axis and date, and the
-    changes beyond the uncertainty.
+    """Show the tests in result folders below ``tops`` by machine, axis and date, with changes.
 
     ``index``: a database of what was read, kept between calls. Raises UsageError, InputError where
     nothing can be read or the index is none, and StorageError; nothing is written then.

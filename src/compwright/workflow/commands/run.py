@@ -71,7 +71,7 @@ class PlannedJob:
 
     @property
     def exit_code(self) -> int:
-        """0 if every limit is predicted to be met without doubt, else 1; 2 if no state is known."""
+        """The exit code: 0 if all limits are predicted to be met, 1 if not, 2 without a state."""
         return _exit_code(self.finished)
 
     def finding_documents(self) -> list[dict[str, Any]]:

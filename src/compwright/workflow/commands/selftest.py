@@ -1,6 +1,4 @@
-"""``selftest``: evaluate the reference data that ship with compwright, and compare the results with
-expected values.
-"""
+"""``selftest``: evaluate reference data, and compare the results with expected values."""
 
 from __future__ import annotations
 
@@ -65,9 +63,7 @@ class Check:
 
 
 def selftest(session: Session) -> dict[str, Any]:
-    """Return the document of the self-test: every comparison, platform, versions and the SHA-256 of
-    the reference data.
-    """
+    """Return the document of the self-test: comparisons, platform, versions and data SHA-256."""
     files = storage.reference_files(session)
     checks = [*_values(files), *_controls(session)]
     return {

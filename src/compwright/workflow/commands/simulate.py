@@ -65,9 +65,7 @@ def simulated(
     tables: Path | None = None,
     file: str = "",
 ) -> dict[str, PositioningTest | CircleRecording]:
-    """Return the simulated test of every axis and every circle by name. Raises UsageError,
-    InputError for unreadable tables.
-    """
+    """Return the simulated test of every axis and circle by name. Raises UsageError, InputError."""
     loaded = NO_CORRECTIONS if tables is None else _loaded(session, machine, tables, file)
     tests: dict[str, PositioningTest | CircleRecording] = {}
     for number, name in enumerate(machine.axes):

@@ -1,5 +1,4 @@
-"""The index of a history: an SQLite database of result folders, so that unchanged folders are not
-read again.
+"""An SQLite index of result folders, so that a history reads only changed folders again.
 
 The database lives in memory; its bytes are read and written whole like any file. It is known by
 ``application_id`` and ``user_version`` (SQLite, "Database File Format", 1.3.17 and 1.3.15).

@@ -215,9 +215,7 @@ def _place(name: str, by: str) -> str:
 
 
 def _unused(name: str, taken: Mapping[str, bytes]) -> str:
-    """Return ``name``, with a number added where another file has that name. Upper and lower case
-    count as equal.
-    """
+    """Return ``name`` with a number added if it is taken, in upper or lower case."""
     names = {other.casefold() for other in taken}
     path, number, chosen = PurePosixPath(name), 1, name
     while chosen.casefold() in names:

@@ -19,9 +19,7 @@ _JPEG: Final = (b"\xff\xd8\xff", b"\xff\xd9")
 
 
 def read_logo(session: Session, name: str, folder: Path) -> Logo:
-    """Return the picture in ``report.logo``. Raises InputError for a file that is unreadable, too
-    large, or no picture.
-    """
+    """Return the picture in ``report.logo``. Raises InputError for an unusable file."""
     content = storage.read_bytes(session, storage.named_from(folder, name), LOGO)
     if content.startswith(_PNG) and _whole_png(content):
         return Logo("image/png", content)

@@ -30,9 +30,7 @@ class FoundMeasurements:
 
 
 def load_profile(session: Session, path: Path) -> Profile:
-    """Read a mapping profile. Raises UsageError with every fault in it, InputError for a file that
-    cannot be read.
-    """
+    """Read a mapping profile. Raises UsageError with all faults, or InputError."""
     # slow to import, and few measurements need a profile
     from compwright.instruments.profile_reading import read_profile
 

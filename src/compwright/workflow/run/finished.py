@@ -56,7 +56,7 @@ class Finished:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """All findings except those of single tests."""
+        """All findings except those about a single test."""
         return (
             *(one.finding for one in self._noticed()),
             *unused_acknowledgements(self.doubts.unused),
