@@ -246,7 +246,7 @@ class _Script:
         return None
 
     def _sent(self, what: str, motor: int, place: ScriptPlace) -> bool:
-        """Record a compensation command; return False if the card got the same from another branch.
+        """Record a compensation command; return True unless another branch has the same one.
 
         False, with a fault, if another branch of a block has the same: the card did not get both.
         """

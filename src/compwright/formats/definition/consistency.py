@@ -73,8 +73,8 @@ def curves(definition: Definition) -> tuple[str, ...]:
 
 
 def has_cross(definition: Definition) -> bool:
-    """Return whether the control has cross-axis tables, which one axis can also use to correct
-    itself.
+    """Return whether the control has tables that correct an axis by another axis or by
+    direction.
     """
     return any(name in definition.bindings for name in CROSS)
 

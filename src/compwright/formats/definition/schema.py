@@ -244,7 +244,7 @@ class DiameterRule:
 
 @dataclass(frozen=True, slots=True)
 class ParameterRule:
-    """The meaning on this control of one parameter that its family reads besides the table."""
+    """The meaning on this control of a parameter that its family reads in addition to the table."""
 
     here: Here
     evidence: EvidenceNote
@@ -420,7 +420,7 @@ class Definition:
 
     @property
     def fields(self) -> frozenset[str]:
-        """The fields of all statements of the definition, by name."""
+        """The names of the fields in all statements of the definition."""
         return frozenset(name for one in self.statements.values() for name in one.fields)
 
     def limit_number(self, predicate: Predicate) -> int | None:

@@ -141,7 +141,7 @@ class Patches:
         self.replace(number, BytesChange(line.start, line.next, b""))
 
     def changed(self) -> set[int]:
-        """Return the indices of the files with changes, each with its changed contents."""
+        """Return the indices of the files for which changes are recorded."""
         return {*self._replaced, *self._inserted}
 
     def patched(self, numbers: Iterable[int]) -> tuple[ControlFile, ...]:

@@ -103,9 +103,7 @@ def _in_the_table(family: Family, request: BetweenRequest, filled: Filled) -> Be
 
 
 def _typed(family: Family, request: BetweenRequest, entry: PlannedCross, why: str) -> Between:
-    """Return the answer that a table column has to be typed in, because of ``why`` no file contains
-    it.
-    """
+    """Return the answer that a table column has to be typed in, for the reason ``why``."""
     form = _form(family, request, entry)
     rows = _rows(entry, form)
     where = control_text(

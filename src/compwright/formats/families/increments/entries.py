@@ -433,9 +433,7 @@ class _WholeNumbers:
         return str(int(count) * sign)
 
     def _length(self, value: float) -> Decimal:
-        """Return a length in mm or deg as exact decimal text. Raises NotHeld if it has too many
-        digits.
-        """
+        """Return a length (mm or deg) as a decimal. Raises NotHeld if the control rounds it."""
         count, unit = Decimal(repr(round(value, 9))), self.axis.kind.unit
         step, (low, high) = length_step(self.scale, self.facts), self.scale.range("table_spacing")
         if count % step:

@@ -250,7 +250,7 @@ class SmallFiles:
         return _Plan(name, header, file.footer[-1:], tuple(enters), tuple(by_hand), tuple(as_it_is))
 
     def _unit_word(self) -> Iterator[str]:
-        """Yield the G command that sets the length unit, if the control's own files contain one."""
+        """Yield the line that sets the length unit (METRIC or INCH), if the own files have one."""
         for key, occurrence in self.old.entries.items():
             if self._is(key, ("unit_word",)):
                 yield value_of(occurrence)

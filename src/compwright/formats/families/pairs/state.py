@@ -281,7 +281,7 @@ def _assigned(content: bytes) -> dict[str, tuple[str, int]]:
 
 
 def compared(gathered: Gathered, address: str, system: str, unit: str) -> str:
-    """Return three table values of an axis to compare with the control's display, in ``unit``.
+    """Return values of an axis, as text, to compare with the control's display, in ``unit``.
 
     As in the archive: the largest and the smallest of its table, and the backlash.
     """

@@ -118,7 +118,7 @@ class Script:
     faults: list[Fault] = field(default_factory=list)
 
     def of(self, kind: Kind) -> list[MemoryTable]:
-        """Return the tables of one kind, by motor number."""
+        """Return the tables of one kind, in the order of their motor numbers."""
         return [table for (name, _), table in sorted(self.tables.items()) if name == kind]
 
     def setting(self, quantity: str, motor: int = 0) -> Word | None:
