@@ -359,8 +359,8 @@ def test_squareness_alone_is_answered_in_words(pair: Pair) -> None:
     circles: Any = {"xy": None}
     bare = {name: replace(axis, fitted=None) for name, axis in pair.found.plan.axes.items()}
     for axes, said in (
-        (pair.found.plan.axes, "Measure an axis that has a table after loading too"),
-        (bare, "run a new job: with the files that were read back as as_found"),
+        (pair.found.plan.axes, "Measure at least one axis that has a table after loading"),
+        (bare, "make a new job: give the files that were read back as as_found"),
     ):
         plan = replace(pair.found.plan, axes=axes)
         found = replace(pair.found, job=job, plan=plan, circles=circles, axes={}, tests=[])
@@ -511,5 +511,5 @@ def test_an_inverted_table_is_found_and_nothing_is_written(
     assert not (hall / "job" / "next").exists()
     text = capsys.readouterr().out
     assert "No next round: no axis gets a new table" in text
-    assert "the verdict is inverted, not loaded" in text
+    assert 'the verdict is "inverted", not "loaded"' in text
     assert "axis Y: this axis was not measured after loading" in text

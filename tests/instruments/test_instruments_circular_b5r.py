@@ -252,7 +252,7 @@ def test_full_circles_by_equal_angles() -> None:
             document(PROGRAMMED_FEEDRATE="1200"),
             "CW-R031: The true feed is 1000 mm/min",
         ),
-        (document(run_xml("CW")), "CW-R033: The test asks for a ccw run"),
+        (document(run_xml("CW")), "CW-R033: The file announces a ccw run"),
         (
             document(run_xml("CW") + run_xml("CCW", READINGS + " 0.1 0.1")),
             "CW-R032: Run ccw 1 has 2 more readings",

@@ -50,7 +50,7 @@ def test_means_of_both_ways() -> None:
 def test_the_way_back_from_both_and_forward() -> None:
     test = read(mean_file({"Bidirectional": BOTH, "Forward Directional": FORWARD}))
     assert test.negative[:, 0] == pytest.approx([-0.003, -0.0011, 0.0006], abs=1e-12)
-    assert "twice the means of both directions" in told(test)["CW-R057"]
+    assert "2 × mean of both directions" in told(test)["CW-R057"]
 
 
 def test_positions_from_high_to_low_turn_the_directions() -> None:

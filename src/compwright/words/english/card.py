@@ -37,7 +37,7 @@ SENTENCES: Final[dict[str, str]] = {
     "card.moves_by": "Moves by",
     "card.name": "Name",
     "card.no_title": "Commissioning card",
-    "card.not_confirmed": "Not confirmed: check before the axis moves fast",
+    "card.not_confirmed": "Not confirmed: check these facts before the axis moves fast",
     "card.note": (
         "Numbers in tables and steps have a decimal point, as they are typed at a control. Names of"
         " parameters, options and files are as in the control and in the job.{foreign:if| Steps of"
@@ -53,7 +53,7 @@ SENTENCES: Final[dict[str, str]] = {
         " are valid at rapid traverse. Check them at rapid traverse, not at cutting feed."
     ),
     "card.read": "read",
-    "card.same_holds": "The same applies to axis {axes}.",
+    "card.same_holds": "This step applies to axis {axes} too.",
     "card.sections": "Numbers of the sections",
     "card.signature": (
         "Loaded by: ______________________   Date: ______________   Measured after loading: [ ]"

@@ -104,13 +104,14 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E013": (
         "The error repeats, but at these targets several periods look the same:"
-        " {periods:.4g}{more:if| and {more} others} {unit}. The table corrects none of them with"
-        " certainty, and a test at other targets may show the whole periodic error; {better}"
+        " {periods:.4g}{more:if| and {more} others} {unit}. The readings do not show which of them"
+        " is the true one, so the table may correct a wrong one, and a test at other targets may"
+        " show the whole periodic error; {better}"
     ),
     "CW-E014.equal_spacing": (
         "No period was found, but targets at equal spacing ({interval:.4g} {unit}) hide every"
-        " period that divides the spacing. The targets that CW-T008 proposes would show these"
-        " periods"
+        " period that divides the spacing. The finding CW-T008 of this test proposes targets that"
+        " would show these periods"
     ),
     "CW-E014.few_targets": (
         "{targets} targets are too few to look for a periodic error. Measure at eight targets or"
@@ -136,29 +137,30 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E020": (
         "The readings drift by {drift} from the first run to the last ({odds}){flattens:if|, and"
-        " the drift flattens out}. From one test, the prediction assumes the same drift, to about"
-        " a tenth, in a test that is repeated in the same way from an equally cold axis. A"
-        " different drift, or none on a warm axis, gives results outside the predicted band. A"
-        " second test in the same way includes them in the band. Warm the axis up and measure"
-        " again to see it without the drift"
+        " the drift flattens out}. The prediction knows only this one test. It assumes that a test"
+        " repeated in the same way, from an equally cold axis, drifts by the same amount (to within"
+        " about 10 %). If the next test drifts differently, or not at all because the axis is warm,"
+        " its results can lie outside the predicted band. A second test in the same way makes the"
+        " band wide enough. To see the axis without the drift, warm it up and measure again"
     ),
     "CW-E021": (
-        "The readings drift along the travel as in thermal expansion: by {lower} at the lower"
-        " end and {upper} at the upper end, from the first run to the last ({odds}){flattens:if|."
-        " The drift flattens out}. The prediction is valid for a test that is repeated in the"
-        " same way from an equally cold axis: it assumes the same drift, to about a tenth. A"
-        " different drift, or none on a warm axis, gives results outside the predicted band. Warm"
-        " the axis up and measure again to see it without the drift"
+        "The readings drift along the travel as in thermal expansion: by {lower} at the lower end"
+        " and {upper} at the upper end, from the first run to the last ({odds}){flattens:if|. The"
+        " drift flattens out}. The prediction is valid for a test that is repeated in the same way"
+        " from an equally cold axis, and drifts by the same amount (to within about 10 %). If the"
+        " next test drifts differently, or not at all because the axis is warm, its results can lie"
+        " outside the predicted band. To see the axis without the drift, warm it up and measure"
+        " again"
     ),
     "CW-E022.all": (
         "{pattern:choose|traverses=The single runs are shifted against each other|runs=The runs,"
         " out and back together, are shifted against each other|walk=The zero point wanders from"
-        " run to run|wave=The readings rise and fall slowly in time} by"
-        " {size}{pattern:choose|walk= a step|=} (standard deviation; {odds}){where:if|,"
-        " {where:and}}. {pattern:choose|wave=Check the air around the machine: heating, cooling,"
-        " drafts, sun|=Check warm-up, clamping, reference runs and the mounting of the instrument"
-        " between runs}. The prediction assumes {pattern:choose|wave=waves|=shifts} of this size"
-        " in the next test"
+        " run to run|wave=The readings rise and fall slowly in time} by {size}{pattern:choose|walk="
+        " per run|=} (standard deviation; {odds}){where:if|, {where:and}}."
+        " {pattern:choose|wave=Check the air around the machine: heating, cooling, drafts,"
+        " sun|=Check warm-up, clamping, reference runs and the mounting of the instrument between"
+        " runs}. The prediction assumes {pattern:choose|wave=waves|=shifts} of this size in the"
+        " next test"
     ),
     "CW-E022.either": (
         "The runs are shifted against each other ({odds}). These readings do not show whether the"
@@ -199,11 +201,12 @@ SENTENCES: Final[dict[str, str]] = {
         " where it is largest"
     ),
     "CW-E028": (
-        "Test {test} has a different slope from test {other}: the difference is {difference:+.1f}"
-        " ± {error:.1f} µm/m, as much as {kelvin:2sig} K make of steel. It is taken as"
-        " temperature or set-up of one of the tests, not as an error of the axis. The tests do"
-        " not show which slope is right: give their temperatures (thermal), or measure again at"
-        " an even temperature"
+        "Test {test} has a different slope from test {other}: the difference is {difference:+.1f} ±"
+        " {error:.1f} µm/m. Steel expands by as much when it becomes {kelvin:2sig} K warmer. This"
+        " difference is therefore taken as an effect of temperature or set-up in one of the tests,"
+        " not as an error of the axis. The tests do not show which slope is right: give the"
+        " temperatures of both tests (`thermal` of the job), or measure again at an even"
+        " temperature"
     ),
     "CW-E029": (
         "The instrument seems to resolve {step}: {repeated:if|every target repeats one reading,"
@@ -242,19 +245,20 @@ SENTENCES: Final[dict[str, str]] = {
         "{cause:choose|lead=a screw lead of {number:g} mm|inch_lead=a screw lead of {number:g}"
         " inch|half_lead=half a screw lead of {number:g} mm|magnets=a pair of magnets of a linear"
         " motor|rack=a tooth of a helical rack|worm=a turn of a worm or motor, 1/{number:g} of the"
-        " table's|files=what the control's own files suggest}"
+        " table's|files=a period that the control's own files suggest}"
     ),
     "period.unusual_division": (
-        "no usual part repeats {parts:.4g} times per turn. Look for one turn of the worm, one turn"
-        " of the motor through its gear, and the pitch of the scale"
+        "no usual part repeats {parts:.4g} times per turn. Compare this period with one turn of the"
+        " worm, with one turn of the motor through its gear, and with the pitch of the scale"
     ),
     "period.unusual_lead": (
-        "no usual screw has this lead. Look for one turn of the motor through belt or gear, half"
-        " of such a turn, the pitch of the scale or rack, and a pair of magnets"
+        "no usual screw has this lead. Compare this period with one turn of the motor through belt"
+        " or gear, with half of such a turn, with the pitch of the scale or rack, and with a pair"
+        " of magnets"
     ),
     "period.usual": (
-        "{once:if|look for a part that turns or repeats once in {period:.5g} {unit}:"
-        " {once:join|, or }|}{twice:if|{once:if|; or for|look for} a part that does so twice in"
+        "{once:if|look for a part that turns or repeats once in {period:.5g} {unit}: {once:join|,"
+        " or }|}{twice:if|{once:if|; or for|look for} a part that turns or repeats twice in"
         " {double:.5g} {unit}: {twice:join|, or }|}"
     ),
 }

@@ -6,8 +6,8 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-J002": (
-        "The job has the entries {states} under `states`, but not as_found, which is what is in"
-        " the control now. Without as_found no table is written"
+        "The job has the entries {states} under `states`, but not as_found. The entry as_found"
+        " states what is in the control now. Without as_found no table is written"
     ),
     "CW-J003": "axes.{axis}.modulo has no meaning on a linear axis and is not used",
     "CW-J004": (
@@ -16,7 +16,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-J020": "{key} has no effect on this control ({format})",
     "CW-J021": (
-        "acknowledged.{code} is not needed, because {code} was not found{axis:if| on axis"
-        " {axis}}. Remove it from the job."
+        "The key acknowledged.{code} of the job is not needed, because the finding {code} does not"
+        " occur{axis:if| on axis {axis}}. Remove the key."
     ),
 }

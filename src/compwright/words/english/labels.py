@@ -5,28 +5,29 @@ from __future__ import annotations
 from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
-    "basis.gost27843_2006": "This report has the items of GOST 27843-2006, 8.1.",
+    "basis.gost27843_2006": "This report gives the information that GOST 27843-2006, 8.1 requires.",
     "basis.iso230_2_1988": (
-        "This report has the items of ISO 230-2:1997, 7.1. The edition of 1988 has no list; its"
-        " clauses 3.2 and 4.3 ask for the items that have a clause here."
+        "This report gives the information that ISO 230-2:1997, 7.1 requires. The edition of 1988"
+        " contains no such list. Where this report names a clause, clauses 3.2 and 4.3 of the"
+        " edition of 1988 require the information too."
     ),
-    "basis.iso230_2_1997": "This report has the items of ISO 230-2:1997, 7.1.",
-    "basis.iso230_2_2006": "This report has the items of ISO 230-2:2006, 7.1.",
+    "basis.iso230_2_1997": "This report gives the information that ISO 230-2:1997, 7.1 requires.",
+    "basis.iso230_2_2006": "This report gives the information that ISO 230-2:2006, 7.1 requires.",
     "basis.iso230_2_2014": (
-        "This report has the items of ISO 230-2:2006, 7.1. The text of ISO 230-2:2014 was not"
-        " available; its clauses are not quoted."
+        "This report gives the information that ISO 230-2:2006, 7.1 requires. The text of ISO"
+        " 230-2:2014 was not available; its clauses are not quoted."
     ),
     "basis.iso230_4_1996": (
-        "This report has the items of ISO 230-4:1996, clauses 4.4 and 6. Their text is that of the"
-        " German edition, DIN ISO 230-4:1999."
+        "This report gives the information that ISO 230-4:1996, clauses 4.4 and 6, requires. The"
+        " German edition, DIN ISO 230-4:1999, was used."
     ),
     "basis.iso230_4_2005": (
-        "This report has the items of ISO 230-4:1996, clauses 4.4 and 6. The text of ISO 230-4:2005"
-        " was not available; its clauses are not quoted."
+        "This report gives the information that ISO 230-4:1996, clauses 4.4 and 6, requires. The"
+        " text of ISO 230-4:2005 was not available; its clauses are not quoted."
     ),
     "basis.vdi3441": (
-        "This report has the items of ISO 230-2:2006, 7.1. The text of VDI/DGQ 3441 was not"
-        " available; its clauses are not quoted."
+        "This report gives the information that ISO 230-2:2006, 7.1 requires. The text of VDI/DGQ"
+        " 3441 was not available; its clauses are not quoted."
     ),
     "budget.E_VE": "Environmental variation (range)",
     "budget.U_alpha_instrument": "Expansion coefficient of the instrument",
@@ -42,11 +43,11 @@ SENTENCES: Final[dict[str, str]] = {
     "budget.expanded": "Expanded uncertainty, k = {k}",
     "budget.misalignment_mm": "Misalignment of the measuring line",
     "budget.note": (
-        "Contributors of ISO 230-2:2006, annex A. The sum is that of one reading at the far end of"
-        " the travel. U of each parameter (above) is not this sum: the same distributions are"
-        " propagated through the definition of the parameter (JCGM 101). Every value is the job's,"
-        " or counts as 0 where the job gives none; no value is taken from the worked example of the"
-        " standard."
+        "Contributors of ISO 230-2:2006, annex A. The sum above is the uncertainty of one reading"
+        " at the far end of the travel. It differs from the U of a parameter, because U is"
+        " calculated through the definition of the parameter (JCGM 101), from the same"
+        " distributions. Every value is from the job. A contributor that the job does not give"
+        " counts as 0. No value is taken from the example of the standard."
     ),
     "budget.setup": "Set-up",
     "budget.steel": "{alpha:g} µm/(m K), steel, is assumed",
@@ -237,7 +238,8 @@ SENTENCES: Final[dict[str, str]] = {
         " measurement|not_active=✗ not active|inverted=✗ inverted|scaled=✗ scaled|shifted=✗"
         " shifted|mirrored=✗ mirrored|wrong_axis=✗ wrong axis|increment=✗ only the change"
         " loaded|on_top=✗ added to the old table|state=✗ old table was not active|one_direction=✗"
-        " one direction|backlash=✗ backlash|partial=✗ partial|thermal=✗ thermal|=✗ {verdict}}"
+        " active in one direction|backlash=✗ backlash value wrong|partial=✗ partly active|thermal=✗"
+        " thermal slope|=✗ {verdict}}"
     ),
     "parameter.A": "{term:if|{term}|Bidirectional accuracy}",
     "parameter.A_negative": "{term:if|{term}|Accuracy, approach −}",
@@ -260,8 +262,8 @@ SENTENCES: Final[dict[str, str]] = {
     "rule.band": "{symbol} {U:if|{U} {unit}|not stated}",
     "rule.guarded": (
         "Guarded decision (ISO 14253-1): accepted when the 95 % value plus U lies within the limit,"
-        " rejected when the 5 % value less U lies beyond it; U (k = 2) of the coming test, with"
-        " what the first one has put into the table: {bands}."
+        " rejected when the 5 % value less U lies beyond it; U (k = 2) of the next test, which"
+        " includes the uncertainty that the first test has brought into the table: {bands}."
     ),
     "rule.guarded_after": (
         "Guarded decision (ISO 14253-1): accepted when the value plus U lies within the limit,"

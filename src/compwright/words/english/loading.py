@@ -64,9 +64,9 @@ SENTENCES: Final[dict[str, str]] = {
         " plane} again."
     ),
     "CW-V023.test": (
-        "The limits of axis {axis} are for the test {meant}, and {measured} was measured, so"
-        " the result is not proven for them. Measure as for {meant} and give it as --after"
-        " {meant}=FILE."
+        "The limits of axis {axis} are for the test {meant}, but after loading {measured} was"
+        " measured. Whether the limits are met is therefore not proven. Measure as for {meant} and"
+        " give it as --after {meant}=FILE."
     ),
     "CW-V024": (
         "A warning about the test after loading leaves the verdict undecided ({code}): {finding}"
@@ -132,10 +132,10 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.candidate": "{name} ({sure:if|more than 99|{percent:2sig}} %)",
     "loading.declared_slope": (
         "Over the travel the deviations of this test rise by {slope:+.2f} ± {error:.2f} µm/m more"
-        " than expected. Steel does that over {kelvin:+2sig} K, which is"
-        " {within:if|within|beyond} what the job declares for two tests (± {declared:.1f} µm/m, k"
-        " = 2). The table is not at fault, but the limits are decided with this slope in the"
-        " readings."
+        " than expected. Steel shows such a slope when its temperature changes by {kelvin:+2sig} K,"
+        " which is {within:if|within|beyond} what the job declares for two tests (± {declared:.1f}"
+        " µm/m, k = 2). The table is not at fault, but the limits are decided with this slope in"
+        " the readings."
     ),
     "loading.effect": "{part:.2f} ± {error:.2f} of the planned effect",
     "loading.equivalent": (
@@ -150,13 +150,13 @@ SENTENCES: Final[dict[str, str]] = {
         " Measured: {effect}.}"
     ),
     "loading.measurement": (
-        "The test after loading itself seems wrong. It fits only if {fault:choose|sign=the sign"
-        " of its deviations is reversed|direction=its directions + and − are exchanged|unit=its"
-        " readings are multiplied by {factor:4sig}|wrong_axis=it is a test of axis {axis}}."
-        " {fault:choose|sign=Check sign and directions of the instrument and export the test"
-        " again.|direction=Check sign and directions of the instrument and export the test"
-        " again.|unit=Export the test in the unit that its file states.|wrong_axis=Measure this"
-        " axis, or give the file to the axis that it belongs to.}"
+        "The test after loading itself seems wrong. It agrees with the first test and the plan only"
+        " if {fault:choose|sign=the sign of its deviations is reversed|direction=its directions +"
+        " and − are exchanged|unit=its readings are multiplied by {factor:4sig}|wrong_axis=it is a"
+        " test of axis {axis}}. {fault:choose|sign=Check sign and directions of the instrument and"
+        " export the test again.|direction=Check sign and directions of the instrument and export"
+        " the test again.|unit=Export the test in the unit that its file states.|wrong_axis=Measure"
+        " this axis, or give the file to the axis that it belongs to.}"
     ),
     "loading.name": "{name}{detail:if|: {detail}}",
     "loading.neither": (
@@ -179,10 +179,11 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.rms": "{rms} rms",
     "loading.slope": (
         "Over the travel the deviations of this test rise by {slope:+.2f} ± {error:.2f} µm/m more"
-        " than expected. Steel does that over {kelvin:+2sig} K{declared:if| (declared for two"
-        " tests: ± {declared:.1f} µm/m, k = 2)}. Give the temperature of the scale in the files"
-        " of both tests (T_m) and its coefficient in the job (thermal). Or let machine and"
-        " instrument settle, check the instrument's temperature sensor, and measure again."
+        " than expected. Steel shows such a slope when its temperature changes by {kelvin:+2sig}"
+        " K{declared:if| (declared for two tests: ± {declared:.1f} µm/m, k = 2)}. Give the"
+        " temperature of the scale in the files of both tests (T_m) and its coefficient in the job"
+        " (thermal). Or let machine and instrument settle, check the instrument's temperature"
+        " sensor, and measure again."
     ),
     "loading.straight_line": (
         "The test after loading shows the loaded table and an additional slope. {slope} The"
@@ -237,8 +238,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "next.kept": ("{why}. The axis keeps what is in the control, and gets no new table"),
     "next.load": (
-        "a new table was written for {axes}{between:if|{axes:if|, }squareness}. Load all files"
-        " of next/tables, measure again, and verify that round"
+        "a new table was written for {axes}{between:if|{axes:if|, and for the }squareness}. Load"
+        " all files of next/tables, measure again, and run compwright verify with next/job.yaml"
     ),
     "next.no_axis": "no axis gets a new table",
     "next.no_table": (
@@ -260,11 +261,11 @@ SENTENCES: Final[dict[str, str]] = {
         " first, then run a new job"
     ),
     "next.squareness_alone": (
-        "no axis gets a new table, and squareness alone gets no next round."
-        " {measured:if|Measure an axis that has a table after loading too, and give its test"
-        " with --after in addition to the circles|To correct the remaining squareness, run a new"
-        " job: with the files that were read back as as_found, and with the circles after"
-        " loading}"
+        "no axis gets a new table, so no table for the squareness alone is written either."
+        " {measured:if|Measure at least one axis that has a table after loading, and give its test"
+        " with --after together with the circles|To correct the remaining squareness, make a new"
+        " job: give the files that were read back as as_found, and the circles that were measured"
+        " after loading}"
     ),
     "next.stop": (
         "stop here: the gain of another correction round for {axes} would be too small to show"
@@ -272,11 +273,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "next.stop_axis": "{stop:if|stop here|no new table}: {why}",
     "next.verdict": (
-        "the verdict is {verdict:choose|not_active=not"
+        'the verdict is "{verdict:choose|not_active=not'
         " active|inverted=inverted|scaled=scaled|shifted=shifted|mirrored=mirrored|wrong_axis=wrong"
-        " axis|on_top=added to the old table|one_direction=one"
-        " direction|partial=partial|thermal=thermal|undecided=undecided|={name}}{of:if| ({of})},"
-        " not loaded"
+        " axis|on_top=added to the old table|one_direction=active in one direction|partial=partly"
+        ' active|thermal=thermal slope|undecided=undecided|={name}}{of:if| ({of})}", not'
+        ' "loaded"'
     ),
     "next.written": "a new table is written",
 }

@@ -79,7 +79,9 @@ SENTENCES: Final[dict[str, str]] = {
         "Run {direction} {run} has {number} {more:if|more|fewer} readings after the measured arc"
         " than before it. A reading may have been doubled or lost."
     ),
-    "CW-R033": "The test asks for a {sense} run, but the file contains none.",
+    "CW-R033": (
+        "The file announces a {sense} run (RUN_SPEC), but contains no readings of such a run."
+    ),
     "CW-R034": (
         "Samples are missing in {run} from {angle:.6g} deg on, over {width:.4g} deg (samples"
         " are {step:.3g} deg apart)."
@@ -93,8 +95,8 @@ SENTENCES: Final[dict[str, str]] = {
         " measured."
     ),
     "CW-R037": (
-        "The bar was not calibrated for {files}. The absolute radius is therefore not used in the"
-        " whole test."
+        "The bar was not calibrated for {files}. The absolute radius is therefore not used for any"
+        " run of this test."
     ),
     "CW-R038": "{files:and} were taken as the two directions of one test.",
     "CW-R039": (
@@ -166,8 +168,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-R057": (
         "The file contains means of several runs, not single readings. It is read as one run per"
         " direction, and repeatability is unknown.{way_back:if| The means of the way back are not"
-        " in the file: they were calculated as twice the means of both directions less those of"
-        " the way out.}"
+        " in the file: they were calculated from the means of both directions (2 × mean of both"
+        " directions − mean of the way out).}"
     ),
     "CW-R058": (
         "The file is a compensation table made by the laser's software ({sign}), not a test. It"

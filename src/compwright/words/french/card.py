@@ -37,7 +37,7 @@ SENTENCES: Final[dict[str, str]] = {
     "card.moves_by": "Déplacement",
     "card.name": "Nom",
     "card.no_title": "Fiche de mise en service",
-    "card.not_confirmed": "Non confirmé : regarder avant que l'axe se déplace vite",
+    "card.not_confirmed": "Non confirmé : vérifier ces points avant que l'axe se déplace vite",
     "card.note": (
         "Les nombres des tableaux et des étapes ont un point décimal, comme on les saisit à une"
         " commande. Les noms des paramètres, options et fichiers sont ceux de la commande et du"
@@ -54,7 +54,7 @@ SENTENCES: Final[dict[str, str]] = {
         " contrôle valent en rapide. Vérifier en rapide, pas en avance de travail."
     ),
     "card.read": "lu",
-    "card.same_holds": "De même pour l'axe {axes}.",
+    "card.same_holds": "Cette étape vaut aussi pour l'axe {axes}.",
     "card.sections": "Numéros des segments",
     "card.signature": (
         "Chargé par : ______________________   Date : ______________   Mesuré ensuite : [ ]"

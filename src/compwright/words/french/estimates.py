@@ -102,14 +102,14 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E013": (
         "L'erreur se répète, mais à ces points visés plusieurs périodes ont le même aspect :"
-        " {periods:.4g}{more:if| et {more} autres} {unit}. La table n'en corrige aucune avec"
-        " certitude, et un essai à d'autres points visés peut montrer toute l'erreur périodique ;"
-        " {better}"
+        " {periods:.4g}{more:if| et {more} autres} {unit}. Les mesures ne montrent pas laquelle est"
+        " la vraie, donc la table en corrige peut-être une fausse, et un essai à d'autres points"
+        " visés peut montrer toute l'erreur périodique ; {better}"
     ),
     "CW-E014.equal_spacing": (
-        "Aucune période n'a été trouvée, mais des points visés équidistants ({interval:.4g}"
-        " {unit}) cachent toute période qui divise l'intervalle. Les points visés que propose"
-        " CW-T008 montreraient ces périodes"
+        "Aucune période n'a été trouvée, mais des points visés équidistants ({interval:.4g} {unit})"
+        " cachent toute période qui divise l'intervalle. Le message CW-T008 de cet essai propose"
+        " des points visés qui montreraient ces périodes"
     ),
     "CW-E014.few_targets": (
         "{targets} points visés sont trop peu pour chercher une erreur périodique. Mesurer à huit"
@@ -137,31 +137,32 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E020": (
         "Les mesures dérivent de {drift} du premier au dernier parcours ({odds}){flattens:if|, et"
-        " la dérive s'atténue}. Après un seul essai, la prévision suppose la même dérive, à un"
-        " dixième près, dans un essai répété de la même façon à partir d'un axe aussi froid. Une"
-        " autre dérive, ou aucune sur un axe chaud, donne des résultats hors de la bande prévue."
-        " Un deuxième essai fait de la même façon les inclut dans la bande. Mettre l'axe en"
-        " température et mesurer de nouveau pour le voir sans dérive"
+        " la dérive s'atténue}. La prévision ne connaît que cet essai. Elle suppose qu'un essai"
+        " répété de la même façon, à partir d'un axe aussi froid, dérive d'autant (à environ 10 %"
+        " près). Si l'essai suivant dérive autrement, ou pas du tout parce que l'axe est chaud, ses"
+        " résultats peuvent sortir de la bande prévue. Un deuxième essai fait de la même façon rend"
+        " la bande assez large. Pour voir l'axe sans dérive, le mettre en température et mesurer de"
+        " nouveau"
     ),
     "CW-E021": (
-        "Les mesures dérivent le long de la course comme dans une dilatation thermique : de"
-        " {lower} à l'extrémité inférieure et de {upper} à l'extrémité supérieure, du premier au"
-        " dernier parcours ({odds}){flattens:if|. La dérive s'atténue}. La prévision vaut pour un"
-        " essai répété de la même façon à partir d'un axe aussi froid : elle suppose la même"
-        " dérive, à un dixième près. Une autre dérive, ou aucune sur un axe chaud, donne des"
-        " résultats hors de la bande prévue. Mettre l'axe en température et mesurer de nouveau"
-        " pour le voir sans dérive"
+        "Les mesures dérivent le long de la course comme dans une dilatation thermique : de {lower}"
+        " à l'extrémité inférieure et de {upper} à l'extrémité supérieure, du premier au dernier"
+        " parcours ({odds}){flattens:if|. La dérive s'atténue}. La prévision vaut pour un essai"
+        " répété de la même façon à partir d'un axe aussi froid, et qui dérive d'autant (à environ"
+        " 10 % près). Si l'essai suivant dérive autrement, ou pas du tout parce que l'axe est"
+        " chaud, ses résultats peuvent sortir de la bande prévue. Pour voir l'axe sans dérive, le"
+        " mettre en température et mesurer de nouveau"
     ),
     "CW-E022.all": (
         "{pattern:choose|traverses=Les parcours sont décalés les uns par rapport aux"
         " autres|runs=Les allers-retours sont décalés en bloc les uns par rapport aux"
         " autres|walk=Le zéro se promène d'un parcours à l'autre|wave=Les mesures montent et"
-        " descendent lentement dans le temps} de {size}{pattern:choose|walk= par pas|=}"
-        " (écart-type ; {odds}){where:if|, {where:and}}. {pattern:choose|wave=Vérifier l'air"
-        " autour de la machine : chauffage, refroidissement, courants d'air, soleil|=Vérifier la"
-        " mise en température, le bridage, les prises de référence et la fixation de l'instrument"
-        " entre les parcours}. La prévision suppose des {pattern:choose|wave=ondes|=décalages} de"
-        " cette taille dans le prochain essai"
+        " descendent lentement dans le temps} de {size}{pattern:choose|walk= par parcours|=}"
+        " (écart-type ; {odds}){where:if|, {where:and}}. {pattern:choose|wave=Vérifier l'air autour"
+        " de la machine : chauffage, refroidissement, courants d'air, soleil|=Vérifier la mise en"
+        " température, le bridage, les prises de référence et la fixation de l'instrument entre les"
+        " parcours}. La prévision suppose des {pattern:choose|wave=ondes|=décalages} de cette"
+        " taille dans le prochain essai"
     ),
     "CW-E022.either": (
         "Les parcours sont décalés les uns par rapport aux autres ({odds}). Ces mesures ne"
@@ -206,10 +207,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E028": (
         "L'essai {test} a une autre pente que l'essai {other} : la différence est de"
-        " {difference:+.1f} ± {error:.1f} µm/m, autant que {kelvin:2sig} K d'acier. Elle est"
-        " prise comme température ou montage d'un des essais, pas comme erreur de l'axe. Les"
-        " essais ne montrent pas quelle pente est juste : donner leurs températures (thermal), ou"
-        " mesurer de nouveau à température égale"
+        " {difference:+.1f} ± {error:.1f} µm/m. L'acier se dilate d'autant quand il chauffe de"
+        " {kelvin:2sig} K. Cette différence est donc prise comme un effet de la température ou du"
+        " montage d'un des essais, pas comme une erreur de l'axe. Les essais ne montrent pas quelle"
+        " pente est juste : donner les températures des deux essais (`thermal` du dossier de"
+        " travail), ou mesurer de nouveau à température égale"
     ),
     "CW-E029": (
         "L'instrument semble avoir une résolution de {step} : {repeated:if|chaque point visé"
@@ -248,20 +250,20 @@ SENTENCES: Final[dict[str, str]] = {
         "{cause:choose|lead=un pas de vis de {number:g} mm|inch_lead=un pas de vis de {number:g}"
         " pouce|half_lead=un demi-pas de vis de {number:g} mm|magnets=une paire d'aimants d'un"
         " moteur linéaire|rack=une dent d'une crémaillère hélicoïdale|worm=un tour de vis sans fin"
-        " ou de moteur, 1/{number:g} de celui de la table|files=ce que suggèrent les fichiers de la"
-        " commande}"
+        " ou de moteur, 1/{number:g} de celui de la table|files=une période que suggèrent les"
+        " fichiers de la commande}"
     ),
     "period.unusual_division": (
-        "aucune pièce usuelle ne se répète {parts:.4g} fois par tour. Regarder un tour de la vis"
-        " sans fin, un tour du moteur par son réducteur, et le pas de la règle"
+        "aucune pièce usuelle ne se répète {parts:.4g} fois par tour. Comparer cette période avec"
+        " un tour de la vis sans fin, un tour du moteur par son réducteur et le pas de la règle"
     ),
     "period.unusual_lead": (
-        "aucune vis usuelle n'a ce pas. Regarder un tour du moteur par courroie ou réducteur, sa"
-        " moitié, le pas de la règle ou de la crémaillère, et une paire d'aimants"
+        "aucune vis usuelle n'a ce pas. Comparer cette période avec un tour du moteur par courroie"
+        " ou réducteur, sa moitié, le pas de la règle ou de la crémaillère et une paire d'aimants"
     ),
     "period.usual": (
         "{once:if|chercher ce qui tourne ou se répète une fois en {period:.5g} {unit} :"
-        " {once:join|, ou }|}{twice:if|{once:if| ; ou ce|chercher ce} qui le fait deux fois en"
-        " {double:.5g} {unit} : {twice:join|, ou }|}"
+        " {once:join|, ou }|}{twice:if|{once:if| ; ou ce|chercher ce} qui tourne ou se répète deux"
+        " fois en {double:.5g} {unit} : {twice:join|, ou }|}"
     ),
 }

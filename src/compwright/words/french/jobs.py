@@ -6,9 +6,9 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-J002": (
-        "Le dossier de travail a sous `states` les entrées {states} mais pas as_found,"
-        " c'est-à-dire ce qui est maintenant dans la commande. Sans as_found, aucune table n'est"
-        " écrite"
+        "Le dossier de travail a sous `states` les entrées {states}, mais pas as_found. L'entrée"
+        " as_found indique ce qui est maintenant dans la commande. Sans as_found, aucune table"
+        " n'est écrite"
     ),
     "CW-J003": "axes.{axis}.modulo n'a pas de sens sur un axe linéaire et n'est pas utilisé",
     "CW-J004": (
@@ -18,7 +18,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-J020": "{key} n'a pas d'effet sur cette commande ({format})",
     "CW-J021": (
-        "acknowledged.{code} n'est pas nécessaire, car {code} n'a pas été trouvé{axis:if| sur"
-        " l'axe {axis}}. L'enlever du dossier de travail."
+        "La clé acknowledged.{code} du dossier de travail n'est pas nécessaire, car le message"
+        " {code} n'apparaît pas{axis:if| sur l'axe {axis}}. Enlever la clé."
     ),
 }

@@ -5,28 +5,35 @@ from __future__ import annotations
 from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
-    "basis.gost27843_2006": "Indications selon GOST 27843-2006, 8.1.",
-    "basis.iso230_2_1988": (
-        "Indications selon l'ISO 230-2:1997, 7.1. L'édition de 1988 n'a pas de liste ; ses"
-        " paragraphes 3.2 et 4.3 demandent les indications dont le paragraphe figure ici."
+    "basis.gost27843_2006": (
+        "Ce rapport contient les indications demandées par GOST 27843-2006, 8.1."
     ),
-    "basis.iso230_2_1997": "Indications selon l'ISO 230-2:1997, 7.1.",
-    "basis.iso230_2_2006": "Indications selon l'ISO 230-2:2006, 7.1.",
+    "basis.iso230_2_1988": (
+        "Ce rapport contient les indications demandées par l'ISO 230-2:1997, 7.1. L'édition de 1988"
+        " n'a pas de telle liste. Là où le rapport cite un paragraphe, les paragraphes 3.2 et 4.3"
+        " de l'édition de 1988 demandent aussi l'indication."
+    ),
+    "basis.iso230_2_1997": (
+        "Ce rapport contient les indications demandées par l'ISO 230-2:1997, 7.1."
+    ),
+    "basis.iso230_2_2006": (
+        "Ce rapport contient les indications demandées par l'ISO 230-2:2006, 7.1."
+    ),
     "basis.iso230_2_2014": (
-        "Indications selon l'ISO 230-2:2006, 7.1. Le texte de l'ISO 230-2:2014 n'était pas"
-        " disponible ; ses paragraphes ne sont pas cités."
+        "Ce rapport contient les indications demandées par l'ISO 230-2:2006, 7.1. Le texte de l'ISO"
+        " 230-2:2014 n'était pas disponible ; ses paragraphes ne sont pas cités."
     ),
     "basis.iso230_4_1996": (
-        "Indications selon l'ISO 230-4:1996, 4.4 et 6. Leur texte est celui de l'édition allemande"
-        " DIN ISO 230-4:1999."
+        "Ce rapport contient les indications demandées par l'ISO 230-4:1996, 4.4 et 6. L'édition"
+        " allemande DIN ISO 230-4:1999 a été utilisée."
     ),
     "basis.iso230_4_2005": (
-        "Indications selon l'ISO 230-4:1996, 4.4 et 6. Le texte de l'ISO 230-4:2005 n'était pas"
-        " disponible ; ses paragraphes ne sont pas cités."
+        "Ce rapport contient les indications demandées par l'ISO 230-4:1996, 4.4 et 6. Le texte de"
+        " l'ISO 230-4:2005 n'était pas disponible ; ses paragraphes ne sont pas cités."
     ),
     "basis.vdi3441": (
-        "Indications selon l'ISO 230-2:2006, 7.1. Le texte de la VDI/DGQ 3441 n'était pas"
-        " disponible ; ses paragraphes ne sont pas cités."
+        "Ce rapport contient les indications demandées par l'ISO 230-2:2006, 7.1. Le texte de la"
+        " VDI/DGQ 3441 n'était pas disponible ; ses paragraphes ne sont pas cités."
     ),
     "budget.E_VE": "Variations de l'environnement (étendue)",
     "budget.U_alpha_instrument": "Coefficient de dilatation de l'instrument",
@@ -42,11 +49,11 @@ SENTENCES: Final[dict[str, str]] = {
     "budget.expanded": "Incertitude étendue, k = {k}",
     "budget.misalignment_mm": "Défaut d'alignement de la ligne de mesure",
     "budget.note": (
-        "Composantes selon l'ISO 230-2:2006, annexe A. La somme vaut pour une mesure en bout de"
-        " course. Elle n'est pas égale à U de chaque paramètre (ci-dessus) : là, les mêmes lois"
-        " sont propagées par la définition du paramètre (JCGM 101). Toutes les valeurs viennent du"
-        " dossier de travail ; une valeur absente compte pour 0. Aucune ne vient de l'exemple de la"
-        " norme."
+        "Composantes selon l'ISO 230-2:2006, annexe A. La somme ci-dessus est l'incertitude d'une"
+        " mesure en bout de course. Elle n'est pas égale à U d'un paramètre, car U est calculée à"
+        " partir des mêmes lois par la définition du paramètre (JCGM 101). Toutes les valeurs"
+        " viennent du dossier de travail. Une composante absente du dossier compte pour 0. Aucune"
+        " ne vient de l'exemple de la norme."
     ),
     "budget.setup": "Montage de l'instrument",
     "budget.steel": "{alpha:g} µm/(m K), acier, est supposé",
@@ -239,9 +246,10 @@ SENTENCES: Final[dict[str, str]] = {
     "mark.loading": (
         "{verdict:choose|loaded=✓ chargée|undecided=? non décidé|measurement=? défaut de"
         " mesure|not_active=✗ non active|inverted=✗ inversée|scaled=✗ mise à l'échelle|shifted=✗"
-        " décalée|mirrored=✗ en miroir|wrong_axis=✗ mauvais axe|increment=✗ changement"
-        " seul|on_top=✗ ajoutée en plus|state=✗ état|one_direction=✗ un seul sens|backlash=✗"
-        " jeu|partial=✗ partielle|thermal=✗ température|=✗ {verdict}}"
+        " décalée|mirrored=✗ en miroir|wrong_axis=✗ mauvais axe|increment=✗ changement seul"
+        " chargé|on_top=✗ ajoutée à l'ancienne table|state=✗ ancienne table non"
+        " active|one_direction=✗ active dans un sens|backlash=✗ valeur de jeu fausse|partial=✗"
+        " active en partie|thermal=✗ pente thermique|=✗ {verdict}}"
     ),
     "parameter.A": "Exactitude bidirectionnelle de positionnement",
     "parameter.A_negative": "Exactitude unidirectionnelle de positionnement, approche −",
@@ -264,8 +272,8 @@ SENTENCES: Final[dict[str, str]] = {
     "rule.band": "{symbol} {U:if|{U} {unit}|non indiqué}",
     "rule.guarded": (
         "Décision avec bande de garde (ISO 14253-1) : accepté si la valeur à 95 % plus U est dans"
-        " la limite, refusé si la valeur à 5 % moins U est au-delà ; U (k = 2) de l'essai à venir,"
-        " avec ce que le premier a mis dans la table : {bands}."
+        " la limite, refusé si la valeur à 5 % moins U est au-delà ; U (k = 2) de l'essai suivant,"
+        " y compris l'incertitude que le premier essai a apportée à la table : {bands}."
     ),
     "rule.guarded_after": (
         "Décision avec bande de garde (ISO 14253-1) : accepté si la valeur plus U est dans la"

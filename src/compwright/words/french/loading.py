@@ -66,9 +66,9 @@ SENTENCES: Final[dict[str, str]] = {
         " ce plan}."
     ),
     "CW-V023.test": (
-        "Les limites de l'axe {axis} valent pour l'essai {meant}, et {measured} a été mesuré, donc"
-        " rien n'est prouvé pour elles. Mesurer comme pour {meant} et le donner par --after"
-        " {meant}=FILE."
+        "Les limites de l'axe {axis} valent pour l'essai {meant}, mais {measured} a été mesuré"
+        " après chargement. Le respect des limites n'est donc pas prouvé. Mesurer comme pour"
+        " {meant} et le donner par --after {meant}=FILE."
     ),
     "CW-V024": (
         "Un avertissement sur l'essai après chargement laisse le verdict non décidé ({code}) :"
@@ -139,11 +139,11 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.as_predicted": "L'essai diffère de {left} de la prévision.",
     "loading.candidate": "{name} ({sure:if|plus de 99|{percent:2sig}} %)",
     "loading.declared_slope": (
-        "Sur la course, ses écarts montent de {slope:+.2f} ± {error:.2f} µm/m de plus que prévu."
-        " L'acier le fait sur {kelvin:+2sig} K, ce qui est {within:if|dans les limites|au-delà}"
-        " de ce que le dossier de travail déclare pour deux essais (± {declared:.1f} µm/m, k ="
-        " 2). La table n'est pas en cause, mais les limites sont décidées avec cette pente dans"
-        " les mesures."
+        "Sur la course, les écarts de cet essai montent de {slope:+.2f} ± {error:.2f} µm/m de plus"
+        " que prévu. L'acier montre une telle pente quand sa température change de {kelvin:+2sig}"
+        " K, ce qui est {within:if|dans les limites|au-delà} de ce que le dossier de travail"
+        " déclare pour deux essais (± {declared:.1f} µm/m, k = 2). La table n'est pas en cause,"
+        " mais les limites sont décidées avec cette pente dans les mesures."
     ),
     "loading.effect": "{part:.2f} ± {error:.2f} de l'effet prévu",
     "loading.equivalent": (
@@ -159,14 +159,13 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.likely": "{verdict} {percent:.0f} %",
     "loading.measurement": (
-        "L'essai après chargement lui-même semble faux. Il ne convient que si"
-        " {fault:choose|sign=le signe de ses écarts est inversé|direction=ses sens + et − sont"
-        " permutés|unit=ses mesures sont multipliées par {factor:4sig}|wrong_axis=c'est un essai"
-        " de l'axe {axis}}. {fault:choose|sign=Vérifier signe et sens de l'instrument et exporter"
-        " l'essai de nouveau.|direction=Vérifier signe et sens de l'instrument et exporter"
+        "L'essai après chargement lui-même semble faux. Il ne concorde avec le premier essai et le"
+        " plan que si {fault:choose|sign=le signe de ses écarts est inversé|direction=ses sens + et"
+        " − sont permutés|unit=ses mesures sont multipliées par {factor:4sig}|wrong_axis=c'est un"
+        " essai de l'axe {axis}}. {fault:choose|sign=Vérifier signe et sens de l'instrument et"
+        " exporter l'essai de nouveau.|direction=Vérifier signe et sens de l'instrument et exporter"
         " l'essai de nouveau.|unit=Exporter l'essai dans l'unité que son fichier"
-        " indique.|wrong_axis=Mesurer cet axe, ou donner le fichier à l'axe auquel il"
-        " appartient.}"
+        " indique.|wrong_axis=Mesurer cet axe, ou donner le fichier à l'axe auquel il appartient.}"
     ),
     "loading.name": "{name}{detail:if| : {detail}}",
     "loading.neither": (
@@ -189,12 +188,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.rms": "{rms} (valeur efficace)",
     "loading.slope": (
-        "Sur la course, ses écarts montent de {slope:+.2f} ± {error:.2f} µm/m de plus que prévu."
-        " L'acier le fait sur {kelvin:+2sig} K{declared:if| (déclaré pour deux essais : ±"
-        " {declared:.1f} µm/m, k = 2)}. Indiquer la température de la règle dans les fichiers des"
-        " deux essais (T_m) et son coefficient dans le dossier de travail (thermal). Ou laisser"
-        " machine et instrument se stabiliser, vérifier le capteur de température de l'instrument"
-        " et mesurer de nouveau."
+        "Sur la course, les écarts de cet essai montent de {slope:+.2f} ± {error:.2f} µm/m de plus"
+        " que prévu. L'acier montre une telle pente quand sa température change de {kelvin:+2sig}"
+        " K{declared:if| (déclaré pour deux essais : ± {declared:.1f} µm/m, k = 2)}. Indiquer la"
+        " température de la règle dans les fichiers des deux essais (T_m) et son coefficient dans"
+        " le dossier de travail (thermal). Ou laisser machine et instrument se stabiliser, vérifier"
+        " le capteur de température de l'instrument et mesurer de nouveau."
     ),
     "loading.straight_line": (
         "L'essai après chargement montre la table chargée et une pente en plus. {slope} La"
@@ -256,8 +255,9 @@ SENTENCES: Final[dict[str, str]] = {
         " le prochain tour"
     ),
     "next.load": (
-        "une table de plus a été écrite pour {axes}{between:if|{axes:if|, }perpendicularité}."
-        " Charger tous les fichiers de next/tables, mesurer de nouveau et vérifier ce tour"
+        "une table de plus a été écrite pour {axes}{between:if|{axes:if| et pour la"
+        " }perpendicularité}. Charger tous les fichiers de next/tables, mesurer de nouveau et"
+        " lancer compwright verify avec next/job.yaml"
     ),
     "next.no_axis": "aucun axe ne reçoit de table pour le prochain tour",
     "next.no_table": (
@@ -279,11 +279,11 @@ SENTENCES: Final[dict[str, str]] = {
         " Vérifier d'abord ces changements, puis lancer un nouveau dossier de travail"
     ),
     "next.squareness_alone": (
-        "aucun axe ne reçoit de table pour le prochain tour, et la perpendicularité seule n'a"
-        " pas de prochain tour. {measured:if|Mesurer aussi après chargement un axe qui a une"
-        " table, et donner son essai par --after en plus des cercles|Pour corriger la"
-        " perpendicularité restante, lancer un nouveau dossier de travail : avec les fichiers"
-        " relus comme as_found, et avec les cercles après chargement}"
+        "aucun axe ne reçoit de nouvelle table, donc aucune n'est écrite non plus pour la seule"
+        " perpendicularité. {measured:if|Mesurer après chargement au moins un axe qui a une table,"
+        " et donner son essai par --after avec les cercles|Pour corriger la perpendicularité"
+        " restante, créer un nouveau dossier de travail : donner les fichiers relus comme as_found,"
+        " et les cercles mesurés après chargement}"
     ),
     "next.stop": (
         "arrêter ici : le gain d'une autre table pour {axes} serait trop petit pour se voir dans"
@@ -291,11 +291,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "next.stop_axis": "{stop:if|arrêter ici|pas de table pour le prochain tour} : {why}",
     "next.verdict": (
-        "le verdict est {verdict:choose|not_active=non active|inverted=inversée|scaled=mise à "
-        "l'échelle|shifted=décalée|mirrored=en miroir|wrong_axis=mauvais axe|on_top=en plus|"
-        "one_direction=un sens|partial=partielle|thermal=température|increment=seulement le "
-        "changement|state=état|backlash=jeu|measurement=défaut de mesure|undecided=non décidé|"
-        "={name}}{of:if| ({of})}, pas chargée"
+        "le verdict est « {verdict:choose|not_active=non active|inverted=inversée|scaled=mise à"
+        " l'échelle|shifted=décalée|mirrored=en miroir|wrong_axis=mauvais axe|on_top=ajoutée à"
+        " l'ancienne table|one_direction=active dans un sens|partial=active en partie|thermal=pente"
+        " thermique|increment=changement seul chargé|state=ancienne table non"
+        " active|backlash=valeur de jeu fausse|measurement=défaut de mesure|undecided=non"
+        " décidé|={name}}{of:if| ({of})} », pas « chargée »"
     ),
     "next.written": "une table de plus est écrite",
 }

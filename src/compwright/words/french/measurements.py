@@ -82,7 +82,10 @@ SENTENCES: Final[dict[str, str]] = {
         "Le parcours {direction} {run} a {number} mesures de {more:if|plus|moins} après l'arc"
         " mesuré qu'avant. Une mesure peut être doublée ou perdue."
     ),
-    "CW-R033": "L'essai demande un parcours {sense}, mais le fichier n'en contient aucun.",
+    "CW-R033": (
+        "Le fichier annonce un parcours {sense} (RUN_SPEC), mais ne contient aucune mesure d'un tel"
+        " parcours."
+    ),
     "CW-R034": (
         "Des points de mesure manquent dans {run} à partir de {angle:.6g}°, sur {width:.4g}° (les"
         " points sont espacés de {step:.3g}°)."
@@ -96,8 +99,8 @@ SENTENCES: Final[dict[str, str]] = {
         " été mesuré."
     ),
     "CW-R037": (
-        "L'instrument n'était pas étalonné pour {files}. Le rayon absolu n'est donc pas utilisé"
-        " dans tout l'essai."
+        "L'instrument n'était pas étalonné pour {files}. Le rayon absolu n'est donc utilisé pour"
+        " aucun parcours de cet essai."
     ),
     "CW-R038": "{files:and} ont été pris comme les deux sens d'un essai.",
     "CW-R039": (
@@ -171,10 +174,10 @@ SENTENCES: Final[dict[str, str]] = {
         " plus grand écart, {largest}, vaut alors {arcsec}″. Le comparer avec l'instrument."
     ),
     "CW-R057": (
-        "Le fichier contient des moyennes de plusieurs parcours, pas des mesures isolées. Il est"
-        " lu comme un parcours par sens, et la répétabilité est inconnue.{way_back:if| Les"
-        " moyennes du retour ne sont pas dans le fichier : elles ont été calculées comme le"
-        " double des moyennes des deux sens moins celles de l'aller.}"
+        "Le fichier contient des moyennes de plusieurs parcours, pas des mesures isolées. Il est lu"
+        " comme un parcours par sens, et la répétabilité est inconnue.{way_back:if| Les moyennes du"
+        " retour ne sont pas dans le fichier : elles ont été calculées à partir des moyennes des"
+        " deux sens (2 × moyenne des deux sens − moyenne de l'aller).}"
     ),
     "CW-R058": (
         "Le fichier est une table de compensation faite par le logiciel du laser ({sign}), pas un"

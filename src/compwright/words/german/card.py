@@ -37,7 +37,7 @@ SENTENCES: Final[dict[str, str]] = {
     "card.moves_by": "Verschiebung",
     "card.name": "Name",
     "card.no_title": "Inbetriebnahmekarte",
-    "card.not_confirmed": "Nicht bestätigt: nachsehen, bevor die Achse schnell fährt",
+    "card.not_confirmed": "Nicht bestätigt: diese Angaben prüfen, bevor die Achse schnell fährt",
     "card.note": (
         "Zahlen in Tabellen und Schritten haben einen Dezimalpunkt, wie sie an einer Steuerung"
         " getippt werden. Namen von Parametern, Optionen und Dateien sind wie in der Steuerung und"
@@ -53,7 +53,7 @@ SENTENCES: Final[dict[str, str]] = {
         " gelten im Eilgang. Dort prüfen, nicht im Arbeitsvorschub."
     ),
     "card.read": "abgelesen",
-    "card.same_holds": "Dasselbe gilt für Achse {axes}.",
+    "card.same_holds": "Dieser Schritt gilt auch für Achse {axes}.",
     "card.sections": "Nummern der Abschnitte",
     "card.signature": (
         "Geladen von: ______________________   Datum: ______________   Nach dem Laden gemessen: [ ]"

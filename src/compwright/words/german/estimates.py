@@ -105,14 +105,14 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E013": (
         "Der Fehler wiederholt sich, aber an diesen Zielpositionen sehen mehrere Perioden gleich"
-        " aus: {periods:.4g}{more:if| und {more} andere} {unit}. Die Tabelle korrigiert keine"
-        " davon mit Sicherheit, und eine Prüfung an anderen Zielpositionen kann den ganzen"
-        " periodischen Fehler zeigen; {better}"
+        " aus: {periods:.4g}{more:if| und {more} andere} {unit}. Welche davon die wahre ist, zeigen"
+        " die Messwerte nicht, deshalb korrigiert die Tabelle vielleicht eine falsche, und eine"
+        " Prüfung an anderen Zielpositionen kann den ganzen periodischen Fehler zeigen; {better}"
     ),
     "CW-E014.equal_spacing": (
         "Keine Periode wurde gefunden, aber Zielpositionen mit gleichem Abstand ({interval:.4g}"
-        " {unit}) verbergen jede Periode, die darin aufgeht. Die Zielpositionen, die CW-T008"
-        " vorschlägt, würden diese Perioden zeigen"
+        " {unit}) verbergen jede Periode, die darin aufgeht. Die Meldung CW-T008 dieser Prüfung"
+        " schlägt Zielpositionen vor, die diese Perioden zeigen würden"
     ),
     "CW-E014.few_targets": (
         "{targets} Zielpositionen sind zu wenige, um eine periodische Abweichung zu suchen. An"
@@ -140,25 +140,27 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E020": (
         "Die Messwerte driften um {drift} vom ersten zum letzten Lauf ({odds}){flattens:if|, und"
-        " die Drift flacht ab}. Nach einer Prüfung nimmt die Vorhersage in einer gleich"
-        " wiederholten, von ebenso kalter Achse, dieselbe Drift an, auf etwa ein Zehntel. Eine"
-        " andere Drift, oder keine bei warmer Achse, ergibt Werte außerhalb des vorhergesagten"
-        " Bandes. Eine zweite Prüfung auf dieselbe Art schließt sie in das Band ein. Die Achse"
-        " warmfahren und neu messen, um sie ohne Drift zu sehen"
+        " die Drift flacht ab}. Die Vorhersage kennt nur diese eine Prüfung. Sie nimmt an, dass"
+        " eine gleich wiederholte Prüfung bei ebenso kalter Achse um denselben Betrag driftet (auf"
+        " etwa 10 % genau). Driftet die nächste Prüfung anders, oder bei warmer Achse gar nicht,"
+        " können ihre Werte außerhalb des vorhergesagten Bandes liegen. Eine zweite Prüfung auf"
+        " dieselbe Art macht das Band breit genug. Um die Achse ohne Drift zu sehen, sie warmfahren"
+        " und neu messen"
     ),
     "CW-E021": (
         "Die Messwerte driften über den Verfahrweg wie bei einer Wärmedehnung: um {lower} am"
         " unteren und {upper} am oberen Ende, vom ersten zum letzten Lauf ({odds}){flattens:if|."
-        " Die Drift flacht ab}. Die Vorhersage gilt für eine Prüfung, die gleich wiederholt wird,"
-        " von ebenso kalter Achse: Sie nimmt dieselbe Drift an, auf etwa ein Zehntel. Eine andere"
-        " Drift, oder keine bei warmer Achse, ergibt Werte außerhalb des vorhergesagten Bandes."
-        " Die Achse warmfahren und neu messen, um sie ohne Drift zu sehen"
+        " Die Drift flacht ab}. Die Vorhersage gilt für eine Prüfung, die bei ebenso kalter Achse"
+        " gleich wiederholt wird und um denselben Betrag driftet (auf etwa 10 % genau). Driftet die"
+        " nächste Prüfung anders, oder bei warmer Achse gar nicht, können ihre Werte außerhalb des"
+        " vorhergesagten Bandes liegen. Um die Achse ohne Drift zu sehen, sie warmfahren und neu"
+        " messen"
     ),
     "CW-E022.all": (
         "{pattern:choose|traverses=Einzelne Läufe sind gegeneinander verschoben|runs=Läufe sind"
         " samt Rückweg gegeneinander verschoben|walk=Der Nullpunkt wandert von Lauf zu"
         " Lauf|wave=Die Messwerte steigen und fallen langsam mit der Zeit} um"
-        " {size}{pattern:choose|walk= je Schritt|=} (Standardabweichung; {odds}){where:if|,"
+        " {size}{pattern:choose|walk= je Lauf|=} (Standardabweichung; {odds}){where:if|,"
         " {where:and}}. {pattern:choose|wave=Die Luft um die Maschine prüfen: Heizung, Kühlung,"
         " Zugluft, Sonne|=Warmlaufen, Klemmung, Referenzfahrten und Befestigung des Messgeräts"
         " zwischen den Läufen prüfen}. Die Vorhersage nimmt"
@@ -206,10 +208,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E028": (
         "Prüfung {test} hat eine andere Steigung als Prüfung {other}: Der Unterschied ist"
-        " {difference:+.1f} ± {error:.1f} µm/m, so viel wie {kelvin:2sig} K bei Stahl. Er gilt"
-        " als Temperatur oder Aufbau einer der Prüfungen, nicht als Fehler der Achse. Welche"
-        " Steigung richtig ist, zeigen die Prüfungen nicht: ihre Temperaturen angeben (thermal)"
-        " oder bei gleichmäßiger Temperatur neu messen"
+        " {difference:+.1f} ± {error:.1f} µm/m. So viel dehnt sich Stahl aus, wenn er {kelvin:2sig}"
+        " K wärmer wird. Der Unterschied gilt deshalb als Wirkung von Temperatur oder Aufbau einer"
+        " der Prüfungen, nicht als Fehler der Achse. Welche Steigung richtig ist, zeigen die"
+        " Prüfungen nicht: die Temperaturen beider Prüfungen angeben (`thermal` des Auftrags) oder"
+        " bei gleichmäßiger Temperatur neu messen"
     ),
     "CW-E029": (
         "Das Messgerät löst anscheinend {step} auf: {repeated:if|Jede Zielposition wiederholt"
@@ -248,21 +251,22 @@ SENTENCES: Final[dict[str, str]] = {
         "{cause:choose|lead=eine Spindelsteigung von {number:g} mm|inch_lead=eine Spindelsteigung"
         " von {number:g} Zoll|half_lead=die halbe Spindelsteigung von {number:g} mm|magnets=ein"
         " Magnetpaar eines Linearmotors|rack=ein Zahn einer schrägverzahnten Zahnstange|worm=eine"
-        " Umdrehung von Schnecke oder Motor, 1/{number:g} der des Tisches|files=was die Dateien der"
-        " Steuerung nahelegen}"
+        " Umdrehung von Schnecke oder Motor, 1/{number:g} der des Tisches|files=eine Periode, die"
+        " die Dateien der Steuerung nahelegen}"
     ),
     "period.unusual_division": (
-        "kein übliches Teil wiederholt sich {parts:.4g}-mal je Umdrehung. Eine Umdrehung der"
-        " Schnecke, eine des Motors über sein Getriebe und die Teilung des Maßstabs ansehen"
+        "kein übliches Teil wiederholt sich {parts:.4g}-mal je Umdrehung. Diese Periode mit einer"
+        " Umdrehung der Schnecke, einer des Motors über sein Getriebe und der Teilung des Maßstabs"
+        " vergleichen"
     ),
     "period.unusual_lead": (
-        "keine übliche Spindel hat diese Steigung. Eine Umdrehung des Motors über Riemen oder"
-        " Getriebe, die Hälfte davon, die Teilung von Maßstab oder Zahnstange und ein Magnetpaar"
-        " ansehen"
+        "keine übliche Spindel hat diese Steigung. Diese Periode mit einer Umdrehung des Motors"
+        " über Riemen oder Getriebe, der Hälfte davon, der Teilung von Maßstab oder Zahnstange und"
+        " einem Magnetpaar vergleichen"
     ),
     "period.usual": (
         "{once:if|suchen, was sich in {period:.5g} {unit} einmal dreht oder wiederholt:"
-        " {once:join|, oder }|}{twice:if|{once:if|; oder was es|suchen, was es} in {double:.5g}"
-        " {unit} zweimal tut: {twice:join|, oder }|}"
+        " {once:join|, oder }|}{twice:if|{once:if|; oder was sich|suchen, was sich} in {double:.5g}"
+        " {unit} zweimal dreht oder wiederholt: {twice:join|, oder }|}"
     ),
 }

@@ -6,8 +6,9 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-J002": (
-        "Der Auftrag hat unter `states` die Einträge {states}, aber nicht as_found, das heißt,"
-        " was jetzt in der Steuerung ist. Ohne as_found wird keine Tabelle geschrieben"
+        "Der Auftrag hat unter `states` die Einträge {states}, aber nicht as_found. Der Eintrag"
+        " as_found gibt an, was jetzt in der Steuerung ist. Ohne as_found wird keine Tabelle"
+        " geschrieben"
     ),
     "CW-J003": (
         "axes.{axis}.modulo hat bei einer Linearachse keine Bedeutung und wird nicht verwendet"
@@ -19,7 +20,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-J020": "{key} hat bei dieser Steuerung keine Wirkung ({format})",
     "CW-J021": (
-        "acknowledged.{code} wird nicht gebraucht, denn {code} wurde nicht gefunden{axis:if| an"
-        " Achse {axis}}. Aus dem Auftrag streichen."
+        "Der Schlüssel acknowledged.{code} des Auftrags wird nicht gebraucht, denn die Meldung"
+        " {code} kommt{axis:if| an Achse {axis}} nicht vor. Den Schlüssel streichen."
     ),
 }

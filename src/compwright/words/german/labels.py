@@ -5,28 +5,31 @@ from __future__ import annotations
 from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
-    "basis.gost27843_2006": "Angaben nach GOST 27843-2006, 8.1.",
-    "basis.iso230_2_1988": (
-        "Angaben nach ISO 230-2:1997, 7.1. Die Ausgabe von 1988 hat keine Liste; ihre Abschnitte"
-        " 3.2 und 4.3 verlangen die Angaben, bei denen hier ein Abschnitt steht."
+    "basis.gost27843_2006": (
+        "Dieser Bericht enthält die Angaben, die GOST 27843-2006, 8.1 verlangt."
     ),
-    "basis.iso230_2_1997": "Angaben nach ISO 230-2:1997, 7.1.",
-    "basis.iso230_2_2006": "Angaben nach ISO 230-2:2006, 7.1.",
+    "basis.iso230_2_1988": (
+        "Dieser Bericht enthält die Angaben, die ISO 230-2:1997, 7.1 verlangt. Die Ausgabe von 1988"
+        " hat keine solche Liste. Wo der Bericht einen Abschnitt nennt, verlangen auch die"
+        " Abschnitte 3.2 und 4.3 der Ausgabe von 1988 die Angabe."
+    ),
+    "basis.iso230_2_1997": "Dieser Bericht enthält die Angaben, die ISO 230-2:1997, 7.1 verlangt.",
+    "basis.iso230_2_2006": "Dieser Bericht enthält die Angaben, die ISO 230-2:2006, 7.1 verlangt.",
     "basis.iso230_2_2014": (
-        "Angaben nach ISO 230-2:2006, 7.1. Der Text von ISO 230-2:2014 lag nicht vor; seine"
-        " Abschnitte werden nicht genannt."
+        "Dieser Bericht enthält die Angaben, die ISO 230-2:2006, 7.1 verlangt. Der Text von ISO"
+        " 230-2:2014 lag nicht vor; seine Abschnitte werden nicht genannt."
     ),
     "basis.iso230_4_1996": (
-        "Angaben nach ISO 230-4:1996, 4.4 und 6. Ihr Text ist der der deutschen Ausgabe DIN ISO"
-        " 230-4:1999."
+        "Dieser Bericht enthält die Angaben, die ISO 230-4:1996, 4.4 und 6 verlangt. Verwendet"
+        " wurde die deutsche Ausgabe DIN ISO 230-4:1999."
     ),
     "basis.iso230_4_2005": (
-        "Angaben nach ISO 230-4:1996, 4.4 und 6. Der Text von ISO 230-4:2005 lag nicht vor; seine"
-        " Abschnitte werden nicht genannt."
+        "Dieser Bericht enthält die Angaben, die ISO 230-4:1996, 4.4 und 6 verlangt. Der Text von"
+        " ISO 230-4:2005 lag nicht vor; seine Abschnitte werden nicht genannt."
     ),
     "basis.vdi3441": (
-        "Angaben nach ISO 230-2:2006, 7.1. Der Text von VDI/DGQ 3441 lag nicht vor; seine"
-        " Abschnitte werden nicht genannt."
+        "Dieser Bericht enthält die Angaben, die ISO 230-2:2006, 7.1 verlangt. Der Text von VDI/DGQ"
+        " 3441 lag nicht vor; seine Abschnitte werden nicht genannt."
     ),
     "budget.E_VE": "Schwankung der Umgebung (Spanne)",
     "budget.U_alpha_instrument": "Ausdehnungskoeffizient des Messgeräts",
@@ -42,11 +45,11 @@ SENTENCES: Final[dict[str, str]] = {
     "budget.expanded": "Erweiterte Unsicherheit, k = {k}",
     "budget.misalignment_mm": "Ausrichtung der Messlinie",
     "budget.note": (
-        "Beiträge nach ISO 230-2:2006, Anhang A. Die Summe gilt für einen Messwert am Ende des"
-        " Verfahrwegs. Sie ist nicht gleich U der Kennwerte (oben): Dort werden dieselben"
-        " Verteilungen durch die Definition des Kennwerts fortgepflanzt (JCGM 101). Alle Werte"
-        " stammen aus dem Auftrag; fehlende zählen als 0. Kein Wert stammt aus dem Beispiel der"
-        " Norm."
+        "Beiträge nach ISO 230-2:2006, Anhang A. Die Summe oben ist die Unsicherheit eines"
+        " Messwerts am Ende des Verfahrwegs. Sie ist nicht gleich U eines Kennwerts, denn U wird"
+        " aus denselben Verteilungen über die Definition des Kennwerts berechnet (JCGM 101). Alle"
+        " Werte stammen aus dem Auftrag. Ein Beitrag, den der Auftrag nicht angibt, zählt als 0."
+        " Kein Wert stammt aus dem Beispiel der Norm."
     ),
     "budget.setup": "Aufbau des Messgeräts",
     "budget.steel": "{alpha:g} µm/(m K), Stahl, ist angenommen",
@@ -240,9 +243,10 @@ SENTENCES: Final[dict[str, str]] = {
     "mark.loading": (
         "{verdict:choose|loaded=✓ geladen|undecided=? offen|measurement=? Fehler der"
         " Messung|not_active=✗ nicht aktiv|inverted=✗ umgekehrt|scaled=✗ skaliert|shifted=✗"
-        " verschoben|mirrored=✗ gespiegelt|wrong_axis=✗ falsche Achse|increment=✗ nur"
-        " Änderung|on_top=✗ zusätzlich|state=✗ Zustand|one_direction=✗ eine Richtung|backlash=✗"
-        " Lose|partial=✗ teilweise|thermal=✗ Temperatur|=✗ {verdict}}"
+        " verschoben|mirrored=✗ gespiegelt|wrong_axis=✗ falsche Achse|increment=✗ nur Änderung"
+        " geladen|on_top=✗ zur alten Tabelle addiert|state=✗ alte Tabelle war nicht"
+        " aktiv|one_direction=✗ in einer Richtung aktiv|backlash=✗ Losewert falsch|partial=✗"
+        " teilweise aktiv|thermal=✗ thermische Steigung|=✗ {verdict}}"
     ),
     "parameter.A": "Genauigkeit der Positionierung, zweiseitig",
     "parameter.A_negative": "Genauigkeit der Positionierung, Anfahrrichtung −",
@@ -266,8 +270,8 @@ SENTENCES: Final[dict[str, str]] = {
     "rule.guarded": (
         "Entscheidung mit Schutzabstand (ISO 14253-1): angenommen, wenn der 95-%-Wert plus U"
         " innerhalb des Grenzwerts liegt; abgelehnt, wenn der 5-%-Wert minus U darüber liegt; U (k"
-        " = 2) der nächsten Prüfung, mit dem Beitrag, den die erste in die Tabelle gebracht hat:"
-        " {bands}."
+        " = 2) der nächsten Prüfung, einschließlich der Unsicherheit, die die erste Prüfung in die"
+        " Tabelle gebracht hat: {bands}."
     ),
     "rule.guarded_after": (
         "Entscheidung mit Schutzabstand (ISO 14253-1): angenommen, wenn der Wert plus U innerhalb"

@@ -65,8 +65,9 @@ SENTENCES: Final[dict[str, str]] = {
         " messen."
     ),
     "CW-V023.test": (
-        "Die Grenzwerte der Achse {axis} gelten für die Prüfung {meant}, gemessen wurde {measured},"
-        " für sie ist nichts bewiesen. Messen wie für {meant} und als --after {meant}=FILE angeben."
+        "Die Grenzwerte der Achse {axis} gelten für die Prüfung {meant}, nach dem Laden wurde aber"
+        " {measured} gemessen. Ob die Grenzwerte eingehalten sind, ist deshalb nicht bewiesen."
+        " Messen wie für {meant} und als --after {meant}=FILE angeben."
     ),
     "CW-V024": (
         "Eine Warnung zur Prüfung nach dem Laden lässt das Urteil offen ({code}): {finding} Ihre"
@@ -138,11 +139,11 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.as_predicted": "Die Prüfung weicht um {left} von der Vorhersage ab.",
     "loading.candidate": "{name} ({sure:if|über 99|{percent:2sig}} %)",
     "loading.declared_slope": (
-        "Über den Verfahrweg steigen ihre Abweichungen um {slope:+.2f} ± {error:.2f} µm/m mehr"
-        " als erwartet. Stahl tut das über {kelvin:+2sig} K, was {within:if|innerhalb|jenseits}"
-        " dessen liegt, was der Auftrag für zwei Prüfungen angibt (± {declared:.1f} µm/m, k = 2)."
-        " Die Tabelle ist nicht schuld, aber über die Grenzwerte wird mit dieser Steigung in den"
-        " Messwerten entschieden."
+        "Über den Verfahrweg steigen die Abweichungen dieser Prüfung um {slope:+.2f} ± {error:.2f}"
+        " µm/m mehr als erwartet. Stahl zeigt eine solche Steigung, wenn sich seine Temperatur um"
+        " {kelvin:+2sig} K ändert, was {within:if|innerhalb|jenseits} dessen liegt, was der Auftrag"
+        " für zwei Prüfungen angibt (± {declared:.1f} µm/m, k = 2). Die Tabelle ist nicht schuld,"
+        " aber über die Grenzwerte wird mit dieser Steigung in den Messwerten entschieden."
     ),
     "loading.effect": "{part:.2f} ± {error:.2f} der geplanten Wirkung",
     "loading.equivalent": (
@@ -158,15 +159,14 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.likely": "{verdict} {percent:.0f} %",
     "loading.measurement": (
-        "Die Prüfung nach dem Laden selbst scheint falsch zu sein. Sie passt nur, wenn"
-        " {fault:choose|sign=das Vorzeichen ihrer Abweichungen gedreht ist|direction=ihre"
-        " Richtungen + und − vertauscht sind|unit=ihre Messwerte mit {factor:4sig} multipliziert"
-        " sind|wrong_axis=sie eine Prüfung der Achse {axis} ist}. {fault:choose|sign=Vorzeichen"
-        " und Richtungen des Messgeräts prüfen und die Prüfung neu"
+        "Die Prüfung nach dem Laden selbst scheint falsch zu sein. Sie passt zu erster Prüfung und"
+        " Plan nur, wenn {fault:choose|sign=das Vorzeichen ihrer Abweichungen gedreht"
+        " ist|direction=ihre Richtungen + und − vertauscht sind|unit=ihre Messwerte mit"
+        " {factor:4sig} multipliziert sind|wrong_axis=sie eine Prüfung der Achse {axis} ist}."
+        " {fault:choose|sign=Vorzeichen und Richtungen des Messgeräts prüfen und die Prüfung neu"
         " exportieren.|direction=Vorzeichen und Richtungen des Messgeräts prüfen und die Prüfung"
         " neu exportieren.|unit=Die Prüfung in der Einheit exportieren, die ihre Datei"
-        " nennt.|wrong_axis=Diese Achse messen oder die Datei der Achse geben, zu der sie"
-        " gehört.}"
+        " nennt.|wrong_axis=Diese Achse messen oder die Datei der Achse geben, zu der sie gehört.}"
     ),
     "loading.name": "{name}{detail:if|: {detail}}",
     "loading.neither": (
@@ -189,12 +189,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.rms": "{rms} (Effektivwert)",
     "loading.slope": (
-        "Über den Verfahrweg steigen ihre Abweichungen um {slope:+.2f} ± {error:.2f} µm/m mehr"
-        " als erwartet. Stahl tut das über {kelvin:+2sig} K{declared:if| (für zwei Prüfungen"
-        " angegeben: ± {declared:.1f} µm/m, k = 2)}. Die Temperatur des Maßstabs in den Dateien"
-        " beider Prüfungen (T_m) und seinen Koeffizienten im Auftrag (thermal) angeben. Oder"
-        " Maschine und Messgerät zur Ruhe kommen lassen, den Temperaturfühler des Messgeräts"
-        " prüfen und neu messen."
+        "Über den Verfahrweg steigen die Abweichungen dieser Prüfung um {slope:+.2f} ± {error:.2f}"
+        " µm/m mehr als erwartet. Stahl zeigt eine solche Steigung, wenn sich seine Temperatur um"
+        " {kelvin:+2sig} K ändert{declared:if| (für zwei Prüfungen angegeben: ± {declared:.1f}"
+        " µm/m, k = 2)}. Die Temperatur des Maßstabs in den Dateien beider Prüfungen (T_m) und"
+        " seinen Koeffizienten im Auftrag (thermal) angeben. Oder Maschine und Messgerät zur Ruhe"
+        " kommen lassen, den Temperaturfühler des Messgeräts prüfen und neu messen."
     ),
     "loading.straight_line": (
         "Die Prüfung nach dem Laden zeigt die geladene Tabelle und zusätzlich eine Steigung."
@@ -256,9 +256,9 @@ SENTENCES: Final[dict[str, str]] = {
         " nächste Runde"
     ),
     "next.load": (
-        "eine Tabelle für die nächste Runde wurde geschrieben für {axes}{between:if|{axes:if|,"
-        " }Rechtwinkligkeit}. Alle Dateien aus next/tables laden, neu messen und diese Runde"
-        " verifizieren"
+        "eine Tabelle für die nächste Runde wurde geschrieben für {axes}{between:if|{axes:if| und"
+        " für die }Rechtwinkligkeit}. Alle Dateien aus next/tables laden, neu messen und compwright"
+        " verify mit next/job.yaml ausführen"
     ),
     "next.no_axis": "keine Achse bekommt eine Tabelle für die nächste Runde",
     "next.no_table": (
@@ -281,11 +281,11 @@ SENTENCES: Final[dict[str, str]] = {
         " diese Änderungen prüfen, dann einen neuen Auftrag ausführen"
     ),
     "next.squareness_alone": (
-        "keine Achse bekommt eine Tabelle für die nächste Runde, und Rechtwinkligkeit allein"
-        " bekommt keine nächste Runde. {measured:if|Auch eine Achse mit Tabelle nach dem Laden"
-        " messen und ihre Prüfung mit --after zusätzlich zu den Kreisen angeben|Für die restliche"
-        " Rechtwinkligkeit einen neuen Auftrag ausführen: mit den zurückgelesenen Dateien als"
-        " as_found und mit den Kreisen nach dem Laden}"
+        "keine Achse bekommt eine neue Tabelle, deshalb wird auch keine für die Rechtwinkligkeit"
+        " allein geschrieben. {measured:if|Mindestens eine Achse mit Tabelle nach dem Laden messen"
+        " und ihre Prüfung zusammen mit den Kreisen mit --after angeben|Für die restliche"
+        " Rechtwinkligkeit einen neuen Auftrag anlegen: die zurückgelesenen Dateien als as_found"
+        " und die nach dem Laden gemessenen Kreise angeben}"
     ),
     "next.stop": (
         "hier aufhören: Der Gewinn einer weiteren Tabelle für {axes} wäre zu klein, um sich in"
@@ -293,11 +293,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "next.stop_axis": "{stop:if|hier aufhören|keine Tabelle für die nächste Runde}: {why}",
     "next.verdict": (
-        "der Befund ist {verdict:choose|not_active=nicht aktiv|inverted=umgekehrt|"
-        "scaled=skaliert|shifted=verschoben|mirrored=gespiegelt|wrong_axis=falsche Achse|"
-        "on_top=zusätzlich|one_direction=eine Richtung|partial=teilweise|thermal=Temperatur|"
-        "increment=nur Änderung|state=Zustand|backlash=Lose|measurement=Fehler der Messung|"
-        "undecided=offen|={name}}{of:if| ({of})}, nicht geladen"
+        "der Befund ist „{verdict:choose|not_active=nicht aktiv|inverted=umgekehrt|scaled=skaliert|"
+        "shifted=verschoben|mirrored=gespiegelt|wrong_axis=falsche Achse|on_top=zur alten Tabelle"
+        " addiert|one_direction=in einer Richtung aktiv|partial=teilweise aktiv|thermal=thermische"
+        " Steigung|increment=nur Änderung geladen|state=alte Tabelle war nicht aktiv|"
+        "backlash=Losewert falsch|measurement=Fehler der Messung|undecided=offen|={name}}{of:if|"
+        " ({of})}“, nicht „geladen“"
     ),
     "next.written": "eine Tabelle für die nächste Runde ist geschrieben",
 }

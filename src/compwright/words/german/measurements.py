@@ -84,7 +84,10 @@ SENTENCES: Final[dict[str, str]] = {
         "Lauf {direction} {run} hat nach dem gemessenen Bogen {number} Messwerte"
         " {more:if|mehr|weniger} als davor. Ein Messwert kann doppelt oder verloren sein."
     ),
-    "CW-R033": "Die Prüfung verlangt einen Lauf {sense}, aber die Datei enthält keinen.",
+    "CW-R033": (
+        "Die Datei kündigt einen Lauf {sense} an (RUN_SPEC), enthält aber keine Messwerte eines"
+        " solchen Laufs."
+    ),
     "CW-R034": (
         "In {run} fehlen Messpunkte ab {angle:.6g}°, über {width:.4g}° (Messpunkte liegen"
         " {step:.3g}° auseinander)."
@@ -98,8 +101,8 @@ SENTENCES: Final[dict[str, str]] = {
         " wurde."
     ),
     "CW-R037": (
-        "Das Messgerät war für {files} nicht kalibriert. Der absolute Radius wird deshalb in der"
-        " ganzen Prüfung nicht verwendet."
+        "Das Messgerät war für {files} nicht kalibriert. Der absolute Radius wird deshalb für"
+        " keinen Lauf dieser Prüfung verwendet."
     ),
     "CW-R038": "{files:and} wurden als die beiden Richtungen einer Prüfung genommen.",
     "CW-R039": (
@@ -173,10 +176,10 @@ SENTENCES: Final[dict[str, str]] = {
         " vergleichen."
     ),
     "CW-R057": (
-        "Die Datei enthält Mittelwerte mehrerer Läufe, keine einzelnen Messwerte. Sie wird als"
-        " ein Lauf je Richtung gelesen, und die Wiederholpräzision ist unbekannt.{way_back:if|"
-        " Die Mittelwerte des Rückwegs sind nicht in der Datei: Sie wurden als das Doppelte der"
-        " Mittelwerte beider Richtungen minus die des Hinwegs berechnet.}"
+        "Die Datei enthält Mittelwerte mehrerer Läufe, keine einzelnen Messwerte. Sie wird als ein"
+        " Lauf je Richtung gelesen, und die Wiederholpräzision ist unbekannt.{way_back:if| Die"
+        " Mittelwerte des Rückwegs sind nicht in der Datei: Sie wurden aus den Mittelwerten beider"
+        " Richtungen berechnet (2 × Mittel beider Richtungen − Mittel des Hinwegs).}"
     ),
     "CW-R058": (
         "Die Datei ist eine Kompensationstabelle der Lasersoftware ({sign}), keine Prüfung. Sie"

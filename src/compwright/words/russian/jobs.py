@@ -6,8 +6,8 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-J002": (
-        "В задании под `states` есть {states}, но нет as_found, то есть то, что сейчас в УЧПУ."
-        " Без as_found таблица не записывается"
+        "В задании под `states` есть записи {states}, но нет as_found. Запись as_found указывает,"
+        " что сейчас в УЧПУ. Без as_found таблица не записывается"
     ),
     "CW-J003": "axes.{axis}.modulo не имеет смысла для линейной оси и не используется",
     "CW-J004": (
@@ -16,7 +16,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-J020": "{key} не действует на этом УЧПУ ({format})",
     "CW-J021": (
-        "acknowledged.{code} не нужно, потому что {code} не найдено{axis:if| на оси {axis}}."
-        " Удалите из задания."
+        "Ключ acknowledged.{code} задания не нужен, потому что сообщения {code}{axis:if| на оси"
+        " {axis}} нет. Удалите ключ."
     ),
 }
