@@ -239,7 +239,7 @@ def test_a_list_of_a_neighbour_that_became_unreadable(
     )
     text = " ".join(capsys.readouterr().out.split())
     assert text.index("Check first") < text.index("axis X:")
-    assert "Read its files back again, whole" in text
+    assert "Read its files back again, completely, and repeat compwright compare" in text
 
 
 def test_a_file_that_was_cut_off(sinumerik: Path, tmp_path: Path) -> None:

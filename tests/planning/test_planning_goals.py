@@ -219,4 +219,4 @@ def test_a_table_that_fresh_tests_do_not_bear_out_is_not_taken(
     assert work.planned.wanted.scenarios is None
     (message,) = parameters(work)
     assert "the table with the least expected squared error is used" in message
-    assert "in brackets with the table made for E" in message
+    assert "in brackets: with the table made for the least E" in message

@@ -134,10 +134,11 @@ def told(
 def test_a_gain_is_offered_in_both_predictions() -> None:
     words = told(2.0, 3.0)
     assert (
-        "are kept, 3 points from 0 to 500 mm, every 250 mm: predicted A 10.00 µm (12.00 µm at"
-        in words
+        "the new table keeps the points of the existing table (3 points from 0 to 500 mm, every"
+        " 250 mm). Predicted A: 10.00 µm at the same targets, 12.00 µm at new targets." in words
     )
-    assert "would give A 8.00 µm (9.00 µm). To use them, set `spacing: auto`" in words
+    assert "8.00 µm at the same targets, 9.00 µm at new targets" in words
+    assert "To use the new points, set `spacing: auto`" in words
 
 
 def test_a_gain_at_new_targets_alone_is_one() -> None:

@@ -658,7 +658,7 @@ def test_head_and_stated_items_are_those_of_the_job() -> None:
     assert str(stated["x"]["machine"]) == "VMC 850, 4711 (job)"
     assert str(stated["x"]["machine_type"]) == "vertical spindle (job)"
     assert str(stated["x"]["compensation"]).startswith("off: nothing was active")
-    assert str(stated["y"]["compensation"]).startswith("off; the control held a.comp")
+    assert str(stated["y"]["compensation"]).startswith("off; in the control: a.comp")
     assert str(stated["z"]["compensation"]).startswith("on, as stored in b.comp")
     view = {
         **run_view(),

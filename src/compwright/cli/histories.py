@@ -27,7 +27,9 @@ from compwright.cli.words import PATH, Invocation, compwright, exiting, force_op
 )
 @click.option("--plot", type=PATH, help="Plot to a file: .svg, .png or .pdf.")
 @click.option(
-    "--page", type=PATH, help="Write an HTML page, a row for each axis (needs the extra `report`)."
+    "--page",
+    type=PATH,
+    help="Write an HTML page with a row for each axis (needs the extra `report`).",
 )
 @click.option(
     "--table", type=PATH, metavar="PATH.csv", help="Write every test as a row of a CSV file."
@@ -36,7 +38,7 @@ from compwright.cli.words import PATH, Invocation, compwright, exiting, force_op
     "--index",
     type=PATH,
     metavar="FILE.sqlite",
-    help="File that keeps what was read, so that only changed folders are read again.",
+    help="Index of what was read: with this file only changed folders are read again.",
 )
 @json_option
 @force_option

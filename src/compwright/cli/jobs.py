@@ -202,7 +202,9 @@ def new(
     ),
 )
 @click.option(
-    "--plan", type=PATH, help="Folder of the run, or its plan.json; default: where run puts it."
+    "--plan",
+    type=PATH,
+    help="Result folder of compwright run, or its plan.json; default: that of the job file.",
 )
 @click.option(
     "--loaded",
@@ -211,11 +213,13 @@ def new(
     metavar="FILE...",
     help="Files that were read back from the control, or folders of them.",
 )
-@click.option("--out", type=PATH, help="Folder for the results; default: where run puts its own.")
+@click.option(
+    "--out", type=PATH, help="Folder for the results; default: the result folder of compwright run."
+)
 @click.option(
     "--update",
     is_flag=True,
-    help="Write tables of the next round into next/ in the results; needs --loaded.",
+    help="Also write the tables of the next correction round (next/ in --out); needs --loaded.",
 )
 @profile_option
 @report_option

@@ -64,7 +64,7 @@ _STANDARDS = (
     "--spread",
     type=click.Choice(["std", "range"]),
     default="std",
-    help="How the standard deviation s is estimated (range: only 1988 and GOST).",
+    help="How the standard deviation s is estimated (range: only with ISO 230-2:1988 and GOST).",
 )
 @profile_option
 @click.option("--plot", type=PATH, help="Plot to a file: .svg, .png or .pdf.")
@@ -203,7 +203,7 @@ def _tell_errors(entries: Sequence[Mapping[str, str]], *, one_each: bool) -> Non
     "file",
     metavar="FILE",
     type=PATH,
-    help=("Measurement table of another program, for which a profile is made."),
+    help=("Measurement table of another program: a mapping profile for it is proposed."),
 )
 @click.option("--out", required=True, type=PATH, metavar="P.yaml", help="The profile to write.")
 @force_option

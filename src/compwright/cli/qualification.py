@@ -21,7 +21,10 @@ from compwright.cli.words import PATH, Invocation, compwright, exiting, force_op
 )
 @click.option("--out", type=PATH, metavar="DIR", help="Folder for selftest.html and selftest.json.")
 @click.option(
-    "--report", type=PATH, metavar="PATH.html", help="Write the page of results, to be signed."
+    "--report",
+    type=PATH,
+    metavar="PATH.html",
+    help="Write the results as a page that can be signed.",
 )
 @json_option
 @force_option

@@ -57,7 +57,7 @@ def description(definition: Definition) -> Iterator[str]:
     """Yield the lines that describe a control: form, quantities, limits, options, with evidence."""
     for heading, section in (
         ("The table", _table(definition)),
-        ("What stands where", _quantities(definition)),
+        ("Quantities and their places in the files", _quantities(definition)),
         ("Limits", _limits(definition)),
         ("Options", describe_options(definition)),
         ("Files that are written", _files(definition)),

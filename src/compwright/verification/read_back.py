@@ -47,7 +47,11 @@ def judge_read_back(
     worst = float(gaps[side][index])
     if worst <= SAME:
         return ReadBack(
-            worst, float(where[index]), side, "loaded", "what is in the control is the plan's table"
+            worst,
+            float(where[index]),
+            side,
+            "loaded",
+            "the table in the control is the planned table",
         )
     for verdict, message in _explanations(wish, found, where, planned, old, spacing):
         return ReadBack(worst, float(where[index]), side, verdict, message)

@@ -16,21 +16,22 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "circle.compared": "Comparison",
     "circle.comparison": (
-        "Comparison with the software of the instrument. Agrees: within two standard errors of"
-        " our value. Differs: the model of that software is not published; our model fits all"
-        " causes at once, with a step and a spike of its own at each reversal point. Not valid,"
-        " in brackets: that software itself says so."
+        'Comparison with the software of the instrument. "Agrees": the two values differ by at'
+        ' most two standard errors of our value. "Differs": by more. The model of that software'
+        " is not published; ours fits all causes at once, with a separate step and spike at each"
+        ' reversal point. "Not valid", value in brackets: that software itself reports its value'
+        " as not valid."
     ),
     "circle.detail": "– {part}",
     "circle.effect": "Effect on the radius",
     "circle.effects": "Effect, peak to peak, in µm; whiskers 95 %",
     "circle.fit": "fit: path of each run, calculated from all causes of deviation",
     "circle.job": (
-        "These lines of a job put into tables and backlash compensation what they can correct. Make"
-        " the job with `compwright new --from FILE... --format ID --out job.yaml` from the files of"
-        " the control, name a positioning test of each axis in it (its slope corrects the scale),"
-        " add the lines{file:if| with the file of each direction for FILE|}, then `compwright run"
-        " job.yaml`."
+        "Add these lines to a job: they correct, by tables and backlash compensation, those causes"
+        " that can be corrected so. To make the job from the control's files: `compwright new"
+        " --from FILE... --format ID --out job.yaml`. Name a positioning test of each axis in it"
+        " (its slope corrects the scale), add the lines{file:if| and put the file of each direction"
+        " in place of FILE|}, then `compwright run job.yaml`."
     ),
     "circle.least_squares": "least-squares circle, radius {base} µm from nominal",
     "circle.magnified": "{setting}\nMagnification {magnification} : 1, rings in µm",
@@ -108,11 +109,11 @@ SENTENCES: Final[dict[str, str]] = {
     "given.centre": "centre at {places:join|; } mm",
     "given.coefficient": "{value} µm/(m K)",
     "given.compensation": (
-        "{how:choose|off=off; the control held|active=on, as active in|stored=on, as stored in}"
+        "{how:choose|off=off; in the control:|active=on, as active in|stored=on, as stored in}"
         " {files} (job, states.{state})"
     ),
     "given.compensation_loaded": (
-        "on, as loaded after the run of this job; section Loading states what the test shows"
+        "on: the tables of this job were loaded; section Loading states what the test shows of them"
     ),
     "given.compensation_none": "off: nothing was active in the control (job, states.{state})",
     "given.estimator": (
@@ -206,8 +207,8 @@ SENTENCES: Final[dict[str, str]] = {
     "report.conditions": "Conditions of the test, {standard}",
     "report.conform": "The machine conforms to every limit of the table above.",
     "report.conformity_open": (
-        "Conformity is not stated, because at least one decision, or a doubt that it depends on,"
-        " is open."
+        "Conformity is not stated: at least one limit is undecided, or a point that its decision"
+        " depends on is not yet checked."
     ),
     "report.customer": "Customer",
     "report.date": "Date of the test",
@@ -218,7 +219,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{what:choose|E=|M= ±|A= {end:choose|highest=+|lowest=−} {coverage} s"
         "|R= {end:choose|highest=+|lowest=−} {coverage} s}"
     ),
-    "report.extremes": "Extremes: A, E, M, R are rings in the figure",
+    "report.extremes": "Extremes that give A, E, M and R: rings in the figure",
     "report.findings": "Findings",
     "report.footer": "Report {number}",
     "report.in_english": (
@@ -244,7 +245,7 @@ SENTENCES: Final[dict[str, str]] = {
         "Evaluated by compwright {version}.{command:if| This command repeats the report:}"
     ),
     "report.readings": "Single readings",
-    "report.readings_air": "Single readings, the effect of the air on the light removed",
+    "report.readings_air": "Single readings, without the effect of the air on the laser wavelength",
     "report.readings_measured": "Single readings, as measured",
     "report.readings_reduced": "Single readings, reduced to 20 °C",
     "report.results": "Results",
@@ -273,7 +274,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.annex_c": "Annex C: compensation",
     "run.assumed": "Assumed facts",
     "run.assumed_note": (
-        "Not in the files that were given; the results are valid only if these are true."
+        "These facts are in none of the given files; the results are valid only if they are true."
     ),
     "run.axis_table": "Axis {axis}: table",
     "run.bends": "{input} bends {output}",
@@ -281,7 +282,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.card": "Commissioning card",
     "run.certificate": "Certificate of the fit",
     "run.changes": "Old to new",
-    "run.check_first": "Undecided: check the doubts named above first",
+    "run.check_first": "Undecided: check the points named above first",
     "run.circle_worse": (
         "The limits of a circle are undecided: it is predicted to get worse. Find out why before"
         " you load anything (CW-P131)"
@@ -294,13 +295,13 @@ SENTENCES: Final[dict[str, str]] = {
     "run.correction": "Correction: what the control adds to the command.",
     "run.cross": "Cross tables",
     "run.done": (
-        "{tests:plural|1 test|{tests} tests} of {count:plural|axis|axes} {axes}"
-        " {tests:plural|was|were} evaluated to {standards:if|{standards:and}|no standard}. The"
-        " error was estimated over the travel{tables:if|; the best table that"
-        " {control:if|{control}|the control} can store was fitted, written in the control's own"
-        " form, and read back from the files to predict the next test. Nothing has been loaded"
-        " yet: load the table with the commissioning card, measure again, and run compwright"
-        " verify.|. No table was written: predicted is the next test without one.}"
+        "{tests:plural|1 test|{tests} tests} of {count:plural|axis|axes} {axes} {tests:plural|was|"
+        "were} evaluated to {standards:if|{standards:and}|no standard}. The error was estimated"
+        " over the travel{tables:if|. The best table that {control:if|{control}|the control} can"
+        " store was calculated and written in the control's own form. The next test was predicted"
+        " from these files. Nothing has been loaded yet: load the table with the commissioning"
+        " card, measure again, and run compwright verify.|. No table was written, so the prediction"
+        " is for a test without a table.}"
     ),
     "run.estimate": "Axis {axis}: estimated error",
     "run.estimate_note": (
@@ -310,8 +311,8 @@ SENTENCES: Final[dict[str, str]] = {
     "run.files": "Files",
     "run.files_written": "Files written",
     "run.in_english": (
-        "Texts of the job, of the files and of the control's definition are as they were given;"
-        " refusals of a control's files are in English."
+        "Texts from the job, from the files and from the control's definition are printed as given."
+        " Reasons why a file of the control is refused are in English."
     ),
     "run.legend": (
         "Grey: before. Blue: 5 to 95 % of new tests at the same targets; vertical line: median."
@@ -322,7 +323,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.limits": "Axis {axis}: what limits its accuracy",
     "run.limits_met": "All limits are predicted to be met",
     "run.limits_met_if": (
-        "All limits are predicted to be met, if the doubts named above turn out to be unfounded"
+        "All limits are predicted to be met, if the points named above prove to be harmless"
     ),
     "run.no_axis_table": "No table for this axis{reason:if|: {reason}}.",
     "run.no_limits": "Predicted result; no limits were given, so nothing is decided",
@@ -342,8 +343,8 @@ SENTENCES: Final[dict[str, str]] = {
     "run.state_files": ("As in {files}; the new table is the total: existing table plus change."),
     "run.state_none": "None: nothing was active in the control when the axis was measured.",
     "run.state_not_given": (
-        "Not given. Without it no table is written, because the new table has to include what is"
-        " already active."
+        "Not given. If the present contents of the control are unknown, no table is written,"
+        " because the new table has to include what is already active."
     ),
     "run.table": (
         "{count} table points, as read back from the files.{wanted:if| Broad line: the wanted"
@@ -352,14 +353,15 @@ SENTENCES: Final[dict[str, str]] = {
     "run.worth": "Axis {axis}: predicted accuracy by number of table points",
     "verify.comparison": "Before, predicted and after",
     "verify.comparison_note": (
-        "One scale. Predicted: expected means at the targets of the first test."
+        "All curves have the same scale. Predicted: the means that are expected at the targets of"
+        " the first test."
     ),
     "verify.equivalent": "cannot be distinguished from",
     "verify.factor": "factor",
     "verify.further_table": "table for the next round",
     "verify.in_english": (
-        "Texts of the job, of the files and of the control's definition are as they were given;"
-        " refusals of a control's files are in English."
+        "Texts from the job, from the files and from the control's definition are printed as given."
+        " Reasons why a file of the control is refused are in English."
     ),
     "verify.legend": (
         "Grey: before. Blue: predicted 5 to 95 %, upright line: measured after loading. Dashed:"

@@ -19,19 +19,20 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "doubts.acknowledged": "Acknowledged in the job: {reason}. {message}",
     "doubts.compare": (
-        "The control may hold other values. Read its files back again, whole, and repeat compare"
+        "The control may hold other values. Read its files back again, completely, and repeat"
+        " compwright compare"
     ),
-    "doubts.first": "Check first: the result depends on it",
+    "doubts.first": "Check first: the result depends on these points",
     "doubts.step": (
-        "Nothing is decided until these doubts are cleared up. Correct the test or the job and"
-        " run again. If the measurement is right as it is, give the reason in the job:"
-        " acknowledged: {{{codes:join|: reason, }: reason}}"
+        "Nothing is decided until these points are cleared up. Correct the test or the job and run"
+        " again. If the measurement is right as it is, give the reason in the job: acknowledged:"
+        " {{{codes:join|: reason, }: reason}}"
     ),
     "in_direction": "{value} in {direction}",
     "increments": "{symmetric:if|±{largest}|{least} to {largest}}",
     "listed": "{items:join|; }{more:if|; and {more} more}",
     "listed_places": "{items}{more:if| and {more} more}",
-    "odds.1_to": "{odds:2sig} times as likely not to exist",
+    "odds.1_to": "{odds:2sig} times as likely not to exist as to exist",
     "odds.above_1000": "more than 1000 times as likely as not",
     "odds.over_1000": "more than 1000 times as likely as not",
     "odds.to_1": "{odds:2sig} times as likely as not",
@@ -61,7 +62,7 @@ SENTENCES: Final[dict[str, str]] = {
         " {arc:g}° in {directions:plural|one direction|both directions}"
     ),
     "undetermined.few_at_reversal": "the arc has too few samples where the {axis} axis reverses",
-    "undetermined.few_in_time": "the {time:3sig} s of the run have too few samples",
+    "undetermined.few_in_time": "the run takes {time:3sig} s and has too few samples",
     "undetermined.few_near_reversals": (
         "too few samples near the reversals of the {axis} axis: measure at a lower feed"
     ),
@@ -78,14 +79,14 @@ SENTENCES: Final[dict[str, str]] = {
         "the samples are too far apart to show a pitch: sample faster or lower the feed"
     ),
     "undetermined.prior": (
-        "{value:+3sig} ± {error:2sig} {unit} is too uncertain: the samples add little to the"
-        " range that is usual on machines (±{width:g}, standard deviation)"
+        "{value:+3sig} ± {error:2sig} {unit} is too uncertain: the samples show hardly more than"
+        " the range that is usual on machines anyway (±{width:g}, standard deviation)"
     ),
     "undetermined.spike": (
         "the samples after the reversal are too few to tell a spike from lost motion: sample faster"
         " or lower the feed"
     ),
-    "undetermined.square": "an arc shows only a part of the square around the circle",
+    "undetermined.square": "an arc does not show all errors that the positional tolerance contains",
     "undetermined.value": (
         "{value:+.1f} ± {error:.1f} µm/m is too uncertain: the uncertainty (k = 2) must be"
         " below half of the value and below {most:g} µm/m. Measure full circles in both directions,"

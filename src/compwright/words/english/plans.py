@@ -135,8 +135,8 @@ SENTENCES: Final[dict[str, str]] = {
         " measured with it}."
     ),
     "CW-P119.undetermined": (
-        "{axis}: the scale, taken from {tests:join|; }, is not corrected: {why}. Or measure the"
-        " axis with a laser, or repeat the circle at a low feed."
+        "{axis}: the scale, taken from {tests:join|; }, is not corrected: {why}. Another way:"
+        " measure the axis with a laser, or repeat the circle at a low feed."
     ),
     "CW-P119.lag": (
         "at the feed of {circle} the lag of the axes may make the circle smaller by {lag:.0f}"
@@ -193,9 +193,9 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P133.parameter": "{parameter} {value} (limit {limit:g})",
     "CW-P133.period": "every {period:.5g} {unit} ({probability:.0%})",
     "CW-P134": (
-        "Circle {causes}. The predicted band is therefore too narrow to decide the limits of the"
-        " circle, and they stay undecided. Measure a full circle in both directions, or decide by"
-        " the test after loading."
+        "The causes of the deviation of a circle are unknown (circle {causes}). The predicted band"
+        " is therefore too narrow to decide the limits of this circle, and they stay undecided."
+        " Measure a full circle in both directions, or decide by the test after loading."
     ),
     "CW-P135": (
         "Circles {circles}, evaluated together, show: {machine:if|{machine}|no error of the"
@@ -217,11 +217,13 @@ SENTENCES: Final[dict[str, str]] = {
         " {existing}, cannot be kept: {why}"
     ),
     "CW-P141": (
-        "Axis {axis}: the points of the existing table {stays:if|are kept|do not serve},"
-        " {existing}: predicted {parameter} {same} ({new} at new targets). New points,"
-        " {grid}, would give {parameter} {better} ({better_new}). To use them, set `spacing:"
-        " auto` in the table of the axis. Settings that depend on the old points are moved too,"
-        " or named where this is impossible"
+        "Axis {axis}: {stays:if|the new table keeps the points of the existing table|no table with"
+        " the points of the existing table improves the axis} ({existing}). Predicted"
+        " {parameter}{stays:if|| without a table}: {same} at the same targets, {new} at new"
+        " targets. Predicted {parameter} with new points ({grid}): {better} at the same targets,"
+        " {better_new} at new targets. To use the new points, set `spacing: auto` in the table of"
+        " the axis. Settings that depend on the old points are moved too, or named where this is"
+        " impossible"
     ),
     "CW-P142.line": (
         "The slope of {slope} is corrected by the control's separate linear parameter (a"
@@ -232,12 +234,12 @@ SENTENCES: Final[dict[str, str]] = {
         "The slope of {slope} stays in the table. At the table points an error of {left} rms is"
         " left without the separate linear parameter, and {with_line} would be left with it"
     ),
-    "CW-P143.none": "No second table is written for {period}",
+    "CW-P143.none": "No second (cyclic) table is written for {period}",
     "CW-P143.period": (
-        "the period of {period:g} {unit}, which is too short for sections of {sections:g} {unit}."
-        " Without a second table an error of {left} rms is left, with it {with_it}"
+        "the period of {period:g} {unit}, which is too short for table points {sections:g} {unit}"
+        " apart. Without the second table an error of {left} rms is left, with it {with_it}"
     ),
-    "CW-P143.second": "A second table is written for {period}",
+    "CW-P143.second": "A second (cyclic) table is written for {period}",
     "CW-P144": (
         "Axis {axis}: the points have to be typed by hand, so the table has few of them: {few},"
         " {mine}. The other choice is {many}, {other}. To use it, set start: {start:.10g}, end:"
@@ -259,21 +261,22 @@ SENTENCES: Final[dict[str, str]] = {
         " table reduces"
     ),
     "CW-P152": (
-        "Axis {axis}: {tables:choose|left=the table with the least expected squared error is used,"
-        " not one for the least {goal}|same=the table with the least expected squared error also"
-        " gives the least {goal}|taken=the table was made for the least {goal}|no_gain=a table made"
-        " for the least {goal} shows no smaller {goal} in new simulated tests, so the table with"
-        " the least expected squared error is used}. Expected at new"
-        " targets{tables:choose|left=|same=|taken=, in brackets with the table of least expected"
-        " squared error|no_gain=, in brackets with the table made for {goal}}: {parameters} {unit}"
+        "Axis {axis}: {tables:choose|left=the table with the least expected squared error is used;"
+        " it was not made for the least {goal}|same=the table with the least expected squared error"
+        " also gives the least {goal}|taken=the table was made for the least {goal}|no_gain=a table"
+        " made for the least {goal} shows no smaller {goal} in new simulated tests, so the table"
+        " with the least expected squared error is used}. Expected values at new"
+        " targets{tables:choose|left=|same=|taken= (in brackets: with the table that has the least"
+        " expected squared error)|no_gain= (in brackets: with the table made for the least"
+        " {goal})}: {parameters} {unit}"
     ),
     "CW-P152.parameter": "{parameter} {value:.2f}{other:if| ({other:.2f})}",
     "CW-P153": (
-        "Axis {axis}: the second table may contain the drift of this test. The reversal changes"
-        " by {risen} along the travel. The readings drift by {drifted} from the first run to the"
-        " last. If this drift goes on within every run, out and back, it would show {shown} of"
-        " that change even with a constant backlash. Warm the axis up and measure again before"
-        " you load two tables, or use one table (mode: single)"
+        "Axis {axis}: the second table may contain the drift of this test. The reversal changes by"
+        " {risen} along the travel. The readings drift by {drifted} from the first run to the last."
+        " If this drift goes on within every run, out and back, it would produce {shown} of that"
+        " change even if the backlash is constant. Warm the axis up and measure again before you"
+        " load two tables, or use one table (mode: single)"
     ),
     "CW-P154": (
         "Axis {axis}: the backlash value may contain the drift of this test. The mean reversal is"
@@ -330,16 +333,16 @@ SENTENCES: Final[dict[str, str]] = {
         " active and measure again, or correct the key compensation of the file."
     ),
     "CW-P162.both": (
-        "the files state that compensation was both on and off. If the job is wrong about it, the"
-        " new table is wrong too. Check at the control what was active. Then correct the key"
-        " compensation of the file, or measured_in and states of the job."
+        "the files state that compensation was both on and off. If the job states the wrong"
+        " compensation, the new table is wrong too. Check at the control what was active. Then"
+        " correct the key compensation of the file, or measured_in and states of the job."
     ),
     "CW-P162.state": (
         "the file states that compensation was {on:if|on|off}, but states.{state} of the job"
         " {active:if|has an active table or backlash|has nothing active} for {names:and}. If the"
-        " job is wrong about it, the new table is wrong too. Check at the control what was"
-        " active. Then correct the key compensation of the file, or measured_in and states of the"
-        " job."
+        " job states the wrong compensation, the new table is wrong too. Check at the control what"
+        " was active. Then correct the key compensation of the file, or measured_in and states of"
+        " the job."
     ),
     "CW-P163": (
         "Axis {axis}, test {test}: the files of this test contradict each other in {keys:join|; }"

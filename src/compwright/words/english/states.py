@@ -68,8 +68,9 @@ SENTENCES: Final[dict[str, str]] = {
         "The control does not load {file}: the start-up list does not name this file"
     ),
     "CW-S013": (
-        "{file}, line {line}: no manual shows a line of this form. It was read nevertheless:"
-        " check it ({lines} {lines:plural|line|lines} of the file)"
+        "{file}, line {line}: no manual shows a line of this form. It was read nevertheless. Check"
+        " whether it is read correctly. {lines} {lines:plural|line|lines} of the file"
+        " {lines:plural|has|have} this form"
     ),
     "CW-S014": (
         "axes {addresses:and} share the compensation point numbers {first} to {last}. A change"
@@ -254,7 +255,7 @@ SENTENCES: Final[dict[str, str]] = {
         " out for {definition}}"
     ),
     "CW-S061": (
-        "{what}. The definition of {carried} that the plan contains is used. To use another"
+        "{what}. The definition of {carried} in the plan is used instead. To use another"
         " definition, run the job again"
     ),
     "CW-S062": "the control format {name} means {definition}: {title}",
@@ -278,8 +279,8 @@ SENTENCES: Final[dict[str, str]] = {
         " and backlash values count as not loaded"
     ),
     "CW-S080": (
-        "{files}: what {what} makes the control do cannot be worked out ({faults}). Only the"
-        " entries of the files are compared"
+        "{files}: for {what}, the correction that the control applies cannot be calculated from the"
+        " files ({faults}). Only the entries of the files are compared, one by one"
     ),
     "CW-S081": (
         "{files}: compwright reads such files with two independent readers. Only one of them"

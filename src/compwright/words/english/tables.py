@@ -57,13 +57,15 @@ SENTENCES: Final[dict[str, str]] = {
         " accepts: {left} rms of it remain"
     ),
     "CW-F009.compared": (
-        "The magnification is set to {magnification} instead of {before}, which leaves"
-        " {left:if|{left} rms|nothing} of the error. With magnification {before}, one increment is"
-        " {step}. Points with {increments} increments would then leave at least {at_least} rms"
+        "The magnification is set to {magnification} instead of {before}, which leaves {left:if|"
+        "{left} rms|nothing} of the error. With magnification {before}, one increment would be"
+        " {step}. With {increments} increments per table point, at least {at_least} rms would then"
+        " be left"
     ),
     "CW-F009.smallest": (
-        "Magnification {magnification}, the smallest, is enough. One increment is then {step}."
-        " Points with {increments} increments leave {left:if|{left} rms|nothing} of the error"
+        "Magnification {magnification}, the smallest, is enough. One increment is then {step}. With"
+        " {increments} increments per table point, {left:if|{left} rms|nothing} of the error is"
+        " left"
     ),
     "CW-F010": (
         "The job asks for a table with the least {goal}. The table with the least expected"
@@ -78,8 +80,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "mode.one_asked": "One table and one reversal value, as requested in the job",
     "mode.one_constant": (
-        "One table and one constant difference between the directions: the wanted correction"
-        " does not vary more than this along the travel (evidence, as natural logarithm of the"
+        "One table and one constant difference between the directions: the readings do not clearly"
+        " show that this difference varies along the travel (evidence, as natural logarithm of the"
         " likelihood ratio: {odds:.1f}; strong from {strong:g})"
     ),
     "mode.one_drift": (

@@ -16,22 +16,23 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "circle.compared": "Comparaison",
     "circle.comparison": (
-        "Comparaison avec le logiciel de l'instrument. Concorde : à moins de deux erreurs types"
-        " de notre valeur. Diffère : le modèle de ce logiciel n'est pas publié ; le nôtre ajuste"
-        " toutes les causes à la fois, avec un saut et un pic propres à chaque point d'inversion."
-        " Non valable, entre parenthèses : ce logiciel le dit lui-même."
+        "Comparaison avec le logiciel de l'instrument. « Concorde » : les deux valeurs diffèrent"
+        " d'au plus deux erreurs types de notre valeur. « Diffère » : de plus. Le modèle de ce"
+        " logiciel n'est pas publié ; le nôtre ajuste toutes les causes à la fois, avec un saut et"
+        " un pic propres à chaque point d'inversion. « Non valable », valeur entre parenthèses : ce"
+        " logiciel déclare lui-même sa valeur non valable."
     ),
     "circle.detail": "– {part}",
     "circle.effect": "Effet sur le rayon",
     "circle.effects": "Effet, crête à crête, en µm ; traits : 95 %",
     "circle.fit": "ajustement : effet de toutes les causes ensemble",
     "circle.job": (
-        "Ces lignes d'un dossier de travail mettent dans les tables et la compensation de jeu ce"
-        " qu'elles peuvent corriger. Créer le dossier de travail avec `compwright new --from"
-        " FILE... --format ID --out job.yaml` à partir des fichiers de la commande, y nommer un"
-        " essai de positionnement de chaque axe (sa pente corrige l'échelle), ajouter les"
-        " lignes{file:if| avec le fichier de chaque sens pour FILE|}, puis `compwright run"
-        " job.yaml`."
+        "Ajouter ces lignes à un dossier de travail : elles corrigent, par les tables et la"
+        " compensation de jeu, les causes qui peuvent l'être ainsi. Créer le dossier de travail"
+        " avec `compwright new --from FILE... --format ID --out job.yaml` à partir des fichiers de"
+        " la commande, y nommer un essai de positionnement de chaque axe (sa pente corrige"
+        " l'échelle), ajouter les lignes{file:if| avec le fichier de chaque sens pour FILE|}, puis"
+        " `compwright run job.yaml`."
     ),
     "circle.least_squares": "cercle des moindres carrés, {base} µm du rayon nominal",
     "circle.magnified": "{setting}\nGrossissement {magnification} : 1, cercles en µm",
@@ -110,12 +111,12 @@ SENTENCES: Final[dict[str, str]] = {
     "given.centre": "centre {places:join|; } mm",
     "given.coefficient": "{value} µm/(m K)",
     "given.compensation": (
-        "{how:choose|off=non active ; la commande contenait|active=active, comme"
-        " dans|stored=active, comme enregistrée dans} {files} (dossier de travail, states.{state})"
+        "{how:choose|off=non active ; dans la commande :|active=active, comme dans|stored=active,"
+        " comme enregistrée dans} {files} (dossier de travail, states.{state})"
     ),
     "given.compensation_loaded": (
-        "active, telle que chargée après le calcul de ce dossier ; ce que l'essai en montre : voir"
-        " Chargement"
+        "active : les tables de ce dossier de travail ont été chargées ; ce que l'essai en montre :"
+        " voir Chargement"
     ),
     "given.compensation_none": (
         "non active : rien n'était actif dans la commande (dossier de travail, states.{state})"
@@ -215,8 +216,8 @@ SENTENCES: Final[dict[str, str]] = {
     "report.conditions": "Conditions d'essai, {standard}",
     "report.conform": "La machine respecte toutes les limites du tableau ci-dessus.",
     "report.conformity_open": (
-        "La conformité n'est pas déclarée, car au moins une décision, ou un doute dont elle"
-        " dépend, est ouvert."
+        "La conformité n'est pas déclarée : au moins une limite est non décidée, ou un point dont"
+        " sa décision dépend n'est pas encore vérifié."
     ),
     "report.customer": "Client",
     "report.date": "Date de l'essai",
@@ -227,7 +228,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{what:choose|E=|M=|A= {end:choose|highest=+|lowest=−} {coverage} s"
         "|R= {end:choose|highest=+|lowest=−} {coverage} s}"
     ),
-    "report.extremes": "Extremums : A, E, M, R en cercles sur la figure",
+    "report.extremes": "Extremums qui donnent A, E, M et R : cercles sur la figure",
     "report.findings": "Constats",
     "report.footer": "Rapport {number}",
     "report.in_english": (
@@ -258,7 +259,7 @@ SENTENCES: Final[dict[str, str]] = {
         "Évalué par compwright {version}.{command:if| Cette commande refait le rapport :}"
     ),
     "report.readings": "Mesures",
-    "report.readings_air": "Mesures corrigées de l'effet de l'air sur la lumière",
+    "report.readings_air": "Mesures sans l'effet de l'air sur la longueur d'onde du laser",
     "report.readings_measured": "Mesures non corrigées",
     "report.readings_reduced": "Mesures ramenées à 20 °C",
     "report.results": "Résultats",
@@ -291,7 +292,8 @@ SENTENCES: Final[dict[str, str]] = {
     "run.annex_c": "Annexe C : compensation",
     "run.assumed": "Faits supposés",
     "run.assumed_note": (
-        "Absents des fichiers fournis ; les résultats ne valent que si ces faits sont vrais."
+        "Ces faits ne sont dans aucun des fichiers fournis ; les résultats ne valent que s'ils sont"
+        " vrais."
     ),
     "run.axis_table": "Axe {axis} : table",
     "run.bends": "{input} corrige {output}",
@@ -299,7 +301,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.card": "Fiche de mise en service",
     "run.certificate": "Preuve de l'ajustement",
     "run.changes": "Ancien et nouveau",
-    "run.check_first": "Indécis : vérifier d'abord ce qui est cité ci-dessus",
+    "run.check_first": "Non décidé : vérifier d'abord les points cités ci-dessus",
     "run.circle_worse": (
         "Les limites d'un cercle sont indécises : la prévision est qu'il se dégrade. Avant de"
         " charger, chercher pourquoi (CW-P131)"
@@ -314,12 +316,12 @@ SENTENCES: Final[dict[str, str]] = {
     "run.done": (
         "{tests:plural|1 essai|{tests} essais} {count:plural|de l'axe|des axes} {axes}"
         " {tests:plural|a été évalué|ont été évalués} selon {standards:if|{standards:and}|aucune"
-        " norme}. L'erreur a été estimée sur la course{tables:if| ; la meilleure table que"
-        " {control:if|{control}|la commande} peut contenir a été calculée, écrite dans la forme de"
-        " la commande et relue dans les fichiers pour prévoir l'essai suivant. Rien n'est encore"
+        " norme}. L'erreur a été estimée sur la course{tables:if|. La meilleure table que"
+        " {control:if|{control}|la commande} peut contenir a été calculée et écrite dans la forme"
+        " de la commande. L'essai suivant a été prévu à partir de ces fichiers. Rien n'est encore"
         " chargé : charger la table avec la fiche de mise en service, mesurer de nouveau et lancer"
-        " compwright verify.|. Aucune table n'a été écrite : la prévision est celle de l'essai"
-        " suivant sans table.}"
+        " compwright verify.|. Aucune table n'a été écrite : la prévision vaut donc pour un essai"
+        " sans table.}"
     ),
     "run.estimate": "Axe {axis} : erreur estimée",
     "run.estimate_note": (
@@ -330,8 +332,8 @@ SENTENCES: Final[dict[str, str]] = {
     "run.files_written": "Fichiers écrits",
     "run.in_english": (
         "Les textes du dossier de travail, des fichiers et de la définition de la commande sont"
-        " tels qu'ils ont été donnés ; les refus de fichiers de la commande sont en anglais. La"
-        " traduction n'a pas encore été relue par une personne de langue française."
+        " tels qu'ils ont été donnés. Les raisons du refus d'un fichier de la commande sont en"
+        " anglais. La traduction n'a pas encore été relue par une personne de langue française."
     ),
     "run.legend": (
         "Gris : avant. Bleu : 5 à 95 % de nouveaux essais aux mêmes points visés, trait vertical"
@@ -342,8 +344,8 @@ SENTENCES: Final[dict[str, str]] = {
     "run.limits": "Axe {axis} : ce qui limite sa précision",
     "run.limits_met": "D'après la prévision, toutes les limites seront respectées",
     "run.limits_met_if": (
-        "D'après la prévision, toutes les limites seront respectées, si ce qui est cité ci-dessus"
-        " est vrai"
+        "D'après la prévision, toutes les limites seront respectées, si les points cités ci-dessus"
+        " s'avèrent sans conséquence"
     ),
     "run.no_axis_table": "Pas de table pour cet axe{reason:if| : {reason}}.",
     "run.no_limits": "Résultat prévu ; aucune limite n'est indiquée pour décider",
@@ -365,8 +367,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "run.state_none": "Aucun : rien n'était actif dans la commande quand l'axe a été mesuré.",
     "run.state_not_given": (
-        "Non indiqué. Sans lui, aucune table n'est écrite, car la nouvelle table doit contenir ce"
-        " qui est déjà actif."
+        "Non indiqué. Si le contenu de la commande est inconnu, aucune table n'est écrite, car la"
+        " nouvelle table doit contenir ce qui est déjà actif."
     ),
     "run.table": (
         "{count} points de table, tels que relus dans les fichiers.{wanted:if| Trait large : la"
@@ -375,15 +377,16 @@ SENTENCES: Final[dict[str, str]] = {
     "run.worth": "Axe {axis} : utilité des points de la table",
     "verify.comparison": "Avant, prévu et après",
     "verify.comparison_note": (
-        "Une seule échelle. Prévu : moyennes attendues aux points visés du premier essai."
+        "Toutes les courbes à la même échelle. Prévu : moyennes attendues aux points visés du"
+        " premier essai."
     ),
     "verify.equivalent": "impossible à distinguer de",
     "verify.factor": "facteur",
     "verify.further_table": "table pour la prochain tour",
     "verify.in_english": (
         "Les textes du dossier de travail, des fichiers et de la définition de la commande sont"
-        " tels qu'ils ont été donnés ; les refus de fichiers de la commande sont en anglais. La"
-        " traduction n'a pas encore été relue par une personne de langue française."
+        " tels qu'ils ont été donnés. Les raisons du refus d'un fichier de la commande sont en"
+        " anglais. La traduction n'a pas encore été relue par une personne de langue française."
     ),
     "verify.legend": (
         "Gris : avant. Bleu : prévision de 5 à 95 %, trait vertical : mesuré après chargement."

@@ -20,13 +20,13 @@ SENTENCES: Final[dict[str, str]] = {
     "doubts.acknowledged": "Confirmé dans le dossier de travail : {reason}. {message}",
     "doubts.compare": (
         "La commande peut contenir d'autres valeurs. Relire ses fichiers en entier et répéter"
-        " compare"
+        " compwright compare"
     ),
-    "doubts.first": "À vérifier d'abord : le résultat en dépend",
+    "doubts.first": "Points à vérifier d'abord : le résultat en dépend",
     "doubts.step": (
-        "Rien n'est décidé tant que ces doutes ne sont pas levés. Corriger l'essai ou le dossier"
-        " de travail et recommencer. Si la mesure est juste telle quelle, en donner la raison"
-        " dans le dossier de travail : acknowledged: {{{codes:join|: raison, }: raison}}"
+        "Rien n'est décidé tant que ces points ne sont pas réglés. Corriger l'essai ou le dossier"
+        " de travail et recommencer. Si la mesure est juste telle quelle, en donner la raison dans"
+        " le dossier de travail : acknowledged: {{{codes:join|: raison, }: raison}}"
     ),
     "in_direction": "{value} dans le sens {direction}",
     "increments": "{symmetric:if|±{largest}|{least} à {largest}}",
@@ -64,7 +64,7 @@ SENTENCES: Final[dict[str, str]] = {
     "undetermined.few_at_reversal": (
         "l'arc a trop peu de points de mesure là où l'axe {axis} s'inverse"
     ),
-    "undetermined.few_in_time": "les {time:3sig} s du parcours ont trop peu de points de mesure",
+    "undetermined.few_in_time": "le parcours dure {time:3sig} s et a trop peu de points de mesure",
     "undetermined.few_near_reversals": (
         "trop peu de points de mesure près des inversions de l'axe {axis} : mesurer à plus faible"
         " avance"
@@ -81,14 +81,16 @@ SENTENCES: Final[dict[str, str]] = {
         " vite ou réduire l'avance"
     ),
     "undetermined.prior": (
-        "{value:+3sig} ± {error:2sig} {unit} est trop incertain : les points de mesure ajoutent"
-        " peu à la plage usuelle sur les machines (±{width:g}, écart-type)"
+        "{value:+3sig} ± {error:2sig} {unit} est trop incertain : les points de mesure ne montrent"
+        " guère plus que la plage déjà usuelle sur les machines (±{width:g}, écart-type)"
     ),
     "undetermined.spike": (
         "les points de mesure après l'inversion sont trop peu pour distinguer un pic d'un jeu :"
         " échantillonner plus vite ou réduire l'avance"
     ),
-    "undetermined.square": "un arc ne montre pas les erreurs du carré entier",
+    "undetermined.square": (
+        "un arc ne montre pas toutes les erreurs que contient la tolérance de position"
+    ),
     "undetermined.value": (
         "{value:+.1f} ± {error:.1f} µm/m n'est pas assez bien connu : l'incertitude (k = 2) doit"
         " être inférieure à la moitié de la valeur et à {most:g} µm/m. Mesurer des cercles entiers"

@@ -144,8 +144,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P119.two_feeds": "{slow} et {fast}, extrapolés à une avance nulle",
     "CW-P119.undetermined": (
-        "{axis} : l'échelle, prise de {tests:join|; }, n'est pas corrigée : {why}. Ou mesurer"
-        " l'axe au laser, ou répéter le cercle à faible avance."
+        "{axis} : l'échelle, prise de {tests:join|; }, n'est pas corrigée : {why}. Autre moyen :"
+        " mesurer l'axe au laser, ou répéter le cercle à faible avance."
     ),
     "CW-P120": (
         "{scale}. La table la corrige. Elle contient la température de l'instrument et de la"
@@ -191,9 +191,9 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P133.parameter": "{parameter} {value} (limite {limit:g})",
     "CW-P133.period": "tous les {period:.5g} {unit} ({probability:.0%})",
     "CW-P134": (
-        "Cercle {causes}. La bande prévue est donc trop étroite pour décider des limites du"
-        " cercle, qui restent non décidées. Mesurer un cercle entier dans les deux sens, ou"
-        " décider d'après l'essai après chargement."
+        "Les causes de l'écart d'un cercle sont inconnues (cercle {causes}). La bande prévue est"
+        " donc trop étroite pour décider des limites de ce cercle, qui restent non décidées."
+        " Mesurer un cercle entier dans les deux sens, ou décider d'après l'essai après chargement."
     ),
     "CW-P135": (
         "Cercles {circles}, évalués ensemble, montrent : {machine:if|{machine}|aucune erreur de"
@@ -216,11 +216,13 @@ SENTENCES: Final[dict[str, str]] = {
         " existante, {existing}, ne peuvent être gardés : {why}"
     ),
     "CW-P141": (
-        "Axe {axis} : les points de la table existante {stays:if|sont gardés|ne conviennent"
-        " pas}, {existing} : prévu {parameter} {same} ({new} à de nouveaux points visés). De"
-        " nouveaux points, {grid}, donneraient {parameter} {better} ({better_new}). Pour cela,"
-        " mettre `spacing: auto` dans la table de l'axe. Les réglages qui dépendent des anciens"
-        " points suivent, ou sont nommés si ce n'est pas possible"
+        "Axe {axis} : {stays:if|la nouvelle table garde les points de la table existante|aucune"
+        " table avec les points de la table existante n'améliore l'axe} ({existing}). {parameter}"
+        " prévu{stays:if|| sans table} : {same} aux mêmes points visés, {new} à de nouveaux points"
+        " visés. {parameter} prévu avec de nouveaux points ({grid}) : {better} aux mêmes points"
+        " visés, {better_new} à de nouveaux points visés. Pour les nouveaux points, mettre"
+        " `spacing: auto` dans la table de l'axe. Les réglages qui dépendent des anciens points"
+        " suivent, ou sont nommés si ce n'est pas possible"
     ),
     "CW-P142.line": (
         "La pente de {slope} va dans la droite à part de la commande. Aux points de la table, il"
@@ -231,12 +233,13 @@ SENTENCES: Final[dict[str, str]] = {
         "La pente de {slope} reste dans la table. Aux points de la table, il reste sans droite à"
         " part une erreur de {left} (valeur efficace), et avec elle il resterait {with_line}"
     ),
-    "CW-P143.none": "Aucune seconde table n'est écrite pour {period}",
+    "CW-P143.none": "Aucune seconde table (cyclique) n'est écrite pour {period}",
     "CW-P143.period": (
-        "la période de {period:g} {unit}, trop courte pour des sections de {sections:g} {unit}."
-        " Sans seconde table il reste une erreur de {left} (valeur efficace), avec elle {with_it}"
+        "la période de {period:g} {unit}, trop courte pour des points de table espacés de"
+        " {sections:g} {unit}. Sans la seconde table il reste une erreur de {left} (valeur"
+        " efficace), avec elle {with_it}"
     ),
-    "CW-P143.second": "Une seconde table est écrite pour {period}",
+    "CW-P143.second": "Une seconde table (cyclique) est écrite pour {period}",
     "CW-P144": (
         "Axe {axis} : les points doivent être saisis à la main, donc la table en a peu : {few},"
         " {mine}. L'autre choix est {many}, {other}. Pour l'utiliser, mettre start: {start:.10g},"
@@ -259,23 +262,22 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P152": (
         "Axe {axis} : {tables:choose|left=la table à plus petite erreur quadratique attendue est"
-        " utilisée, pas une pour le plus petit {goal}|same=la table à plus petite erreur"
-        " quadratique attendue donne aussi le plus petit {goal}|taken=la table a été faite pour le"
-        " plus petit {goal}|no_gain=une table faite pour le plus petit {goal} ne montre pas de"
-        " {goal} plus petit dans de nouveaux essais simulés, donc la table à plus petite erreur"
-        " quadratique attendue est utilisée}. Attendu à de nouveaux points"
-        " visés{tables:choose|left=|same=|taken=, entre parenthèses avec la table à plus petite"
-        " erreur quadratique attendue|no_gain=, entre parenthèses avec la table faite pour {goal}}"
-        " : {parameters} {unit}"
+        " utilisée ; elle n'est pas faite pour le plus petit {goal}|same=la table à plus petite"
+        " erreur quadratique attendue donne aussi le plus petit {goal}|taken=la table a été faite"
+        " pour le plus petit {goal}|no_gain=une table faite pour le plus petit {goal} ne montre pas"
+        " de {goal} plus petit dans de nouveaux essais simulés, donc la table à plus petite erreur"
+        " quadratique attendue est utilisée}. Valeurs attendues à de nouveaux points"
+        " visés{tables:choose|left=|same=|taken= (entre parenthèses : avec la table à plus petite"
+        " erreur quadratique attendue)|no_gain= (entre parenthèses : avec la table faite pour le"
+        " plus petit {goal})} : {parameters} {unit}"
     ),
     "CW-P152.parameter": "{parameter} {value:.2f}{other:if| ({other:.2f})}",
     "CW-P153": (
-        "Axe {axis} : la seconde table peut contenir la dérive de cet essai. La réversibilité"
-        " varie de {risen} le long de la course. Les mesures dérivent de {drifted} du premier au"
-        " dernier parcours. Si cette dérive continue dans chaque parcours, aller et retour, elle"
-        " montrerait {shown} de cette variation même à jeu constant. Mettre l'axe en température"
-        " et mesurer de nouveau avant de charger deux tables, ou utiliser une seule table (mode:"
-        " single)"
+        "Axe {axis} : la seconde table peut contenir la dérive de cet essai. La réversibilité varie"
+        " de {risen} le long de la course. Les mesures dérivent de {drifted} du premier au dernier"
+        " parcours. Si cette dérive continue dans chaque parcours, aller et retour, elle produirait"
+        " {shown} de cette variation même à jeu constant. Mettre l'axe en température et mesurer de"
+        " nouveau avant de charger deux tables, ou utiliser une seule table (mode: single)"
     ),
     "CW-P154": (
         "Axe {axis} : la valeur de jeu peut contenir la dérive de cet essai. La réversibilité"
@@ -335,16 +337,16 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P162.both": (
         "les fichiers indiquent la compensation active et non active. Si le dossier de travail"
-        " est faux sur ce point, la nouvelle table l'est aussi. Vérifier à la commande ce qui"
-        " était actif. Puis corriger la clé compensation du fichier, ou measured_in et states du"
-        " dossier de travail."
+        " indique une compensation fausse, la nouvelle table est fausse aussi. Vérifier à la"
+        " commande ce qui était actif. Puis corriger la clé compensation du fichier, ou measured_in"
+        " et states du dossier de travail."
     ),
     "CW-P162.state": (
         "le fichier indique la compensation {on:if|active|non active}, mais states.{state} du"
         " dossier de travail {active:if|a une table ou un jeu actifs|n'a rien d'actif} pour"
-        " {names:and}. Si le dossier de travail est faux sur ce point, la nouvelle table l'est"
-        " aussi. Vérifier à la commande ce qui était actif. Puis corriger la clé compensation du"
-        " fichier, ou measured_in et states du dossier de travail."
+        " {names:and}. Si le dossier de travail indique une compensation fausse, la nouvelle table"
+        " est fausse aussi. Vérifier à la commande ce qui était actif. Puis corriger la clé"
+        " compensation du fichier, ou measured_in et states du dossier de travail."
     ),
     "CW-P163": (
         "Axe {axis}, essai {test} : les fichiers de cet essai se contredisent en {keys:join|; }"

@@ -76,7 +76,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S013": (
         "{file}, ligne {line} : aucun manuel ne montre une ligne de cette forme. Elle a été lue"
-        " malgré tout ({lines} {lines:plural|ligne|lignes} du fichier)"
+        " malgré tout. Vérifier qu'elle est bien lue. {lines} {lines:plural|ligne|lignes} du"
+        " fichier {lines:plural|a|ont} cette forme"
     ),
     "CW-S014": (
         "les axes {addresses:and} partagent les numéros {first} à {last} des points de"
@@ -265,8 +266,8 @@ SENTENCES: Final[dict[str, str]] = {
         " ; aucune n'a été calculée pour {definition}}"
     ),
     "CW-S061": (
-        "{what}. La définition de {carried} contenue dans le plan est utilisée. Pour une autre"
-        " définition, refaire le calcul"
+        "{what}. La définition de {carried} contenue dans le plan est utilisée à la place. Pour une"
+        " autre définition, refaire le calcul"
     ),
     "CW-S062": "le format de commande {name} signifie {definition} : {title}",
     "CW-S070": (
@@ -289,8 +290,8 @@ SENTENCES: Final[dict[str, str]] = {
         " (active: no). Ses tables et valeurs de jeu comptent comme non chargées"
     ),
     "CW-S080": (
-        "{files} : ce que la commande fait de {what} ne peut pas être déterminé ({faults})."
-        " Seules les entrées des fichiers sont comparées"
+        "{files} : pour {what}, la correction qu'applique la commande ne peut pas être calculée à"
+        " partir des fichiers ({faults}). Seules les entrées des fichiers sont comparées, une à une"
     ),
     "CW-S081": (
         "{files} : compwright lit de tels fichiers de deux manières indépendantes. Une seule a pu"

@@ -57,14 +57,15 @@ SENTENCES: Final[dict[str, str]] = {
         " accepte : il en reste {left} en valeur efficace"
     ),
     "CW-F009.compared": (
-        "Le grossissement est mis à {magnification} au lieu de {before}, ce qui laisse"
-        " {left:if|{left} en valeur efficace|rien} de l'erreur. Avec le grossissement {before}, un"
-        " pas est de {step}. Des points de {increments} pas laisseraient alors au moins {at_least}"
-        " en valeur efficace"
+        "Le grossissement est mis à {magnification} au lieu de {before}, ce qui laisse {left:if|"
+        "{left} en valeur efficace|rien} de l'erreur. Avec le grossissement {before}, un pas serait"
+        " de {step}. Avec {increments} pas par point de table, il resterait alors au moins"
+        " {at_least} en valeur efficace"
     ),
     "CW-F009.smallest": (
-        "Le plus petit grossissement, {magnification}, suffit. Un pas est alors de {step}. Des"
-        " points de {increments} pas laissent {left:if|{left} en valeur efficace|rien} de l'erreur"
+        "Le plus petit grossissement, {magnification}, suffit. Un pas est alors de {step}. Avec"
+        " {increments} pas par point de table, il {left:if|reste {left} en valeur efficace|ne reste"
+        " rien} de l'erreur"
     ),
     "CW-F010": (
         "Le dossier de travail demande une table au plus petit {goal}. La table à plus petite"
@@ -82,9 +83,9 @@ SENTENCES: Final[dict[str, str]] = {
         "Une table et une valeur de réversibilité, comme le demande le dossier de travail"
     ),
     "mode.one_constant": (
-        "Une table et une différence constante entre les sens : la correction souhaitée ne varie"
-        " pas davantage le long de la course (logarithme de la cote {odds:.1f} ; il serait fort à"
-        " partir de {strong:g})"
+        "Une table et une différence constante entre les sens : les mesures ne montrent pas"
+        " clairement que cette différence varie le long de la course (logarithme de la cote"
+        " {odds:.1f} ; il serait fort à partir de {strong:g})"
     ),
     "mode.one_drift": (
         "Une table et une valeur de réversibilité : la réversibilité varie le long de la course,"

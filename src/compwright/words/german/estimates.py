@@ -7,13 +7,13 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "CW-D001": (
         "nur eine Richtung wurde gemessen, deshalb lassen sich Ursachen, die von der Richtung"
-        " abhängen, nicht von den anderen trennen. Ursachen, deren Standardfehler das"
-        " vervielfacht: {causes:if|{causes}|keine}"
+        " abhängen, nicht von den anderen trennen. Ursachen, deren Standardfehler dadurch größer"
+        " werden: {causes:if|{causes}|keine}"
     ),
     "CW-D001.cause": "{cause} (Standardfehler mal {factor:.0f}, nicht trennbar von {other})",
     "CW-D002": (
         "ein Bogen von {arc:g}° trennt die Ursachen schlechter als ein Vollkreis. Ursachen, deren"
-        " Standardfehler das vervielfacht: {causes:if|{causes}|keine}"
+        " Standardfehler dadurch größer werden: {causes:if|{causes}|keine}"
     ),
     "CW-D003": (
         "die Länge des Messgeräts war nicht kalibriert, deshalb wird der Maßstab einzelner Achsen"

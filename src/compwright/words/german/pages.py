@@ -18,21 +18,23 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "circle.compared": "Vergleich",
     "circle.comparison": (
-        "Vergleich mit der Software des Messgeräts. Stimmt überein: innerhalb von zwei"
-        " Standardfehlern unseres Werts. Weicht ab: Das Modell dieser Software ist nicht"
-        " veröffentlicht; unseres gleicht alle Ursachen zugleich aus, mit eigener Stufe und"
-        " Spitze an jedem Umkehrpunkt. Nicht gültig, in Klammern: Das sagt diese Software selbst."
+        "Vergleich mit der Software des Messgeräts. „Stimmt überein“: Die Werte unterscheiden sich"
+        " um höchstens zwei Standardfehler unseres Werts. „Weicht ab“: um mehr. Das Modell dieser"
+        " Software ist nicht veröffentlicht; unseres gleicht alle Ursachen zugleich aus, mit"
+        " eigener Stufe und Spitze an jedem Umkehrpunkt. „Nicht gültig“, Wert in Klammern: Diese"
+        " Software selbst meldet ihren Wert als nicht gültig."
     ),
     "circle.detail": "– {part}",
     "circle.effect": "Wirkung auf den Radius",
     "circle.effects": "Wirkung, Spitze zu Spitze, in µm; Striche: 95 %",
     "circle.fit": "Ausgleich: was alle Ursachen zusammen ergeben",
     "circle.job": (
-        "Diese Zeilen eines Auftrags bringen in Tabellen und Losekompensation, was sie korrigieren"
-        " können. Den Auftrag mit `compwright new --from FILE... --format ID --out job.yaml` aus"
-        " den Dateien der Steuerung anlegen, für jede Achse eine Positionierprüfung nennen (ihre"
-        " Steigung korrigiert den Maßstab), die Zeilen ergänzen{file:if| und für FILE die Datei"
-        " jeder Richtung einsetzen|}, dann `compwright run job.yaml`."
+        "Diese Zeilen in einen Auftrag aufnehmen: Sie korrigieren mit Tabellen und Losekompensation"
+        " die Ursachen, die sich so korrigieren lassen. Den Auftrag mit `compwright new --from"
+        " FILE... --format ID --out job.yaml` aus den Dateien der Steuerung anlegen, für jede Achse"
+        " eine Positionierprüfung nennen (ihre Steigung korrigiert den Maßstab), die Zeilen"
+        " ergänzen{file:if| und für FILE die Datei jeder Richtung einsetzen|}, dann `compwright run"
+        " job.yaml`."
     ),
     "circle.least_squares": "Ausgleichskreis, {base} µm vom Sollradius",
     "circle.magnified": "{setting}\nVergrößerung {magnification} : 1, Kreise in µm",
@@ -109,12 +111,11 @@ SENTENCES: Final[dict[str, str]] = {
     "given.centre": "Mittelpunkt {places:join|; } mm",
     "given.coefficient": "{value} µm/(m K)",
     "given.compensation": (
-        "{how:choose|off=aus; in der Steuerung standen|active=ein, wie aktiv in|stored=ein, wie"
+        "{how:choose|off=aus; in der Steuerung:|active=ein, wie aktiv in|stored=ein, wie"
         " gespeichert in} {files} (Auftrag, states.{state})"
     ),
     "given.compensation_loaded": (
-        "ein, wie nach der Berechnung dieses Auftrags geladen; was die Prüfung davon zeigt: siehe"
-        " Laden"
+        "ein: Die Tabellen dieses Auftrags wurden geladen; was die Prüfung davon zeigt: siehe Laden"
     ),
     "given.compensation_none": "aus: In der Steuerung war nichts aktiv (Auftrag, states.{state})",
     "given.estimator": (
@@ -207,8 +208,8 @@ SENTENCES: Final[dict[str, str]] = {
     "report.conditions": "Prüfbedingungen, {standard}",
     "report.conform": "Die Maschine hält alle Grenzwerte der obigen Tabelle ein.",
     "report.conformity_open": (
-        "Es wird keine Konformität erklärt, denn mindestens eine Entscheidung oder ein Zweifel,"
-        " von dem sie abhängt, ist offen."
+        "Es wird keine Konformität erklärt: Mindestens ein Grenzwert ist nicht entschieden, oder"
+        " ein Punkt, von dem die Entscheidung abhängt, ist noch nicht geprüft."
     ),
     "report.customer": "Kunde",
     "report.date": "Prüfdatum",
@@ -219,7 +220,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{what:choose|E=|M= ±|A= {end:choose|highest=+|lowest=−} {coverage} s"
         "|R= {end:choose|highest=+|lowest=−} {coverage} s}"
     ),
-    "report.extremes": "Extremwerte: A, E, M, R als Ringe im Bild",
+    "report.extremes": "Extremwerte, aus denen sich A, E, M und R ergeben: Ringe im Bild",
     "report.findings": "Befunde",
     "report.footer": "Bericht {number}",
     "report.in_english": (
@@ -249,7 +250,7 @@ SENTENCES: Final[dict[str, str]] = {
         " erneut:}"
     ),
     "report.readings": "Einzelwerte",
-    "report.readings_air": "Einzelwerte, Einfluss der Luft auf das Licht herausgerechnet",
+    "report.readings_air": "Einzelwerte ohne den Einfluss der Luft auf die Laserwellenlänge",
     "report.readings_measured": "Einzelwerte, wie gemessen",
     "report.readings_reduced": "Einzelwerte, auf 20 °C umgerechnet",
     "report.results": "Ergebnisse",
@@ -283,7 +284,8 @@ SENTENCES: Final[dict[str, str]] = {
     "run.annex_c": "Anhang C: Kompensation",
     "run.assumed": "Annahmen",
     "run.assumed_note": (
-        "Nicht in den vorliegenden Dateien; die Ergebnisse gelten nur, wenn dies zutrifft."
+        "Diese Angaben sind in keiner der vorliegenden Dateien; die Ergebnisse gelten nur, wenn sie"
+        " zutreffen."
     ),
     "run.axis_table": "Achse {axis}: Tabelle",
     "run.bends": "{input} korrigiert {output}",
@@ -291,7 +293,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.card": "Inbetriebnahmekarte",
     "run.certificate": "Nachweis der Anpassung",
     "run.changes": "Alt und neu",
-    "run.check_first": "Offen: Zuerst prüfen, was oben genannt ist",
+    "run.check_first": "Offen: zuerst die oben genannten Punkte prüfen",
     "run.circle_worse": (
         "Die Grenzwerte eines Kreises sind offen: Für ihn ist eine Verschlechterung vorhergesagt."
         " Vor dem Laden die Ursache finden (CW-P131)"
@@ -308,11 +310,11 @@ SENTENCES: Final[dict[str, str]] = {
         "{tests:plural|1 Prüfung|{tests} Prüfungen} der {count:plural|Achse|Achsen} {axes}"
         " {tests:plural|wurde|wurden} nach {standards:if|{standards:and}|keiner Norm} ausgewertet."
         " Der Fehler wurde über den Verfahrweg geschätzt{tables:if|. Die beste Tabelle, die"
-        " {control:if|{control}|die Steuerung} aufnehmen kann, wurde berechnet, in der Form der"
-        " Steuerung geschrieben und aus den Dateien zurückgelesen, um die nächste Prüfung"
-        " vorherzusagen. Noch ist nichts geladen: Die Tabelle nach der Inbetriebnahmekarte laden,"
-        " erneut messen und compwright verify ausführen.|. Es wurde keine Tabelle geschrieben:"
-        " Vorhergesagt ist die nächste Prüfung ohne Tabelle.}"
+        " {control:if|{control}|die Steuerung} aufnehmen kann, wurde berechnet und in der Form der"
+        " Steuerung geschrieben. Aus diesen Dateien wurde die nächste Prüfung vorhergesagt. Noch"
+        " ist nichts geladen: Die Tabelle nach der Inbetriebnahmekarte laden, erneut messen und"
+        " compwright verify ausführen.|. Es wurde keine Tabelle geschrieben, die Vorhersage gilt"
+        " also für eine Prüfung ohne Tabelle.}"
     ),
     "run.estimate": "Achse {axis}: geschätzter Fehler",
     "run.estimate_note": (
@@ -323,8 +325,8 @@ SENTENCES: Final[dict[str, str]] = {
     "run.files_written": "Geschriebene Dateien",
     "run.in_english": (
         "Texte des Auftrags, der Dateien und der Definition der Steuerung sind, wie sie gegeben"
-        " wurden; Ablehnungen von Dateien der Steuerung sind auf Englisch. Die Übersetzung hat"
-        " noch kein Muttersprachler geprüft."
+        " wurden. Die Gründe, aus denen eine Datei der Steuerung abgelehnt wird, sind auf Englisch."
+        " Die Übersetzung hat noch kein Muttersprachler geprüft."
     ),
     "run.legend": (
         "Grau: vorher. Blau: 5 bis 95 % neuer Prüfungen an den gleichen Zielpositionen,"
@@ -335,8 +337,8 @@ SENTENCES: Final[dict[str, str]] = {
     "run.limits": "Achse {axis}: was ihre Genauigkeit begrenzt",
     "run.limits_met": "Nach der Vorhersage werden alle Grenzwerte eingehalten",
     "run.limits_met_if": (
-        "Nach der Vorhersage werden alle Grenzwerte eingehalten, soweit zutrifft, was oben genannt"
-        " ist"
+        "Nach der Vorhersage werden alle Grenzwerte eingehalten, wenn sich die oben genannten"
+        " Punkte als unbedenklich erweisen"
     ),
     "run.no_axis_table": "Keine Tabelle für diese Achse{reason:if|: {reason}}.",
     "run.no_limits": (
@@ -361,8 +363,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "run.state_none": "Keiner: In der Steuerung war nichts aktiv, als die Achse gemessen wurde.",
     "run.state_not_given": (
-        "Nicht angegeben. Ohne ihn wird keine Tabelle geschrieben, denn die neue Tabelle muss"
-        " enthalten, was schon aktiv ist."
+        "Nicht angegeben. Ist unbekannt, was in der Steuerung ist, wird keine Tabelle geschrieben,"
+        " denn die neue Tabelle muss enthalten, was schon aktiv ist."
     ),
     "run.table": (
         "{count} Tabellenpunkte, wie aus den Dateien zurückgelesen.{wanted:if| Breite Linie: die"
@@ -371,15 +373,16 @@ SENTENCES: Final[dict[str, str]] = {
     "run.worth": "Achse {axis}: Nutzen der Tabellenpunkte",
     "verify.comparison": "Vorher, Vorhersage und nachher",
     "verify.comparison_note": (
-        "Ein Maßstab. Vorhersage: erwartete Mittelwerte an den Zielpositionen der ersten Prüfung."
+        "Alle Kurven im gleichen Maßstab. Vorhersage: erwartete Mittelwerte an den Zielpositionen"
+        " der ersten Prüfung."
     ),
     "verify.equivalent": "nicht zu unterscheiden von",
     "verify.factor": "Faktor",
     "verify.further_table": "Tabelle für die nächste Runde",
     "verify.in_english": (
         "Texte des Auftrags, der Dateien und der Definition der Steuerung sind, wie sie gegeben"
-        " wurden; Ablehnungen von Dateien der Steuerung sind auf Englisch. Die Übersetzung hat"
-        " noch kein Muttersprachler geprüft."
+        " wurden. Die Gründe, aus denen eine Datei der Steuerung abgelehnt wird, sind auf Englisch."
+        " Die Übersetzung hat noch kein Muttersprachler geprüft."
     ),
     "verify.legend": (
         "Grau: vorher. Blau: Vorhersage 5 bis 95 %, senkrechter Strich: nach dem Laden gemessen."

@@ -20,11 +20,11 @@ SENTENCES: Final[dict[str, str]] = {
     "doubts.acknowledged": "Im Auftrag bestätigt: {reason}. {message}",
     "doubts.compare": (
         "Die Steuerung kann andere Werte enthalten. Ihre Dateien noch einmal vollständig auslesen"
-        " und compare wiederholen"
+        " und compwright compare wiederholen"
     ),
-    "doubts.first": "Zuerst prüfen: Das Ergebnis hängt davon ab",
+    "doubts.first": "Diese Punkte zuerst prüfen: Das Ergebnis hängt davon ab",
     "doubts.step": (
-        "Es wird nichts entschieden, bis diese Zweifel geklärt sind. Die Prüfung oder den Auftrag"
+        "Es wird nichts entschieden, bis diese Punkte geklärt sind. Die Prüfung oder den Auftrag"
         " berichtigen und neu rechnen. Ist die Messung richtig, wie sie ist, im Auftrag den Grund"
         " angeben: acknowledged: {{{codes:join|: Grund, }: Grund}}"
     ),
@@ -64,7 +64,7 @@ SENTENCES: Final[dict[str, str]] = {
     "undetermined.few_at_reversal": (
         "der Bogen hat zu wenige Messpunkte, wo die Achse {axis} umkehrt"
     ),
-    "undetermined.few_in_time": "die {time:3sig} s des Laufs haben zu wenige Messpunkte",
+    "undetermined.few_in_time": "der Lauf dauert {time:3sig} s und hat zu wenige Messpunkte",
     "undetermined.few_near_reversals": (
         "zu wenige Messpunkte nahe der Umkehr der Achse {axis}: mit kleinerem Vorschub messen"
     ),
@@ -82,14 +82,14 @@ SENTENCES: Final[dict[str, str]] = {
         " abtasten oder den Vorschub senken"
     ),
     "undetermined.prior": (
-        "{value:+3sig} ± {error:2sig} {unit} ist zu unsicher: Die Messpunkte sagen wenig mehr als"
-        " der an Maschinen übliche Bereich (±{width:g}, Standardabweichung)"
+        "{value:+3sig} ± {error:2sig} {unit} ist zu unsicher: Die Messpunkte zeigen kaum mehr als"
+        " den Bereich, der an Maschinen ohnehin üblich ist (±{width:g}, Standardabweichung)"
     ),
     "undetermined.spike": (
         "die Messpunkte nach der Umkehr sind zu wenige, um eine Spitze von Umkehrspiel zu"
         " unterscheiden: schneller abtasten oder den Vorschub senken"
     ),
-    "undetermined.square": "ein Bogen zeigt nicht die Fehler des ganzen Quadrats",
+    "undetermined.square": "ein Bogen zeigt nicht alle Fehler, die zur Positionstoleranz gehören",
     "undetermined.value": (
         "{value:+.1f} ± {error:.1f} µm/m ist nicht genau genug bekannt: Die Unsicherheit (k = 2)"
         " muss unter der Hälfte des Wertes und unter {most:g} µm/m liegen. Volle Kreise in beiden"

@@ -158,8 +158,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P119.two_feeds": "{slow} und {fast}, auf Vorschub null extrapoliert",
     "CW-P119.undetermined": (
-        "{axis}: Der Maßstab aus {tests:join|; } wird nicht korrigiert: {why}. Oder die Achse mit"
-        " einem Laser messen, oder den Kreis bei kleinem Vorschub wiederholen."
+        "{axis}: Der Maßstab aus {tests:join|; } wird nicht korrigiert: {why}. Anderer Weg: die"
+        " Achse mit einem Laser messen oder den Kreis bei kleinem Vorschub wiederholen."
     ),
     "CW-P120": (
         "{scale}. Die Tabelle korrigiert ihn. Er enthält die Temperatur von Messgerät und Maßstab"
@@ -205,9 +205,10 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P133.parameter": "{parameter} {value} (Grenzwert {limit:g})",
     "CW-P133.period": "alle {period:.5g} {unit} ({probability:.0%})",
     "CW-P134": (
-        "Kreis {causes}. Das vorhergesagte Band ist deshalb zu schmal, um über die Grenzwerte des"
-        " Kreises zu entscheiden; sie bleiben offen. Einen vollen Kreis in beiden Richtungen"
-        " messen, oder nach der Prüfung nach dem Laden entscheiden."
+        "Die Ursachen der Abweichung eines Kreises sind unbekannt (Kreis {causes}). Das"
+        " vorhergesagte Band ist deshalb zu schmal, um über die Grenzwerte dieses Kreises zu"
+        " entscheiden; sie bleiben offen. Einen vollen Kreis in beiden Richtungen messen, oder nach"
+        " der Prüfung nach dem Laden entscheiden."
     ),
     "CW-P135": (
         "Kreise {circles}, gemeinsam ausgewertet, zeigen: {machine:if|{machine}|keinen Fehler der"
@@ -230,11 +231,13 @@ SENTENCES: Final[dict[str, str]] = {
         " Tabelle, {existing}, können nicht bleiben: {why}"
     ),
     "CW-P141": (
-        "Achse {axis}: Die Punkte der vorhandenen Tabelle {stays:if|bleiben|genügen nicht},"
-        " {existing}: vorhergesagt {parameter} {same} ({new} an neuen Zielpositionen)."
-        " Neue Punkte, {grid}, gäben {parameter} {better} ({better_new}). Dafür `spacing: auto`"
-        " in der Tabelle der Achse setzen. Einstellungen, die von den alten Punkten abhängen,"
-        " ziehen mit um oder werden genannt, wo das nicht geht"
+        "Achse {axis}: {stays:if|Die neue Tabelle behält die Punkte der vorhandenen Tabelle|Keine"
+        " Tabelle mit den Punkten der vorhandenen Tabelle verbessert die Achse} ({existing})."
+        " Vorhergesagtes {parameter}{stays:if|| ohne Tabelle}: {same} an denselben Zielpositionen,"
+        " {new} an neuen. Vorhergesagtes {parameter} mit neuen Punkten ({grid}): {better} an"
+        " denselben Zielpositionen, {better_new} an neuen. Für die neuen Punkte `spacing: auto` in"
+        " der Tabelle der Achse setzen. Einstellungen, die von den alten Punkten abhängen, ziehen"
+        " mit um oder werden genannt, wo das nicht geht"
     ),
     "CW-P142.line": (
         "Die Steigung von {slope} kommt in die getrennte Gerade der Steuerung. An den"
@@ -245,12 +248,13 @@ SENTENCES: Final[dict[str, str]] = {
         "Die Steigung von {slope} bleibt in der Tabelle. An den Tabellenpunkten bleibt ohne"
         " getrennte Gerade ein Fehler von {left} (Effektivwert), mit ihr blieben {with_line}"
     ),
-    "CW-P143.none": "Keine zweite Tabelle wird geschrieben für {period}",
+    "CW-P143.none": "Keine zweite (zyklische) Tabelle wird geschrieben für {period}",
     "CW-P143.period": (
-        "die Periode von {period:g} {unit}, die für Abschnitte von {sections:g} {unit} zu kurz"
-        " ist. Ohne zweite Tabelle bleibt ein Fehler von {left} (Effektivwert), mit ihr {with_it}"
+        "die Periode von {period:g} {unit}, die für Tabellenpunkte im Abstand von {sections:g}"
+        " {unit} zu kurz ist. Ohne die zweite Tabelle bleibt ein Fehler von {left} (Effektivwert),"
+        " mit ihr {with_it}"
     ),
-    "CW-P143.second": "Eine zweite Tabelle wird geschrieben für {period}",
+    "CW-P143.second": "Eine zweite (zyklische) Tabelle wird geschrieben für {period}",
     "CW-P144": (
         "Achse {axis}: Die Punkte müssen von Hand eingetippt werden, deshalb hat die Tabelle"
         " wenige: {few}, {mine}. Die andere Wahl ist {many}, {other}. Dafür start: {start:.10g},"
@@ -273,21 +277,21 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P152": (
         "Achse {axis}: {tables:choose|left=verwendet wird die Tabelle mit dem kleinsten erwarteten"
-        " Fehlerquadrat, nicht eine für das kleinste {goal}|same=die Tabelle mit dem kleinsten"
-        " erwarteten Fehlerquadrat ergibt auch das kleinste {goal}|taken=die Tabelle wurde für das"
-        " kleinste {goal} gemacht|no_gain=eine Tabelle für das kleinste {goal} zeigt in neuen"
-        " simulierten Prüfungen kein kleineres {goal}, deshalb wird die Tabelle mit dem kleinsten"
-        " erwarteten Fehlerquadrat verwendet}. Erwartet an neuen"
-        " Zielpositionen{tables:choose|left=|same=|taken=, in Klammern mit der Tabelle des"
-        " kleinsten erwarteten Fehlerquadrats|no_gain=, in Klammern mit der Tabelle für {goal}}:"
-        " {parameters} {unit}"
+        " Fehlerquadrat; sie ist nicht für das kleinste {goal} gemacht|same=die Tabelle mit dem"
+        " kleinsten erwarteten Fehlerquadrat ergibt auch das kleinste {goal}|taken=die Tabelle"
+        " wurde für das kleinste {goal} gemacht|no_gain=eine Tabelle für das kleinste {goal} zeigt"
+        " in neuen simulierten Prüfungen kein kleineres {goal}, deshalb wird die Tabelle mit dem"
+        " kleinsten erwarteten Fehlerquadrat verwendet}. Erwartete Werte an neuen"
+        " Zielpositionen{tables:choose|left=|same=|taken= (in Klammern: mit der Tabelle des"
+        " kleinsten erwarteten Fehlerquadrats)|no_gain= (in Klammern: mit der Tabelle für das"
+        " kleinste {goal})}: {parameters} {unit}"
     ),
     "CW-P152.parameter": "{parameter} {value:.2f}{other:if| ({other:.2f})}",
     "CW-P153": (
-        "Achse {axis}: Die zweite Tabelle kann die Drift dieser Prüfung enthalten. Die"
-        " Umkehrspanne ändert sich um {risen} über den Verfahrweg. Die Messwerte driften um"
-        " {drifted} vom ersten zum letzten Lauf. Geht diese Drift in jedem Lauf weiter, hin und"
-        " zurück, zeigte sie {shown} dieser Änderung selbst bei gleichem Spiel. Die Achse"
+        "Achse {axis}: Die zweite Tabelle kann die Drift dieser Prüfung enthalten. Die Umkehrspanne"
+        " ändert sich um {risen} über den Verfahrweg. Die Messwerte driften um {drifted} vom ersten"
+        " zum letzten Lauf. Geht diese Drift in jedem Lauf weiter, hin und zurück, ergäbe sie"
+        " allein {shown} dieser Änderung, auch wenn das Spiel überall gleich ist. Die Achse"
         " warmfahren und neu messen, bevor zwei Tabellen geladen werden, oder eine Tabelle"
         " verwenden (mode: single)"
     ),
@@ -349,16 +353,16 @@ SENTENCES: Final[dict[str, str]] = {
         " sind, und neu messen, oder den Schlüssel compensation der Datei berichtigen."
     ),
     "CW-P162.both": (
-        "die Dateien nennen die Kompensation ein und aus. Ist der Auftrag hier falsch, ist es"
-        " auch die neue Tabelle. An der Steuerung prüfen, was aktiv war. Dann den Schlüssel"
-        " compensation der Datei oder measured_in und states des Auftrags berichtigen."
+        "die Dateien nennen die Kompensation ein und aus. Gibt der Auftrag die falsche Kompensation"
+        " an, ist auch die neue Tabelle falsch. An der Steuerung prüfen, was aktiv war. Dann den"
+        " Schlüssel compensation der Datei oder measured_in und states des Auftrags berichtigen."
     ),
     "CW-P162.state": (
         "die Datei nennt die Kompensation {on:if|ein|aus}, aber states.{state} des Auftrags"
-        " {active:if|hat eine aktive Tabelle oder Lose|hat nichts Aktives} für {names:and}. Ist"
-        " der Auftrag hier falsch, ist es auch die neue Tabelle. An der Steuerung prüfen, was"
-        " aktiv war. Dann den Schlüssel compensation der Datei oder measured_in und states des"
-        " Auftrags berichtigen."
+        " {active:if|hat eine aktive Tabelle oder Lose|hat nichts Aktives} für {names:and}. Gibt"
+        " der Auftrag die falsche Kompensation an, ist auch die neue Tabelle falsch. An der"
+        " Steuerung prüfen, was aktiv war. Dann den Schlüssel compensation der Datei oder"
+        " measured_in und states des Auftrags berichtigen."
     ),
     "CW-P163": (
         "Achse {axis}, Prüfung {test}: Die Dateien dieser Prüfung widersprechen sich in"

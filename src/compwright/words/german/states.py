@@ -77,7 +77,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S013": (
         "{file}, Zeile {line}: Kein Handbuch zeigt eine Zeile dieser Form. Sie wurde trotzdem"
-        " gelesen ({lines} {lines:plural|Zeile|Zeilen} der Datei)"
+        " gelesen. Prüfen, ob sie richtig gelesen ist. {lines} {lines:plural|Zeile|Zeilen} der"
+        " Datei {lines:plural|hat|haben} diese Form"
     ),
     "CW-S014": (
         "die Achsen {addresses:and} teilen sich die Nummern {first} bis {last} der"
@@ -267,8 +268,8 @@ SENTENCES: Final[dict[str, str]] = {
         " von {expectation}; für {definition} wurden keine gerechnet}"
     ),
     "CW-S061": (
-        "{what}. Verwendet wird die Definition von {carried}, die der Plan enthält. Für eine"
-        " andere Definition den Auftrag neu rechnen"
+        "{what}. Stattdessen wird die Definition von {carried} im Plan verwendet. Für eine andere"
+        " Definition den Auftrag neu rechnen"
     ),
     "CW-S062": "das Steuerungsformat {name} bedeutet {definition}: {title}",
     "CW-S070": (
@@ -291,8 +292,8 @@ SENTENCES: Final[dict[str, str]] = {
         " Tabellen und Losewerte gelten als nicht geladen"
     ),
     "CW-S080": (
-        "{files}: Was die Steuerung aus {what} macht, lässt sich nicht ermitteln ({faults})."
-        " Verglichen werden nur die Einträge der Dateien"
+        "{files}: Für {what} lässt sich die Korrektur, die die Steuerung ausführt, aus den Dateien"
+        " nicht berechnen ({faults}). Verglichen werden nur die einzelnen Einträge der Dateien"
     ),
     "CW-S081": (
         "{files}: compwright liest solche Dateien auf zwei unabhängige Arten. Nur eine davon"

@@ -57,14 +57,15 @@ SENTENCES: Final[dict[str, str]] = {
         " Steuerung annimmt: {left} Effektivwert davon bleiben"
     ),
     "CW-F009.compared": (
-        "Die Vergrößerung wird auf {magnification} statt {before} gesetzt, vom Fehler"
-        " {left:if|bleiben {left} Effektivwert|bleibt nichts}. Mit Vergrößerung {before} ist ein"
-        " Schritt {step}. Punkte mit {increments} Schritten ließen dann mindestens {at_least}"
+        "Die Vergrößerung wird auf {magnification} statt {before} gesetzt, vom Fehler {left:if|"
+        "bleiben {left} Effektivwert|bleibt nichts}. Mit Vergrößerung {before} wäre ein Schritt"
+        " {step}. Mit {increments} Schritten je Tabellenpunkt blieben dann mindestens {at_least}"
         " Effektivwert"
     ),
     "CW-F009.smallest": (
-        "Die kleinste Vergrößerung, {magnification}, genügt. Ein Schritt ist damit {step}. Punkte"
-        " mit {increments} Schritten lassen {left:if|{left} Effektivwert|nichts} vom Fehler"
+        "Die kleinste Vergrößerung, {magnification}, genügt. Ein Schritt ist damit {step}. Mit"
+        " {increments} Schritten je Tabellenpunkt {left:if|bleiben {left} Effektivwert|bleibt"
+        " nichts} vom Fehler"
     ),
     "CW-F010": (
         "Der Auftrag verlangt eine Tabelle mit dem kleinsten {goal}. Verwendet wird stattdessen"
@@ -80,9 +81,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "mode.one_asked": "Eine Tabelle und ein Umkehrwert, wie der Auftrag verlangt",
     "mode.one_constant": (
-        "Eine Tabelle und ein konstanter Unterschied zwischen den Richtungen: Die gewünschte"
-        " Korrektur ändert sich über den Verfahrweg nicht mehr (logarithmische Chancen"
-        " {odds:.1f}; ab {strong:g} wären sie stark)"
+        "Eine Tabelle und ein konstanter Unterschied zwischen den Richtungen: Die Messwerte zeigen"
+        " nicht deutlich, dass sich dieser Unterschied über den Verfahrweg ändert (logarithmische"
+        " Chancen {odds:.1f}; ab {strong:g} wären sie stark)"
     ),
     "mode.one_drift": (
         "Eine Tabelle und ein Umkehrwert: Die Umkehrspanne ändert sich über den Verfahrweg, aber"
