@@ -26,7 +26,7 @@ def judged_correction(decoded: DecodedState | None, axis: Axis) -> Correction:
 
 
 def applied_correction(decoded: DecodedState | None, axis: Axis) -> Correction:
-    """Return an axis' correction without the small steps that the control never applies."""
+    """Return an axis' correction without the steps that the control never applies."""
     correction = judged_correction(decoded, axis)
     held = None if decoded is None else decoded.state.axes.get(axis.address)
     if held is None or axis.unapplied_steps is None:

@@ -73,9 +73,7 @@ def curves(definition: Definition) -> tuple[str, ...]:
 
 
 def has_cross(definition: Definition) -> bool:
-    """Return whether the control has tables that correct an axis by another axis or by
-    direction.
-    """
+    """Return whether the control has tables that correct an axis by another axis or direction."""
     return any(name in definition.bindings for name in CROSS)
 
 

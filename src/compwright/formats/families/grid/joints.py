@@ -1,4 +1,4 @@
-"""Joints (motors) of a LinuxCNC machine: axis letters, homing, and steps too small to apply."""
+"""Joints of a LinuxCNC machine: axis letters, homing, and correction steps never applied."""
 
 from __future__ import annotations
 
