@@ -6,7 +6,8 @@ a job with ``apply: {squareness: {XY: Y}}`` does, every tenth goes through the f
 ``compwright run`` itself, and with ``apply: {scale: [X, Y]}`` too. The corrected machine is
 measured by the examiner without noise.
 ``worse``: the squareness (scale) that is left is larger than before; ``circle worse``: the
-bidirectional circular deviation grows by more than 0.1 µm and a tenth, which `run` calls worse.
+bidirectional circular deviation grows by more than 0.1 µm and a tenth, which `run` calls worse;
+``..., exit 0``: and `run` ends with 0. ``doubted``: corrected with the doubt CW-P166.
 ``determinable``: both axes reverse inside the arc, and two Cramér-Rao errors are below half of the
 value and below 30 µm/m; ``written``: of these a correction was written; ``negligible``: of these
 none was, because the squareness is known to be below 15 µm/m.
@@ -31,14 +32,14 @@ from compwright.instruments.circular_csv import read_circular_csv
 from compwright.planning.circle_diagnosis import diagnose_circle
 from compwright.planning.circles import CIRCULAR_STANDARD as STANDARD
 from compwright.records.circular import CircularTest
-from compwright.records.correction_need import correction_need
+from compwright.records.correction_need import correction_need, worse_doubts
 from compwright.workflow.commands.run import PlannedJob, planned
 from compwright.workflow.inputs.jobs import read_job_file
 
 #: Kinds of arc (`examiner_circles.ARCS`; another word: any).
 KINDS: Final = ("360", "220", "180", "90", "90 between", "any arc", "any arc", "any arc")
 _GROWS: Final = 0.1  # µm
-_SHARE: Final = 1.1  # `planning.circles.WORSE`
+_SHARE: Final = 1.1  # 1 + `planning.circles.WORSE`
 _RUN_EVERY: Final = 10
 
 
@@ -64,18 +65,20 @@ def deviation(test: Circle) -> float:
     return 1e3 * float(evaluate_circle(read).parameters["G_bidirectional"] or 0.0)
 
 
-def decided(text: str) -> tuple[float | None, bool]:
+def decided(text: str) -> tuple[float | None, bool, bool]:
     """Return the squareness that a job would correct, µm/m, by the circle of a CSV ``text``, None
-    where it would not, and whether it is known to need no correction.
+    where it would not, whether it is known to need no correction, and whether it is in doubt.
     """
     diagnosis = diagnose_circle(
         read_circular_csv(text.encode(), "xy.csv", "xy"), STANDARD
     ).diagnosis
     if diagnosis is None or "squareness" in diagnosis.undetermined:
-        return None, False
+        return None, False, False
     effect = diagnosis.effects["squareness"]
     need = correction_need(effect.value, effect.std_error)
-    return effect.value if need == "correct" else None, need == "negligible"
+    if need != "correct":
+        return None, need == "negligible", False
+    return effect.value, False, bool(worse_doubts(effect.value, effect.std_error, ("X", "Y")))
 
 
 def slope_of(found: PlannedJob) -> float | None:
@@ -90,10 +93,13 @@ class Counts:
 
     def __init__(self) -> None:
         self.all: Counter[str] = Counter()
-        self.notes: list[str] = []
 
-    def squareness(self, number: int, test: Circle, slope: float | None, *, small: bool) -> None:
-        """Count a decision about the squareness; ``small``: it is known to need no correction."""
+    def squareness(
+        self, number: int, test: Circle, slope: float | None, folder: Path, *, small: bool
+    ) -> None:
+        """Count a decision about the squareness by the circle in ``folder``; ``small``: it is known
+        to need no correction.
+        """
         true = test.values["squareness"]
         bound = test.bound()["squareness"]
         both = test.reverses() and len(test.senses) == len(TURNS)
@@ -107,14 +113,19 @@ class Counts:
             return
         self.all["corrected"] += 1
         if abs(true - slope) > abs(true):
-            self.all["worse"] += 1
-            self.note(number, test, f"worse: {true:.1f} µm/m corrected by {slope:.1f}")
+            self.harm("worse", number, test, folder, f"{true:.1f} µm/m corrected by {slope:.1f}")
         after = replace(test, values={**test.values, "squareness": true - slope})
         was, becomes = deviation(test), deviation(after)
         if becomes > max(was + _GROWS, was * _SHARE):
-            self.all["circle worse"] += 1
-            what = f"{true:.1f} µm/m corrected by {slope:.1f}"
-            self.note(number, test, f"G {was:.2f} to {becomes:.2f} µm: {what}")
+            what = f"G {was:.2f} to {becomes:.2f} µm, {true:.1f} µm/m corrected by {slope:.1f}"
+            self.harm("circle worse", number, test, folder, what)
+
+    def harm(self, kind: str, number: int, test: Circle, folder: Path, words: str) -> None:
+        """Count a correction that makes something worse, and whether `run` ends with 0."""
+        exit_code = run(folder, "{squareness: {XY: Y}}").exit_code
+        self.all[kind] += 1
+        self.all[f"{kind}, exit 0"] += exit_code == 0
+        self.note(number, test, f"{kind}, exit {exit_code}: {words}")
 
     def run(self, number: int, test: Circle, slope: float | None, found: PlannedJob) -> None:
         """Count a job that went through ``run``: the same correction, or none and exit 1."""
@@ -140,8 +151,14 @@ class Counts:
                 self.note(number, test, f"scale {true:.1f} µm/m corrected by {slope:.1f}")
 
     def note(self, number: int, test: Circle, words: str) -> None:
-        """Keep a case for people."""
-        self.notes.append(f"{number} {test.kind} {test.start:.0f}+{test.extent:.0f}: {words}")
+        """Print a case."""
+        where = f"{number} {test.kind} {test.start:.0f}+{test.extent:.0f}"
+        print(f"{where}: {words}", flush=True)
+
+    def show(self, arcs: int) -> None:
+        """Print the counts so far."""
+        counts = ", ".join(f"{name} {count}" for name, count in self.all.items())
+        print(f"{arcs} arcs: {counts}", flush=True)
 
 
 def scale_slopes(found: PlannedJob) -> dict[str, float]:
@@ -167,14 +184,14 @@ def main() -> None:
             rng = np.random.default_rng([arguments.seed, number])
             test = circle(rng, KINDS[number % len(KINDS)])
             test.write(folder / "xy.csv", rng)
-            slope, small = decided((folder / "xy.csv").read_text(encoding="utf-8"))
-            counts.squareness(number, test, slope, small=small)
+            slope, small, doubted = decided((folder / "xy.csv").read_text(encoding="utf-8"))
+            counts.all["doubted"] += doubted
+            counts.squareness(number, test, slope, folder, small=small)
             if number % _RUN_EVERY == 0:
                 counts.run(number, test, slope, run(folder, "{squareness: {XY: Y}}"))
                 counts.scale(number, test, run(folder, "{scale: [X, Y]}"))
-    for note in counts.notes:
-        print(note)
-    print(", ".join(f"{name} {count}" for name, count in counts.all.items()))
+                counts.show(number + 1)
+    counts.show(arguments.count)
     print(f"{(time.perf_counter() - started) / arguments.count:.1f} s an arc")
 
 

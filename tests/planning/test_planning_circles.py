@@ -27,7 +27,7 @@ from compwright.prediction.active_corrections import (
 )
 from compwright.prediction.circular import CirclePath
 from compwright.records.axis import AxisKind
-from compwright.records.circular import CircularResult, CircularRun, CircularTest
+from compwright.records.circular import CircularResult, CircularRun, CircularTest, FittedRun
 from compwright.records.job import CircleRequest
 from compwright.records.prediction import CirclePrediction, Quantiles
 from planning_samples import MINUS, PLUS, UM, axis_of, by_slope, circle_of
@@ -165,6 +165,23 @@ def test_a_circle_gets_worse_beyond_noise_and_a_tenth(
     assert [finding.code for finding in found] == (["CW-P131"] if worse else [])
     if worse:
         assert f"grow from 10.0 to {median:.1f} µm ({low:.1f} to" in found[0].message
+
+
+@pytest.mark.parametrize(("median", "worse"), [(10.4, False), (10.6, True)])
+def test_noise_does_not_hide_that_a_circle_gets_worse(median: float, *, worse: bool) -> None:
+    """An ellipse of 5 µm, measured as 10 with its noise: a tenth of it is 0.5 µm."""
+    found = prediction(
+        {"G_bidirectional": 10.0 * UM}, {"G_bidirectional": (10.1 * UM, median * UM)}
+    )
+    assert found.before.diagnosis is not None
+    angles = np.arange(0.0, 360.0)
+    ellipse = 2.5 * UM * np.cos(2.0 * np.radians(angles))
+    fitted = tuple(
+        FittedRun(sense=sense, number=1, angles=turned, deviations=ellipse, residuals=np.zeros(360))
+        for sense, turned in (("ccw", angles), ("cw", angles[::-1]))
+    )
+    before = replace(found.before, diagnosis=replace(found.before.diagnosis, fitted=fitted))
+    assert bool(worse_circle_findings({"xy": replace(found, before=before)})) is worse
 
 
 def test_both_runs_together_count_where_there_are_both() -> None:

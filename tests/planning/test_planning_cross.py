@@ -133,6 +133,7 @@ def test_circles_that_agree_are_better_than_each() -> None:
 @pytest.mark.parametrize(
     ("value", "error", "code"),
     [
+        (-30.0, 4.8, "CW-P109"),
         (-30.0, 7.4, "CW-P109"),
         (-30.0, 7.6, "CW-P106"),  # two standard errors above half of the value
         (116.0, 14.9, "CW-P109"),
@@ -147,10 +148,33 @@ def test_an_angle_is_corrected_where_it_is_known_well_enough(
 ) -> None:
     found = plan(square(value, error), apply=BEND_Y)
     assert bool(found.planned) is (code == "CW-P109")
-    assert [finding.code for finding in found.findings if finding.code != "CW-P111"] == [code]
+    rest = [one.code for one in found.findings if one.code not in ("CW-P111", "CW-P166")]
+    assert rest == [code]
     assert all(
         finding.severity == "error" for finding in found.findings if finding.code == "CW-P106"
     )
+
+
+@pytest.mark.parametrize(
+    ("value", "error", "chance"),
+    [
+        (60.0, 7.5, ""),  # P(z > 4): 0.003 %
+        (-30.0, 4.8, ""),  # P(z > 3.125): 0.089 %
+        (-30.0, 5.0, "0.13 %"),  # P(z > 3): 0.135 %
+        (30.0, 7.4, "2.1 %"),  # P(z > 2.027): 2.13 %
+    ],
+)
+def test_a_correction_that_may_make_it_worse_is_a_doubt(
+    value: float, error: float, chance: str
+) -> None:
+    """The true squareness is normal about the measured one; below half of it the corrected machine
+    is further from 90° than before.
+    """
+    found = plan(square(value, error), apply=BEND_Y)
+    assert only(found).squareness == pytest.approx(value * PPM)
+    doubts = [one for one in found.findings if one.code == "CW-P166"]
+    assert [one.is_doubt for one in doubts] == [True] * bool(chance)
+    assert all(f"worse with a probability of {chance}." in one.message for one in doubts)
 
 
 def test_circles_that_are_too_poor_alone_count_together() -> None:

@@ -187,6 +187,15 @@ def test_a_scale_is_corrected_where_it_is_known_well_enough(
     assert (found.finding.code, found.finding.severity) == (code, severity)
 
 
+def test_a_scale_whose_correction_may_make_it_worse_is_a_doubt() -> None:
+    """50 ± 12.4 µm/m (one standard error): below 25 with P(z > 2.016), 2.2 %."""
+    for error, doubts in ((7.0, []), (12.4, ["CW-P166"])):
+        found = scaled(circle_of({"scale_error_second": (50.0, error)}, feed=150.0))
+        assert [one.code for one in found.findings if one.is_doubt] == doubts
+    assert "scale of axis Y" in found.findings[-1].message
+    assert "a probability of 2.2 %." in found.findings[-1].message
+
+
 def test_circles_at_low_feeds_are_weighted() -> None:
     """40 ± 1 and 50 ± 2 µm/m: 42."""
     found = scaled(

@@ -23,7 +23,7 @@ from compwright.prediction.circular import commanded_path
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.circular import CircularRun
 from compwright.records.correction import CrossCompensation
-from compwright.records.correction_need import correction_need, shortfall
+from compwright.records.correction_need import correction_need, shortfall, worse_doubts
 from compwright.records.job import CrossRequest, Job, other_axis
 from compwright.records.plan import PlannedCross
 from compwright.words.sentences import Sentence, say
@@ -268,6 +268,9 @@ class _Planner:
             output=bent,
             input=given,
         )
+        name = "".join(sorted((given, bent)))
+        in_ppm = angle.value * _PPM, angle.std_error * _PPM
+        self.findings += worse_doubts(*in_ppm, (given, bent), name)
         return PlannedCross(
             input=given,
             output=bent,

@@ -28,7 +28,7 @@ from compwright.planning.wanted_correction import (
 from compwright.prediction.active_corrections import NO_CORRECTIONS, ActiveCorrections
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import ControlState
-from compwright.records.correction_need import correction_need, shortfall
+from compwright.records.correction_need import correction_need, shortfall, worse_doubts
 from compwright.records.estimate import ErrorEstimate
 from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.job import AS_FOUND, AxisJob, Job
@@ -55,13 +55,14 @@ class ScaleCorrection:
     name: str
     planned: PlannedAxis | None
     finding: Finding
+    doubts: tuple[Finding, ...] = ()
 
     @property
     def findings(self) -> tuple[Finding, ...]:
         """The findings about the scale correction, and about table points that move."""
         fitted = None if self.planned is None else self.planned.fitted
         moved = () if fitted is None else fitted.findings
-        return (self.finding, *(one for one in moved if one.code == NEW_GRID))
+        return (self.finding, *self.doubts, *(one for one in moved if one.code == NEW_GRID))
 
 
 def correct_scales(
@@ -135,7 +136,8 @@ def _scaled(
                 reasons=[str(fault) for fault in error.faults],
             ),
         )
-    return ScaleCorrection(name, planned, Finding.of("CW-P120", "warning", scale=words))
+    doubts = worse_doubts(scale.value * _PPM, scale.std_error * _PPM, (name,))
+    return ScaleCorrection(name, planned, Finding.of("CW-P120", "warning", scale=words), doubts)
 
 
 def _values(

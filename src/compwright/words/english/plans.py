@@ -360,6 +360,11 @@ SENTENCES: Final[dict[str, str]] = {
         " {unit}. To find out which is true, measure a second test in the same way, and add its"
         " file to `before` of the axis"
     ),
+    "CW-P166": (
+        "{plane:if|The squareness of plane {plane}|The scale of axis {axis}} is corrected, but is"
+        " not known well: the correction makes it worse with a probability of {percent:2sig} %."
+        " Measure more full circles in both directions, and give all of them"
+    ),
     "grid.even": "{points} points from {start:.10g} to {end:.10g} {unit}, every {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": "predicted {name} {value:.2f} {unit} ({elsewhere:.2f} at new targets)",

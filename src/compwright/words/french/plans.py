@@ -364,6 +364,11 @@ SENTENCES: Final[dict[str, str]] = {
         " {most:.2f} {unit}. Pour le savoir, mesurer un deuxième essai de la même façon, et ajouter"
         " son fichier à `before` de l'axe"
     ),
+    "CW-P166": (
+        "{plane:if|La perpendicularité du plan {plane}|L'échelle de l'axe {axis}} est corrigée,"
+        " mais mal connue : la correction l'aggrave avec une probabilité de {percent:2sig} %."
+        " Mesurer d'autres cercles entiers dans les deux sens, et les donner tous"
+    ),
     "grid.even": "{points} points de {start:.10g} à {end:.10g} {unit}, tous les {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": (

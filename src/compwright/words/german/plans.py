@@ -381,6 +381,12 @@ SENTENCES: Final[dict[str, str]] = {
         " {least:.2f} bis {most:.2f} {unit}. Um das zu klären, eine zweite Prüfung auf dieselbe Art"
         " messen und ihre Datei bei der Achse unter `before` angeben"
     ),
+    "CW-P166": (
+        "{plane:if|Die Rechtwinkligkeit der Ebene {plane}|Der Maßstab der Achse {axis}} wird"
+        " korrigiert, ist aber nicht genau bekannt: Die Korrektur macht den Fehler mit einer"
+        " Wahrscheinlichkeit von {percent:2sig} % größer. Weitere volle Kreise in beiden Richtungen"
+        " messen und alle angeben"
+    ),
     "grid.even": "{points} Punkte von {start:.10g} bis {end:.10g} {unit}, alle {step:.6g} {unit}",
     "grid.few": "{points} Punkte",
     "grid.predicted": (
