@@ -926,7 +926,8 @@ def test_circles_of_one_plane_that_disagree(
     assert compwright(["run", str(path)]) == 1
     assert "CW-P110" in codes(capsys)
     prediction = document(folder / "job" / "prediction.json")
-    assert [one["code"] for one in prediction["doubts"]] == ["CW-P110"]
+    # 50 ± 10 µm/m: below 25 in 0.6 % of cases
+    assert [one["code"] for one in prediction["doubts"]] == ["CW-P110", "CW-P166"]
     assert prediction["axes"]["X"]["accept"]["A"]["decision"] == "undecided"
     (cross,) = read_plan((folder / "job" / "plan.json").read_bytes(), "").cross
     assert cross.squareness == pytest.approx(50e-6, abs=3e-6)  # rad: the weighted mean of two alike
