@@ -29,6 +29,8 @@ _OF_CURVE: Final = frozenset({"A", "E", "M", "R", "B"})
 #: Years ahead beyond which no date is given, and halvings of them down to a day.
 _HORIZON: Final = 30.0
 _HALVINGS: Final = 15
+#: Draws whose curves are computed at once: larger arrays are taken from the system each time.
+_AT_ONCE: Final = 1000
 
 #: Years after the last test, ends and median of the 90 % interval (early, median, late); None: not
 #: within 30 years.
@@ -47,14 +49,19 @@ class ErrorCurve:
     shape: FloatArray
 
     def value(self, slope: FloatArray, reversal: FloatArray) -> FloatArray:
-        """Return the parameter (...,) without scatter, from slopes (µm/m) and mean reversal errors
-        (...,).
+        """Return the parameter (n,) without scatter, from slopes (µm/m) and mean reversal errors
+        (n,).
         """
-        mean = np.multiply.outer(slope, self.along)
-        half = 0.5 * np.asarray(reversal)[..., None]
-        up, down = mean + self.shape[0] + half, mean + self.shape[1] - half
+        portions = [slice(i, i + _AT_ONCE) for i in range(0, len(slope), _AT_ONCE)]
+        return np.concatenate([self._value(slope[each], reversal[each]) for each in portions])
+
+    def _value(self, slope: FloatArray, reversal: FloatArray) -> FloatArray:
+        mean = np.multiply.outer(self.along, slope)
+        half, shape = 0.5 * reversal, self.shape[:, :, None]
+        up, down = mean + shape[0] + half, mean + shape[1] - half
         s = np.zeros(self.along.size)
-        return parameters(up, s, down, s, 1.0, self.parameter)[self.parameter]
+        # transposed: maxima over targets are faster where the draws are next to each other
+        return parameters(up.T, s, down.T, s, 1.0, self.parameter)[self.parameter]
 
 
 def error_curve(parameter: str, entries: Sequence[HistoryEntry]) -> ErrorCurve | None:

@@ -52,6 +52,8 @@ _NORMAL_95: Final = 1.959964
 #: Share of the weight of all models that is kept, the weightiest first.
 _KEPT: Final = 0.9995
 _DRAWS: Final = 4000
+_NEWTON_STEPS: Final = 60
+_ROOT_2_PI: Final = math.sqrt(2.0 * math.pi)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -195,20 +197,20 @@ class _Solution:
 def _solved(tests: _Tests, design: FloatArray, widths: FloatArray) -> _Solution:
     weights = tests.weights
     weighted = weights[:, :, None] * design
-    inverse = np.einsum("np,snq->spq", design, weighted) + np.diag(widths**-2.0)
+    inverse = design.T @ weighted + np.diag(widths**-2.0)
     covariance = np.linalg.inv(inverse)
-    right = np.einsum("snp,n->sp", weighted, tests.values)
-    coefficients = np.einsum("spq,sq->sp", covariance, right)
-    left = weights @ tests.values**2 - np.einsum("sp,sp->s", coefficients, right)
+    right = tests.values @ weighted
+    coefficients = (covariance @ right[:, :, None])[:, :, 0]
+    left = weights @ tests.values**2 - (coefficients * right).sum(axis=1)
     evidence = 0.5 * (
         np.log(weights).sum(axis=1)
         - np.linalg.slogdet(inverse)[1]
         - 2.0 * np.log(widths).sum()
         - left
     )
-    across = np.einsum("nc,snp->scp", tests.steps, weighted)
+    across = tests.steps.T @ weighted
     loading = across @ covariance
-    precision = weights @ tests.steps**2 - np.einsum("scp,scp->sc", loading, across)
+    precision = weights @ tests.steps - (loading * across).sum(axis=2)
     off = tests.values - coefficients @ design.T
     residual = (weights * off) @ tests.steps
     return _Solution(coefficients, covariance, evidence, precision, residual, loading)
@@ -309,16 +311,26 @@ class _Mixture:
         return float(self.weight @ self.rate)
 
     def interval(self) -> tuple[float, float]:
-        """Return the two ends of the 95 % interval of the rate."""
+        """Return the ends of the 95 % interval of the rate, by Newton's method between bounds."""
         deviation = np.sqrt(self.rate_variance)
         low = np.full(2, float(np.min(self.rate - 9.0 * deviation)))
         high = np.full(2, float(np.max(self.rate + 9.0 * deviation)))
         wanted = np.array([0.025, 0.975])
-        for _ in range(26):
-            middle = 0.5 * (low + high)
-            below = _normal_law((middle[:, None] - self.rate) / deviation) @ self.weight < wanted
-            low, high = np.where(below, middle, low), np.where(below, high, middle)
-        return float(low[0]), float(high[1])
+        off = self.rate - self.mean_rate()
+        spread = math.sqrt(float(self.weight @ (self.rate_variance + off**2)))
+        ends = self.mean_rate() + np.array([-_NORMAL_95, _NORMAL_95]) * spread
+        for _ in range(_NEWTON_STEPS):
+            score = (ends[:, None] - self.rate) / deviation
+            lacking = wanted - _normal_law(score) @ self.weight
+            low, high = np.where(lacking > 0.0, ends, low), np.where(lacking > 0.0, high, ends)
+            density = np.exp(-0.5 * score**2) @ (self.weight / deviation) / _ROOT_2_PI
+            best = ends + lacking / np.maximum(density, 1e-12 / spread)
+            best = np.where((low < best) & (best < high), best, 0.5 * (low + high))
+            moved = float(np.max(np.abs(best - ends)))
+            ends = best
+            if moved < 1e-8 * spread:
+                break
+        return float(ends[0]), float(ends[1])
 
     def lines(self, random: np.random.Generator, *, grows: bool) -> tuple[FloatArray, FloatArray]:
         """Return random draws of the level and of the rate. The rate is 0 unless it ``grows``."""

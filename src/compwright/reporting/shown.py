@@ -8,7 +8,7 @@ before they are measured; what got past that is caught when it is printed. Loads
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import rich.text
@@ -43,6 +43,7 @@ class _PlainConsole(Console):
 
     def __init__(self, **words: Any) -> None:
         super().__init__(highlight=False, markup=False, emoji=False, **words)
+        self._rendering = False
 
     def render_str(self, text: str, **words: Any) -> rich.text.Text:
         return super().render_str(visible(text), **words)
@@ -50,11 +51,20 @@ class _PlainConsole(Console):
     def render(
         self, renderable: RenderableType, options: ConsoleOptions | None = None
     ) -> Iterable[Segment]:
-        for segment in super().render(renderable, options):
-            if segment.control:  # moves of the cursor that rich makes itself, for a bar
-                yield segment
-            else:
-                yield Segment(visible_lines(segment.text), segment.style)
+        segments = super().render(renderable, options)
+        return segments if self._rendering else self._made_visible(segments)
+
+    def _made_visible(self, segments: Iterable[Segment]) -> Iterator[Segment]:
+        """Yield the segments of a whole renderable; its parts are rendered meanwhile."""
+        self._rendering = True
+        try:
+            for segment in segments:
+                if segment.control:  # moves of the cursor that rich makes itself, for a bar
+                    yield segment
+                else:
+                    yield Segment(visible_lines(segment.text), segment.style)
+        finally:
+            self._rendering = False
 
 
 def print_renderables(renderables: Sequence[RenderableType]) -> None:

@@ -96,7 +96,9 @@ def folders_holding(
 
     put_right_above(session, top, InputError)
     for folder, below, files in os.walk(top, onerror=refused):
-        if UNFINISHED in below:
+        if UNFINISHED not in (*below, *files):
+            session.searched.add(os.path.abspath(folder))  # noqa: PTH100 - for every folder
+        else:
             try:
                 put_right_in(session, Path(folder), InputError)
                 below[:], files[:] = _names_in(Path(folder))

@@ -41,7 +41,7 @@ def read_bytes(session: Session, path: Path, kind: InputKind = ANY) -> bytes:
             with open(path, "rb", opener=_opened) as stream:
                 seen = os.fstat(stream.fileno())
                 refused = _not_to_be_read(seen, kind)
-                content = b"" if refused else _at_most(stream, kind.most_bytes + 1)
+                content = b"" if refused else _at_most(stream, seen.st_size, kind.most_bytes + 1)
             session.inputs.add((seen.st_dev, seen.st_ino))
     except FileNotFoundError as error:
         raise InputError(_absent(path).in_file(str(path))) from error
@@ -81,11 +81,19 @@ def _absent(path: Path) -> Fault:
     return Fault(message="the file does not exist", found=found, hint=hint)
 
 
-def _at_most(stream: BinaryIO, count: int) -> bytes:
-    """Return up to ``count`` bytes that are available at once. Raises OSError if none are."""
-    content = stream.read(count)
-    if content is None:
-        raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
+def _at_most(stream: BinaryIO, size: int, count: int) -> bytes:
+    """Return up to ``count`` bytes that are available at once. Raises OSError if none are.
+
+    ``size``: of the file as it states it; no more memory is taken unless there is more to read.
+    """
+    content = b""
+    for most in (size + 1, count - size - 1):
+        part = stream.read(most)
+        if part is None:
+            raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
+        content += part
+        if len(part) < most:
+            break
     return content
 
 

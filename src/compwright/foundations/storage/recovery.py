@@ -11,7 +11,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, suppress
-from itertools import takewhile
+from itertools import chain, takewhile
 from pathlib import Path
 
 from compwright.foundations.errors import CompwrightError, Fault
@@ -82,7 +82,7 @@ def _not_searched(session: Session, folder: Path) -> list[Path]:
     """Return ``folder`` and those parents that are not checked in the session, outermost first."""
     found: list[Path] = []
     for way in (folder, resolved(folder)):
-        inner = takewhile(lambda path: str(path) not in session.searched, (way, *way.parents))
+        inner = takewhile(lambda path: str(path) not in session.searched, chain([way], way.parents))
         found.extend(reversed(list(inner)))
     return list(dict.fromkeys(found))
 

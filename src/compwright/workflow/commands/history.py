@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -63,10 +64,12 @@ def history_of(
             )
         )
     folders, faults = result_folders(session, tops)
-    with opened(session, index) as database:
+    with nullcontext() if index is None else opened(session, index) as database:
         entries, folder_documents, read = _read(session, folders, database, faults)
-        _forget_gone(tops, folders, database)
-        kept = {index: database.content()} if index is not None and database.changed else {}
+        kept = {}
+        if index is not None and database is not None:
+            _forget_gone(tops, folders, database)
+            kept = {index: database.content()} if database.changed else {}
     if faults and not entries:
         raise InputError(*faults)
     series = _series(entries, tops)
@@ -81,7 +84,7 @@ def history_of(
 
 
 def _read(
-    session: Session, folders: Sequence[Path], database: HistoryIndex, faults: list[Fault]
+    session: Session, folders: Sequence[Path], database: HistoryIndex | None, faults: list[Fault]
 ) -> tuple[list[HistoryEntry], list[dict[str, Any]], int]:
     """Return the tests and notes of all folders, and the number of folders that were read.
 
@@ -91,21 +94,27 @@ def _read(
     folder_documents = []
     read = 0
     for folder in folders:
-        if not database.known(folder):
+        if database is not None and database.known(folder):
+            entries += database.entries(folder)
+            notes, files = database.notes_of(folder)
+        else:
             read += 1
-            database.forget(folder)
+            if database is not None:
+                database.forget(folder)
             try:
                 found = read_folder(session, folder)
-                database.put(folder, entries_of(found), found.notes, found.files, found.names)
+                of_folder = entries_of(found)
+                if database is not None:
+                    database.put(folder, of_folder, found.notes, found.files, found.names)
             except InputError as error:
                 faults.extend(collect([error]))
                 continue
-        entries += database.entries(folder)
-        notes, files = database.notes_of(folder)
+            entries += of_folder
+            notes, files = found.notes, found.files
         folder_documents.append(
             {
                 "folder": shown_path(folder),
-                "notes": notes,
+                "notes": list(notes),
                 "files": [{"file": name, "state": state} for name, state in files],
             }
         )

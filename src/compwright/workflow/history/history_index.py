@@ -120,12 +120,12 @@ class HistoryIndex:
 
 
 @contextmanager
-def opened(session: Session, path: Path | None) -> Iterator[HistoryIndex]:
+def opened(session: Session, path: Path) -> Iterator[HistoryIndex]:
     """Open the index stored in a file, or a new index if there is no file.
 
     Raises InputError for a file that is no index of this version; it stays as it is.
     """
-    file = "" if path is None else shown_path(path)
+    file = shown_path(path)
     with closing(sqlite3.connect(":memory:")) as database:
         try:
             _fill(session, database, path, file)
@@ -134,8 +134,8 @@ def opened(session: Session, path: Path | None) -> Iterator[HistoryIndex]:
             raise _refused(file, "is a damaged index", str(error)) from error
 
 
-def _fill(session: Session, database: sqlite3.Connection, path: Path | None, file: str) -> None:
-    if path is None or not storage.is_there(session, path):
+def _fill(session: Session, database: sqlite3.Connection, path: Path, file: str) -> None:
+    if not storage.is_there(session, path):
         database.executescript(_TABLES)
         return
     content = storage.earlier_bytes(session, path)

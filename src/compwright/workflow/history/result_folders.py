@@ -105,13 +105,10 @@ def _not_as_written(
 ) -> Iterator[tuple[str, str]]:
     for name, digest in expected.items():
         place = path / name
-        if not storage.is_there(session, place):
-            yield name, "missing"
-            continue
         try:
             same = fingerprint(storage.read_bytes(session, place)) == digest
         except InputError:
-            yield name, "unreadable"
+            yield name, "unreadable" if storage.is_there(session, place) else "missing"
             continue
         if not same:
             yield name, "changed"

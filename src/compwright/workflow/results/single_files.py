@@ -17,11 +17,6 @@ from typing import Final
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, StorageError, raise_all
 from compwright.foundations.session import Session
-from compwright.instruments.circular_reading import is_circular
-from compwright.instruments.forms import PLAIN_CSV, form_of
-from compwright.instruments.own_forms import is_plain_csv
-from compwright.instruments.table_shape import has_table
-from compwright.instruments.text_input import read_any_lines
 
 _TABLE: Final = "a table"
 _WORKBOOK: Final = "a workbook"
@@ -99,15 +94,21 @@ def kind_of(content: bytes) -> str:
     """Return the kind of a file, such as "a JSON document", or "" if it is uncertain."""
     if len(content) > _LOOKED_AT:
         content = content[:_LOOKED_AT].rpartition(b"\n")[0]
-    kind = next((kind for mark, kind in _SIGNATURES if mark.match(content)), "")
     schema = _SCHEMA.match(content)
     if schema is not None:
-        kind = f"a JSON document ({schema[1].decode()})"
+        return f"a JSON document ({schema[1].decode()})"
+    kind = next((kind for mark, kind in _SIGNATURES if mark.match(content)), "")
     return kind or _of_text(content)
 
 
 def _of_text(content: bytes) -> str:
     """Return the kind of a text file, by the readers of all kinds."""
+    from compwright.instruments.circular_reading import is_circular
+    from compwright.instruments.forms import PLAIN_CSV, form_of
+    from compwright.instruments.own_forms import is_plain_csv
+    from compwright.instruments.table_shape import has_table
+    from compwright.instruments.text_input import read_any_lines
+
     kind = next((kind for mark, kind in _YAML if mark.search(content)), "")
     try:
         if kind or is_circular(content, ""):
