@@ -408,7 +408,7 @@ def test_a_circle_that_gets_worse_leaves_the_result_undecided(
 
 @pytest.mark.parametrize(
     ("mask", "option", "word"),
-    [("%00000", "", "would wake"), ("%00001", ", options: {method: line}", "would switch off")],
+    [("%00000", "", "would activate"), ("%00001", ", options: {method: line}", "would switch off")],
 )
 def test_the_bit_of_an_axis_is_not_changed_where_the_table_of_another_axis_hangs_on_it(
     folder: Path, mask: str, option: str, word: str, capsys: pytest.CaptureFixture[str]

@@ -88,7 +88,7 @@ def test_where_nodes_may_lie_anywhere_a_named_end_is_one() -> None:
 
 
 def test_a_named_end_beside_an_even_grid_is_refused() -> None:
-    assert "table.end is none of its points, which stand every 70 mm" in refused(THERE, end=500.0)
+    assert "table.end is none of its points, which come every 70 mm" in refused(THERE, end=500.0)
 
 
 def test_less_than_half_of_the_travel_is_no_use() -> None:

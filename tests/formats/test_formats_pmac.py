@@ -533,7 +533,9 @@ def test_a_motor_whose_table_corrects_another_one() -> None:
 def test_switching_on_wakes_nobody_else() -> None:
     wish = table([-100, 0, 100, 200], [1, 0, -2, -3])
     asleep = OTHERS.replace("I51=1", "I51=0")
-    with pytest.raises(CapacityError, match="would wake those of other motors: #4 COMP, #4 BLCOMP"):
+    with pytest.raises(
+        CapacityError, match="would switch on those of other motors: #4 COMP, #4 BLCOMP"
+    ):
         patched(asleep, wish)
     assert "I51=1" in patched(EXAMPLE.replace("I51=1", "I51=0"), wish).splitlines()
 

@@ -252,7 +252,9 @@ def test_a_product_on_another_axis_is_left_out_where_nobody_asks_for_it() -> Non
     assert "CW-S011" in codes(state)
     with pytest.raises(InputError, match="multiplied"):
         siemens(text)
-    with pytest.raises(CapacityError, match="0 among 0"):  # it is not free all the same
+    with pytest.raises(
+        CapacityError, match=r"0 in `cec_tables` \(0\)"
+    ):  # it is not free all the same
         control_format(
             SIEMENS, {"cec": "available", "cec_tables": [0], "cec_sign": "correction"}, state
         ).capacity(axis_of("AX1"))
@@ -334,10 +336,10 @@ def test_the_capacity_of_a_pair() -> None:
     ("indices", "found"),
     [
         ([], "none"),
-        ([4], "1 among 4"),
-        ([4, 0], "1 among 4, 0"),
-        ([0, 1], "0 among"),
-        ([4, 4], "1 among"),
+        ([4], "1 in `cec_tables` (4)"),
+        ([4, 0], "1 in `cec_tables` (4, 0)"),
+        ([0, 1], "0 in `cec_tables` ("),
+        ([4, 4], "1 in `cec_tables` ("),
     ],
 )
 def test_too_few_tables_are_told_with_how_many_are_needed(indices: list[int], found: str) -> None:

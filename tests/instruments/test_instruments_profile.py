@@ -237,9 +237,9 @@ def test_a_header_row_that_stands_twice_is_not_guessed() -> None:
 @pytest.mark.parametrize(
     ("line", "words"),
     [
-        ("Achse: X", "contradict each other: axis; expected Y as in P.yaml, found X"),
-        ("Einheit: mm", "contradict each other: unit; expected um as in P.yaml, found mm"),
-        ("Soll - Ist", "contradict each other: sign; expected measured minus target"),
+        ("Achse: X", "states another axis than the profile; expected Y as in P.yaml, found X"),
+        ("Einheit: mm", "states another unit than the profile; expected um as in P.yaml, found mm"),
+        ("Soll - Ist", "states another sign than the profile; expected measured minus target"),
     ],
 )
 def test_a_profile_that_was_made_for_another_file(line: str, words: str) -> None:

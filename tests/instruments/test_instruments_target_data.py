@@ -188,11 +188,11 @@ def without(entry: str) -> str:
         (COMPLETE + "UNIT=um\n", "line 16, UNIT is given twice"),
         (
             COMPLETE.replace("CYCLES=2", "CYCLES=5"),
-            "line 3, CYCLES disagrees with the entries; expected 2",
+            "line 3, CYCLES is not the highest cycle of the readings; expected 2",
         ),
         (
             COMPLETE.replace("POSITIONS=2", "POSITIONS=3"),
-            "line 4, POSITIONS disagrees with the entries; expected 2",
+            "line 4, POSITIONS is not the highest index of TGT_DATA; expected 2",
         ),
         (
             COMPLETE.replace("CYCLES=2", "CYCLES=two"),

@@ -54,10 +54,10 @@ def refuse_other_control(
     else:
         hint = f"give files of {given.id}, the control of this plan"
     names = ", ".join(file.name for file in files[:_NAMED])
-    these = "these are files" if len(files) > 1 else "this is a file"
     raise InputError(
         Fault(
-            message=f"{these} of {alike[0].maker}, not of {given.id}",
+            message=f"{'these are files' if len(files) > 1 else 'this is a file'} of "
+            f"{alike[0].maker}, not of {given.id}",
             file=f"{names}, ..." if len(files) > _NAMED else names,
             hint=hint,
         )

@@ -136,7 +136,7 @@ def _to_named_ends(
         if capacity.spacing == "equidistant" and not _even(nodes):
             step = float(nodes[1] - nodes[0])
             raise _no_use(
-                f"table.{name} is none of its points, which stand every {step:.10g} {unit}",
+                f"table.{name} is none of its points, which come every {step:.10g} {unit}",
                 "an end on the grid",
                 f"{end:.10g} {unit}",
             )

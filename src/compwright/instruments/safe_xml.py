@@ -81,7 +81,7 @@ class _Builder:
 
     def document_type(self, *_: object) -> None:
         raise _Refused(
-            "the file declares a document type (DOCTYPE), in which entities could grow without end",
+            "declares a document type (DOCTYPE), in which entities could grow without end",
             "XML without DOCTYPE",
         )
 
@@ -89,7 +89,7 @@ class _Builder:
         self.count += 1
         if self.count > MOST_ELEMENTS or len(self.open) >= MOST_LEVELS:
             raise _Refused(
-                "the file has more elements than any measurement",
+                "has more elements than any measurement",
                 f"{MOST_ELEMENTS} elements, {MOST_LEVELS} levels at most",
             )
         element = Element(tag, attributes, self.parser.CurrentLineNumber)
@@ -131,7 +131,7 @@ def read_xml(content: bytes, file: str) -> Element:
         place = f"line {parser.CurrentLineNumber}"
         raise InputError(
             Fault(
-                message=refused.message,
+                message=f"the XML of the file is refused: it {refused.message}",
                 file=file,
                 place=place,
                 expected=refused.expected,

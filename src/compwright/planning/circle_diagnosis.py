@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
@@ -10,11 +11,6 @@ from compwright.estimation.circle import diagnose
 from compwright.evaluation.circular import evaluate_circle
 from compwright.foundations.errors import Fault, InputError
 from compwright.records.circular import CircularResult, CircularTest, Diagnosis
-
-_NOT_SEPARABLE = (
-    "the samples cannot separate the causes of deviation: they have no noise, or the arc is too"
-    " short"
-)
 
 
 def diagnose_circle(test: CircularTest, standard: str) -> CircularResult:
@@ -35,15 +31,15 @@ def _diagnosed(test: CircularTest) -> Diagnosis:
     """Return the causes of a circular test. Raises InputError where they cannot be found, as for
     noise-free computed samples.
     """
-    with np.errstate(invalid="ignore"):  # a variance below zero is found by its root
-        try:
-            diagnosis = diagnose(test)
-        except np.linalg.LinAlgError as error:
-            raise InputError(
-                Fault(message=_NOT_SEPARABLE, hint="measure a full circle in both directions")
-            ) from error
-    if not all(np.isfinite(effect.std_error) for effect in diagnosis.effects.values()):
-        raise InputError(
-            Fault(message=_NOT_SEPARABLE, hint="measure a full circle in both directions")
+    # a variance below zero is found by its root
+    with np.errstate(invalid="ignore"), suppress(np.linalg.LinAlgError):
+        diagnosis = diagnose(test)
+        if all(np.isfinite(effect.std_error) for effect in diagnosis.effects.values()):
+            return diagnosis
+    raise InputError(
+        Fault(
+            message="the samples cannot separate the causes of deviation: they have no noise, or "
+            "the arc is too short",
+            hint="measure a full circle in both directions",
         )
-    return diagnosis
+    )

@@ -116,8 +116,8 @@ def leader(couplings: Sequence[Coupling], address: str) -> str | None:
 def _led(address: str, coupling: Coupling) -> Fault:
     if not coupling.leads:
         return coupling.fault(
-            f"axis {address} is coupled with another axis, and no file says with which one",
-            "the parameter that says it among the files",
+            f"axis {address} is coupled with another axis, which no file names",
+            "the parameter that names this axis among the files",
         )
     leads = " or ".join(coupling.leads)
     return coupling.fault(

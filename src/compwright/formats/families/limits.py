@@ -14,6 +14,7 @@ from compwright.records.correction import AxisCompensation
 
 #: How far period and modulo of an endless axis may be apart, deg: less than any control resolves.
 SAME_TURN = 1e-6
+_OUTSIDE = {"hold": "the value of this point", "zero": "zero"}
 
 
 def invalid_values(compensation: AxisCompensation) -> str:
@@ -185,11 +186,11 @@ def ends(definition: Definition, compensation: AxisCompensation, label: str) -> 
             faults.append(
                 Fault(
                     message=(
-                        f"{label}: {side} its {end} point the control continues the "
-                        "table differently from the plan"
+                        f"{label}: the correction {side} the {end} point is not the same in the "
+                        "control and in the plan"
                     ),
-                    expected=made,
-                    found=meant,
+                    expected=_OUTSIDE[made],
+                    found=_OUTSIDE[meant],
                     hint="make the table cover the whole travel: `table: {start, end}` in the job",
                 )
             )

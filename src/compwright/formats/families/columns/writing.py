@@ -49,7 +49,7 @@ def write_columns(
         except NotHeld as error:
             faults.append(
                 Fault(
-                    message=f"axis {axis.name} ({address}): {error}",
+                    message=f"axis {axis.name} ({address}): the table cannot be written: {error}",
                     hint=f"correct `table` of axis {axis.name} in the job",
                 )
             )

@@ -208,8 +208,8 @@ def changed_at_run_time(files: Sequence[ControlFile]) -> Iterator[Fault]:
     """
     known = "a HAL file changes the backlash of a joint while the control runs"
     hidden = (
-        "a HAL file sets a pin whose name it does not say: whether that is the backlash of a joint"
-        " is not known"
+        "a HAL file sets a pin without its name: it is unknown whether this is the backlash of a"
+        " joint"
     )
     for file in files:
         for pattern, message in ((_PIN, known), (_HIDDEN_PIN, hidden)):
@@ -225,7 +225,7 @@ def changed_at_run_time(files: Sequence[ControlFile]) -> Iterator[Fault]:
                         else "the name of the pin in its place, in a copy of the file"
                     ),
                     found=match["line"].decode("latin-1").strip(),
-                    hint="correct this in the HAL file, measure again, then give the new file",
+                    hint="correct this line of the HAL file, measure again, then give the new file",
                 )
 
 

@@ -263,7 +263,8 @@ class GridWriter:
             except NotHeld as error:
                 work.faults.append(
                     Fault(
-                        message=f"axis {work.compensation.address}, backlash: {error}",
+                        message=f"axis {work.compensation.address}: the backlash cannot be "
+                        f"written: {error}",
                         hint="set `table: {mode: single}` for this axis, or leave `mode` out",
                     )
                 )

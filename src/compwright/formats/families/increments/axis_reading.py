@@ -294,7 +294,7 @@ class IncrementReader:
         unit = float(self._unit(kind)) * sections.magnification
         if creep != 0:
             message = (
-                "the increments of one turn do not add up to zero: the axis creeps by"
+                "the increments of one turn do not add up to zero: the correction creeps by"
                 f" {creep * unit:g} deg each turn"
             )
             values.notes.refuse(

@@ -94,10 +94,10 @@ def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, .
         except NotHeld as error:
             faults.append(
                 Fault(
-                    message=f"axis {axis.name} ({address}): {error}",
+                    message=f"axis {axis.name} ({address}): the table cannot be written: {error}",
                     hint=(
-                        f"correct this at the control, or correct `table` of axis {axis.name}"
-                        " in the job"
+                        f"correct the setting in the control, or `table` of axis {axis.name} in"
+                        " the job"
                     ),
                 )
             )

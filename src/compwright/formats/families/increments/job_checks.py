@@ -25,9 +25,9 @@ def check_wrapping(values: IncrementAxisValues, kind: AxisKind) -> None:
         says, expected = (
             ("endless (1006#0 = 1, 1006#1 = 0)", f"modulo: {turn:g} in the job")
             if wraps
-            else ("one with ends (1006#0 = 1, 1006#1 = 1)", "no modulo in the job")
+            else ("a rotary axis with ends (1006#0 = 1, 1006#1 = 1)", "no modulo in the job")
         )
-        message = f"the control takes the rotary axis for {says}, the job does not"
+        message = f"the axis is {says} in the control, but not in the job"
     elif modulo is not None and abs(turn - modulo) > SAME_PLACE:
         message = "the turn of the control's files (3625, else 1260) is not the modulo of the job"
         expected = f"modulo: {turn:g}"

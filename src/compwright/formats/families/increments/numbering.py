@@ -72,7 +72,7 @@ def find_place(
     raise NoRoom(
         f"the table needs {needed} point numbers in a row; the longest row that"
         f" no other axis uses has {gap} (numbers {start} to {highest}); a wider spacing or a"
-        " shorter table would help, or files that say what more numbers hold"
+        " shorter table would help, or files that show the contents of more numbers"
     )
 
 

@@ -280,6 +280,9 @@ def _texts(
             texts.append(scale.write(quantity, float(value)))
         except NotHeld as error:
             faults.append(
-                Fault(message=f"{label}: {error}", hint="correct `table` of this axis in the job")
+                Fault(
+                    message=f"{label}: a value cannot be written: {error}",
+                    hint="correct `table` of this axis in the job",
+                )
             )
     return texts

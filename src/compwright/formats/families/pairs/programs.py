@@ -352,7 +352,7 @@ def _question(found: Found) -> Fault:
         message = f"this line decides about line {start.call.line}, the call of {found.file}"
         file, doubts = start.file, [start.line]
     elif start is not None:
-        message = f"those in {lines} act only where a program calls or starts this one"
+        message = f"those in {lines} are executed only if a program calls or starts this one"
         file, doubts = start.file, [start.line, *doubts]
     more = f" ({len(doubts) - 1} more such lines)" if len(doubts) > 1 else ""
     missing = list(dict.fromkeys(one.missing for one in doubts if one.missing))

@@ -41,7 +41,7 @@ _ZERO = (Decimal(0),)
 _ODD = (
     ("cross_type", "makes it a special table", _ZERO),
     ("cross_input_ncu", "takes its input from another NCU", (Decimal(1), *_ZERO)),
-    ("cross_output_ncu", "gives it to another NCU", (Decimal(1), *_ZERO)),
+    ("cross_output_ncu", "sends its output to another NCU", (Decimal(1), *_ZERO)),
     ("cross_first_added", "(SD41320) is added to its point 0", _ZERO),
     ("cross_second_added", "(SD41321) is added to its point 1", _ZERO),
 )

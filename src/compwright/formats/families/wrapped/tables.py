@@ -120,7 +120,12 @@ def motor_table(
     try:
         entries, lost, constant = _numbers(compensation, nodes, counts, label)
     except NotHeld as error:
-        faults.append(Fault(message=str(error), hint="correct `table` of this axis in the job"))
+        faults.append(
+            Fault(
+                message=f"the table cannot be written: {error}",
+                hint="correct `table` of this axis in the job",
+            )
+        )
         return None
     ends = (axis.reference + nodes.high * nodes.step, axis.reference + nodes.low * nodes.step)
     gap = None if compensation.period is not None else ends
@@ -204,10 +209,10 @@ def _beyond_shape(compensation: AxisCompensation, label: str) -> list[Fault]:
     more = compensation.others or compensation.slope or compensation.backlash
     if compensation.interpolation == "linear" and not more:
         return []
-    message = f"{label}: the control has one table for each direction, with straight lines between"
     return [
         Fault(
-            message=f"{message} its points",
+            message=f"{label}: the control has one table for each direction, with straight lines "
+            "between its points",
             expected="such tables only",
             hint="make the plan again with `compwright run`: one table for each direction, "
             "without a line or a backlash value",

@@ -279,10 +279,10 @@ class _Patcher:
         ]
         if sleeping:
             message = (
-                "the scripts end with all tables switched off (I51 = 0); switching on for this"
-                f" table would wake those of other motors: {', '.join(sleeping)}"
+                "the scripts end with all tables switched off (I51 = 0); I51 = 1 for this table"
+                f" would switch on those of other motors: {', '.join(sleeping)}"
             )
-            expected = "scripts without them or with zeros in them, or with I51 = 1 if they act"
+            expected = "scripts in which these are missing or zero, or I51 = 1 if they are active"
             self.faults.append(switch.fault(message, expected=expected))
             return
         if not self._assigned(switch, int(str(binding.writes))):
