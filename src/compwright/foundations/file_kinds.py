@@ -76,7 +76,7 @@ def refuse_other_kind(content: bytes, kind: InputKind, file: str) -> None:
 
 
 def _kind_of(content: bytes) -> str:
-    """Return the kind of a file, such as "a job", or "" if it is unknown."""
+    """Return the kind of a file, such as "a page to read", or "" if it is unknown."""
     head = content[:_HEAD]
     schema = _SCHEMA.match(head)
     if schema is not None:

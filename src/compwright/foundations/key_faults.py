@@ -71,7 +71,7 @@ class KeyFault:
 def usual_hint(path: KeyPath, message: str, expected: str = "", found: str = "") -> str:
     """Return the usual next step for a faulty key, such as the accepted values or nearest name.
 
-    Where ``expected`` has an example.
+    It is a text to write if ``expected`` has an example.
     """
     if not path:
         return "correct the file; the docs of compwright describe its keys"

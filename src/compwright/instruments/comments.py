@@ -108,7 +108,7 @@ def read_comments(
 ) -> Comments:
     """Return the keys and texts of comment lines. ``decisive``: the keys that affect the result.
 
-    Number of the line, text without ``#``.
+    ``lines``: the number of each line and its text without ``#``.
 
     With ``any_key`` false only known keys are taken as keys, all else is free text; ``unit`` too,
     because the target data form explains its own key UNIT in such a line. A decisive key that is

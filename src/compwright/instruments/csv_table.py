@@ -95,7 +95,7 @@ class CsvTable:
     ) -> IntArray:
         """Return for each row which of two ``words`` its cell contains: 0 or 1, -1 for neither.
 
-        In the form of ``spelt``.
+        ``spelt`` gives the form of a cell in which it is compared.
         """
         cells, place = self.of(column), self.place(column)
         places = {words[0]: 0, words[1]: 1}

@@ -1,6 +1,6 @@
 """Readers of two plain CSV forms with two columns: drift tests and lost motion of small moves.
 
-In any order. Comment keys are kept as for other tests, and other columns are ignored.
+Columns may be in any order, and others are ignored. Comment keys are kept as for other tests.
 
 Drift test: ``time_min`` and ``deviation_um`` (linear axes) or ``deviation_arcsec`` (rotary
 axes). Lost motion: ``distance_mm`` or ``speed_mm_min`` of the move, and ``lost_motion_um``.

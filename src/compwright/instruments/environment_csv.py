@@ -100,7 +100,7 @@ def read_environment(content: bytes, file: str) -> EnvironmentRecord:
 def joined(records: Sequence[EnvironmentRecord]) -> EnvironmentRecord:
     """Return several files as one record. Raises InputError for different columns, equal times.
 
-    Where they do not give the same columns and the same kind of time, or the same moment twice.
+    The kind of time must be the same too.
     """
     first, *others = records
     found = first

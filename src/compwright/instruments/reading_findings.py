@@ -40,7 +40,7 @@ def stray_finding(lines: Sequence[tuple[int, str]]) -> Finding | None:
 def unread_finding(targets: FloatArray, readings: Readings, kind: AxisKind) -> Finding | None:
     """Return the finding about targets (n,) without any reading, or None.
 
-    In the unit of ``kind``.
+    Their unit is that of ``kind``.
     """
     without = np.setdiff1d(targets[np.isfinite(targets)], readings.targets)
     if not without.size:
@@ -100,5 +100,5 @@ def cut_finding(sentence: Sentence) -> Finding:
 
 
 def falling_finding(sentence: Sentence) -> Finding:
-    """Return the finding about targets that do not ascend. ``sentence``: the directions found."""
+    """Return the finding about falling targets. ``sentence``: how the directions were found."""
     return Finding("CW-R014", "warning", sentence)

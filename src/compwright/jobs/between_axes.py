@@ -19,7 +19,7 @@ from compwright.records.job import other_axis
 
 
 def circles(circles: Any, states: Sequence[str]) -> Iterator[KeyFault]:
-    """Yield faults of circular tests: no files, a repeated name, or unknown parameters."""
+    """Yield faults of circular tests: no files, a repeated name, or unknown limits."""
     seen: set[str] = set()
     for index, entry in enumerate(list_of(circles)):
         circle, path = mapping_of(entry), ("circles", index)

@@ -117,7 +117,7 @@ class Evaluation(DocumentResult):
         return pandas.DataFrame([dict(target) for target in targets])
 
     def plot(self, ax: Any = None) -> Any:
-        """Draw the means over the position into matplotlib axes. Returns the axes.
+        """Draw the means of both directions into matplotlib axes. Returns the axes.
 
         Raises UsageError without matplotlib, and for a circular test.
         """

@@ -144,7 +144,7 @@ class FittedRun:
 class Diagnosis:
     """The causes in a circular test by JSON name, with correlations and inseparable causes.
 
-    In the order of ``names``.
+    ``correlation`` is in the order of ``names``.
 
     ``plain``: the same quantities by the plain harmonic-and-reversal regression, for comparison
     with other software. ``residual``: rms of what remains, mm. ``correlation_length``: of the

@@ -17,7 +17,7 @@ LEAST_EXPANSION, MOST_EXPANSION = 0.01, 40.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Thermal:
-    """Differential expansion of axis and instrument: coefficients µm/(m K), temperatures °C.
+    """Differential expansion of scale (or workpiece) and instrument: µm/(m K) and °C.
 
     Temperatures are the mean of start and end of the test; ``rise_m`` and ``rise_d`` are end less
     start, K.

@@ -22,7 +22,7 @@ Need = Literal["correct", "negligible", "undetermined"]
 
 
 def correction_need(value: float, std_error: float) -> Need:
-    """Return whether a squareness or scale error (µm/m) is known well enough to be corrected."""
+    """Decide on correcting an error (µm/m): ``correct``, ``negligible`` or ``undetermined``."""
     uncertainty = _BOTH_SIDES * std_error
     if uncertainty < most_uncertain(value):
         return "correct"

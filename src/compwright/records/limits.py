@@ -45,7 +45,7 @@ class LimitingCauses:
 class PointCountOption:
     """A parameter predicted for a table of ``points`` points: median and range, mm or deg.
 
-    A fresh test at new targets. They are ``spacing`` apart (mm or deg; the widest section).
+    For a new test at new targets. ``spacing``: of the points (mm or deg; the widest section).
 
     ``written``: the table that is written; ``there``: on the nodes that are in the control.
     """

@@ -81,7 +81,7 @@ class NoiseDraws:
     def outlier_size_at(self, scale: FloatArray, way: int) -> FloatArray:
         """Return the size of outliers (count, m), as a multiple of a reading's scale ``scale``.
 
-        ``outlier_size`` where the scales are ``scale`` (count, m).
+        ``scale`` (count, m): of the readings; ``way``: 0 for +, 1 for -.
 
         What disturbs a reading does not grow with the scatter along the travel: an outlier is no
         larger than where the scatter is least, or than the farthest reading seen.
@@ -173,7 +173,7 @@ def waves(u: FloatArray, count: int) -> FloatArray:
 def traverse_order(positive: int, negative: int) -> tuple[IndexArray, IndexArray]:
     """Return the order in time of the traverses of a standard test cycle, which begins with +.
 
-    ``positive`` and ``negative`` of them.
+    ``positive``, ``negative``: the number of traverses in each direction.
     """
     paired = min(positive, negative)
     plus, minus = np.arange(positive), np.arange(negative)
@@ -223,8 +223,7 @@ def slackening(
 ) -> tuple[FloatArray, FloatArray]:
     """Return by how much less a drift moves a later reading than the first one of a run.
 
-    A reading at ``u`` (k,), -1 to 1, between one run and the next than it moves the first reading
-    of a run.
+    From one run to the next; the later reading is at ``u`` (k,), -1 to 1.
 
     A run goes up through the targets and, where it ``returns`` (both directions are measured),
     down again in the second half of its time: exp(-rate t), t in parts of the test.

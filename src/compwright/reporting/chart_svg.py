@@ -352,7 +352,7 @@ def _words(chart: Chart, x: _Scale, y: _Scale, *, named: bool) -> Iterator[str]:
 
 
 def _legend(charts: Sequence[Chart], bottom: float, language: Language) -> Iterator[str]:
-    """Yield the legend of all charts: each quantity as a heading, below it + above −."""
+    """Yield the legend of all charts under one heading, each entry for + above the one for −."""
     columns, wide = _legend_columns(charts)
     if not columns:
         return

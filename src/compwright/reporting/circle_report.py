@@ -133,7 +133,7 @@ def _words(name: str, result: Document) -> Sentence:
 def _causes(causes: Sequence[CircleCause]) -> TextTable:
     """Return the table of causes and their parts by falling effect, with the vendor's values.
 
-    In brackets where it says itself that it is not valid, and how the two compare.
+    A printed value that the file itself calls invalid is in brackets.
     """
     printed = _any_printed(causes)
     rows = []

@@ -148,10 +148,9 @@ def entry_tables(entries: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
 
 
 def other_tables(groups: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
-    """Return tables of differing values that are not compensation values, grouped by parameter.
+    """Return tables of differing values that are not known to compensate, by parameter.
 
-    What is not known to compensate; parameters that only one side has as one number where they are
-    many.
+    Parameters that only one side has are counted where they are many.
     """
     both = [group for group in groups if group["changed"]]
     alone = len(groups) - len(both)

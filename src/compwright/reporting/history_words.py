@@ -71,7 +71,7 @@ def _signed(value: float) -> str:
 
 
 def change_line(change: Mapping[str, Any], tests: Sequence[Mapping[str, Any]]) -> str:
-    """Return a jump between tests as text, with its probability if the machine had not changed."""
+    """Return a change between two tests as text, with its chance on an unchanged machine."""
     before, after = (tests[change[which]] for which in ("before", "after"))
     name = change["parameter"]
     unit = "µm/m" if name == "squareness" else unit_text(change["unit"])

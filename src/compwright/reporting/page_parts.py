@@ -16,7 +16,7 @@ def common(
 ) -> dict[str, Any]:
     """Return the contents that every page has: title, machine, control, and tests with labels.
 
-    Of the ``evaluations``.
+    ``evaluations``: each with the label of its tests.
     """
     title = view.get("title") or "compwright"
     title = title if isinstance(title, Sentence) else plain(title)
@@ -83,6 +83,6 @@ def anchor(index: int) -> str:
 
 
 def with_unit(value: object, unit: str) -> str | Sentence:
-    """Return a number with its unit, or the sign for a missing number."""
+    """Return a number with its unit, or only a dash for a missing number."""
     text = number(value)
     return say("label.with_unit", value=text, unit=unit) if value is not None else text

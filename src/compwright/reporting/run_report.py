@@ -198,7 +198,7 @@ def _run_rows(
 def _decided_test(name: str, predicted: Document, view: Document) -> tuple[Document, Document]:
     """Return measured and predicted results of the test to which limits apply, else the first.
 
-    Their key ``test``.
+    The key ``test`` of a limit names the test.
     """
     about = next(
         (limit["test"] for limit in (predicted.get("accept") or {}).values() if limit.get("test")),

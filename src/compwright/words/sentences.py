@@ -254,7 +254,7 @@ def catalogue(language: Language) -> Mapping[str, str]:
 
 
 def control_texts(language: Language) -> Mapping[str, str]:
-    """Return a language's texts about controls by English template, or None for English."""
+    """Return a language's texts about controls by English template; none for English."""
     if language == "en":
         return {}
     from compwright.words import french, german, russian

@@ -40,7 +40,7 @@ def list_files(session: Session, path: Path) -> list[Path]:
 
 
 def folders_in(path: Path) -> list[Path]:
-    """Return the folders in a folder, without hidden ones, or None if it cannot be listed."""
+    """Return the folders in a folder, without hidden ones; none if it cannot be listed."""
     try:
         return sorted(
             entry for entry in path.iterdir() if entry.is_dir() and not entry.name.startswith(".")
@@ -112,7 +112,7 @@ def folders_holding(
 
 
 def _names_in(folder: Path) -> tuple[list[str], list[str]]:
-    """Return the names of folders and of files in a folder, or None if it cannot be listed."""
+    """Return the names of folders and of files in a folder; none if it cannot be listed."""
     try:
         with os.scandir(folder) as entries:
             kinds = [(entry.name, entry.is_dir()) for entry in entries]

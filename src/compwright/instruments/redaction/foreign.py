@@ -68,10 +68,7 @@ SIGN_TO_FILL_IN: Final = (
 
 
 def profile_lines(profile: Profile, *, sign_open: bool) -> str:
-    """Return a profile as YAML without remarks. ``sign_open``: leave the sign to be filled in.
-
-    ``sign_open``.
-    """
+    """Return a profile as YAML without remarks. ``sign_open``: leave the sign to be filled in."""
     marks = {character: name for name, character in DELIMITERS.items()}
     keys: dict[str, object] = {
         "layout": profile.layout,

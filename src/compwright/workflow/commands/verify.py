@@ -370,7 +370,7 @@ def _verdict(
     circles: Mapping[str, VerifiedCircle],
     general: Sequence[Finding],
 ) -> OverallVerdict:
-    """Return the verdict on the job. Without positioning tests squareness alone decides."""
+    """Return the verdict on the job; without positioning tests, squareness shows active tables."""
     squareness = squareness_decisions(circles)
     tested: list[VerifiedAxis | VerifiedCircle] = [*axes.values(), *circles.values()]
     findings = [finding for one in tested for finding in one.findings]

@@ -78,7 +78,7 @@ def files_of_job(session: Session, job: Job, folder: Path, definition: Texts) ->
 
 
 def _text_of_definition(session: Session, path: Path, content: bytes) -> GivenFile:
-    """Return the text of a control definition, from the plan or as installed."""
+    """Return the text of a control definition as an input file of a command."""
     there = storage.is_there(session, path) and storage.read_bytes(session, path) == content
     return GivenFile(
         role="definition", of="", name=path.name, path=path if there else None, content=content

@@ -122,7 +122,7 @@ def _as_read(works: Mapping[str, AxisWork]) -> list[dict[str, str]]:
 
 
 def changes_csv(changes: Mapping[str, Any]) -> bytes:
-    """Return all changed entries as CSV with old and new value, or nothing without changes."""
+    """Return all changed entries as CSV with the columns entry, old and new value."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(["entry", "old", "new"])

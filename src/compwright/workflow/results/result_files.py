@@ -163,7 +163,7 @@ def _report(
     prediction: Mapping[str, Any],
     each: Each,
 ) -> bytes:
-    """Return the report with links to the files ``names``. Raises UsageError without the extra."""
+    """Return the report, which lists the files ``names``. Raises UsageError without the extra."""
     from compwright.reporting.run_report import run_report
 
     as_found = finished.measured.as_found

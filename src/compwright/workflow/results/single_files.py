@@ -127,7 +127,7 @@ def _first_cell(content: bytes) -> bytes:
 
 
 def _properties(content: bytes) -> bytes:
-    """Return author and last editor in a workbook's properties, or nothing without properties.
+    """Return the properties of a workbook (such as author and date) as bytes, b"" without any.
 
     Those of compwright carry no date, so that they stay the same until another program saves the
     file.

@@ -301,7 +301,7 @@ def _files_with_tests(
 def _definition(name: str, plan: Plan, copies: _Copies) -> str:
     """Return the control's id, or the copied path of the user's own control definition.
 
-    That of its copy from the plan; where a definition that it extends is outside of its folder.
+    Raises InputError where a definition that it extends is outside of its folder.
     """
     if not plan.definition:
         return name
