@@ -184,13 +184,17 @@ def tail_probabilities(z: FloatArray, factors: FloatArray) -> FloatArray:
     ``z`` (k,): errors divided by the present scale (prior 1/sigma: Gelman et al. 2013, section
     3.2).
     """
-    ordered = np.minimum(np.abs(z), _MIDDLES[-1] * float(factors.min()))
+    smallest = float(factors.min())
+    ordered = np.minimum(np.abs(z), _MIDDLES[-1] * smallest)
     ordered.sort()
-    below = np.zeros((_EDGES.size, factors.size))
-    below[1:-1] = ordered.searchsorted(np.outer(_EDGES[1:-1], factors))
+    # Above the largest error every bin is empty.
+    last = int(_EDGES.searchsorted(ordered[-1:].sum() / smallest, "right")) + 1
+    last = min(last, _MIDDLES.size)
+    below = np.zeros((last + 1, factors.size))
+    below[1:-1] = ordered.searchsorted(np.outer(_EDGES[1:last], factors))
     below[-1] = z.size
     counts = below[1:] - below[:-1]
-    logs = _TABLE @ counts + _LOG_PRIOR[:, np.newaxis] - z.size * np.log(factors)
+    logs = _TABLE[:, :last] @ counts + _LOG_PRIOR[:, np.newaxis] - z.size * np.log(factors)
     chances = np.exp(logs - logs.max())
     whole: FloatArray = chances / chances.sum()
     return whole
