@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -119,9 +120,15 @@ def read_back(tables: Path, changes: Mapping[str, str]) -> bytes:
     return container(members)
 
 
+@pytest.fixture(scope="module")
+def of_archive(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The results of a job on the archive alone; nobody changes them."""
+    return planned(tmp_path_factory.mktemp("job"), SIEMENS, [ARCHIVE], "AX2", (-700, 0))
+
+
 @needs_archive
-def test_a_real_archive_in_its_container(tmp_path: Path) -> None:
-    out = planned(tmp_path, SIEMENS, [ARCHIVE], "AX2", (-700, 0))
+def test_a_real_archive_in_its_container(of_archive: Path, tmp_path: Path) -> None:
+    out = of_archive
     tables = out / "tables" / SIEMENS
     for changes, named, elsewhere in (
         ({}, set(), []),
@@ -142,12 +149,11 @@ def test_a_real_archive_in_its_container(tmp_path: Path) -> None:
 
 
 @needs_archive
-def test_a_second_visit_with_small_files_over_the_archive(tmp_path: Path) -> None:
+def test_a_second_visit_with_small_files_over_the_archive(of_archive: Path, tmp_path: Path) -> None:
     """What the small files repeat of the archive as a comment is said by the archive, and no
     difference; a neighbour that was changed meanwhile is one.
     """
-    (tmp_path / "first").mkdir()
-    first = planned(tmp_path / "first", SIEMENS, [ARCHIVE], "AX2", (-700, 0)) / "tables" / SIEMENS
+    first = shutil.copytree(of_archive / "tables" / SIEMENS, tmp_path / "first")
     (tmp_path / "second").mkdir()
     for path in first.glob("*_EEC.INI"):  # three quarters of what the machine needs: a gain is left
         path.write_text(
