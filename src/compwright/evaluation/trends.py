@@ -197,7 +197,7 @@ class _Solution:
 def _solved(tests: _Tests, design: FloatArray, widths: FloatArray) -> _Solution:
     weights = tests.weights
     weighted = weights[:, :, None] * design
-    inverse = design.T @ weighted + np.diag(widths**-2.0)
+    inverse = np.einsum("np,snq->spq", design, weighted) + np.diag(widths**-2.0)
     covariance = np.linalg.inv(inverse)
     right = tests.values @ weighted
     coefficients = (covariance @ right[:, :, None])[:, :, 0]

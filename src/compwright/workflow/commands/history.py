@@ -110,11 +110,11 @@ def _read(
                 faults.extend(collect([error]))
                 continue
             entries += of_folder
-            notes, files = found.notes, found.files
+            notes, files = list(found.notes), list(found.files)
         folder_documents.append(
             {
                 "folder": shown_path(folder),
-                "notes": list(notes),
+                "notes": notes,
                 "files": [{"file": name, "state": state} for name, state in files],
             }
         )
