@@ -240,5 +240,5 @@ def test_the_odds_of_turned_directions_grow_with_the_reversal() -> None:
         if one.code == "CW-T032"
     )
     assert re.search(
-        r"\+1[23]\.\d+ µm.*The directions .*\(20 times as likely as not", found.message
+        r"\+1[23]\.\d+ µm.*the directions .*\(20 times as likely as not", found.message
     )

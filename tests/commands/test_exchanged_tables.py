@@ -71,7 +71,7 @@ def test_an_exchange_that_no_test_shows_is_named(tmp_path: Path) -> None:
     assert found.keys() == {"X", "Y"}
     for name, other in (("X", "Y"), ("Y", "X")):
         (text,) = found[name]
-        assert f"table with that of {other} would not be seen" in text
+        assert f"would not show whether its table was exchanged with that of {other}." in text
         assert "--loaded" in text
 
 

@@ -42,8 +42,8 @@ def test_the_report_names_what_limits_an_axis_in_plain_words() -> None:
 def test_the_terminal_says_it_in_one_line() -> None:
     line = limits_line(axis_x())
     assert line == (
-        "What limits A (4.89 µm at new targets): noise 2.45, quantum 0.40 µm (effect"
-        " of each cause alone; do not add the values)."
+        "What limits A (4.89 µm at new targets): noise 2.45, resolution of the table"
+        " values 0.40 µm (effect of each cause alone; do not add the values)."
     )
     assert limits_line({"limited": None}) == ""
 

@@ -10,9 +10,9 @@ from compwright.reporting.numbers import number, symbol, unit_text
 #: Behind a value that differs from the one before it beyond the uncertainty.
 CHANGED_MARK: Final = "*"
 _TABLES: Final = {
-    "same": "The same table was active in both.",
-    "changed": "A different table was active.",
-    "unknown": "The files do not state whether the same table was active.",
+    "same": "The same table was active in both tests.",
+    "changed": "Different tables were active in the two tests.",
+    "unknown": "The files do not state whether the same table was active in both tests.",
 }
 _NAMES = {
     "squareness": "Squareness",
@@ -84,16 +84,17 @@ def change_line(change: Mapping[str, Any], tests: Sequence[Mapping[str, Any]]) -
         else ""
     )
     return (
-        f"{CHANGED_MARK} {parameter_name(name)} from {number(change['value_before'])} to"
+        f"{CHANGED_MARK} {parameter_name(name)} changed from {number(change['value_before'])} to"
         f" {number(change['value_after'])} {unit} between {_date(before)} and"
-        f" {_date(after)}: {_signed(size)} {unit}{errors}{slope},"
-        f" {_SHOWN.get(name, 'an unchanged machine shows that')} {_odds(change['chance'])}."
+        f" {_date(after)}: {_signed(size)} {unit}{errors}{slope}."
+        f" {_SHOWN.get(name, 'An unchanged machine shows such a change')}"
+        f" {_odds(change['chance'])}."
         f" {_TABLES[change['table']]}"
     )
 
 
 #: Scatter tells of the hall and the instrument as well.
-_SHOWN: Final = {"s": "the same machine, instrument and hall without drift show that"}
+_SHOWN: Final = {"s": "The same machine, instrument and hall without drift show such a change"}
 
 
 def _date(test: Mapping[str, Any]) -> str:
@@ -103,5 +104,5 @@ def _date(test: Mapping[str, Any]) -> str:
 def _odds(chance: float) -> str:
     """Return a small probability as text, such as "once in 300"."""
     if chance < 1e-6:
-        return "less than once in a million"
-    return f"once in {float(f'{1.0 / chance:.1g}'):,.0f}".replace(",", " ")
+        return "less than once in a million comparisons"
+    return f"once in {float(f'{1.0 / chance:.1g}'):,.0f} comparisons".replace(",", " ")

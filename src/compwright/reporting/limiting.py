@@ -16,10 +16,20 @@ _WIDTH: Final = 200.0
 _LEAST_SHOWN: Final = 0.005
 #: The names at the terminal that differ from those in the document.
 _SHORT: Final = {
-    "no table is written": "error that no table takes away",
+    "no table is written": "error that no table corrects",
     "error that the test leaves open": "error that the test did not show (between targets or in"
     " the scatter)",
     "periods that the test leaves open": "periodic error that these targets cannot show",
+    "temperature within its uncertainty": "uncertainty of the temperature",
+    "one table for both directions": "reversal that changes along the travel",
+    "no backlash value": "reversal that the control cannot correct",
+    "number of points": "too few table points",
+    "spacing of the points": "spacing of the table points",
+    "quantum": "resolution of the table values",
+    "value range": "largest table value of the control",
+    "backlash range": "largest reversal value of the control",
+    "largest increment": "largest step between table points",
+    "a straight line instead of a table": "the control has a straight line, no table",
 }
 
 

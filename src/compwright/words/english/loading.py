@@ -14,8 +14,9 @@ SENTENCES: Final[dict[str, str]] = {
         " to {difference:.2f} {unit}. Run compwright compare to see where."
     ),
     "CW-V012": (
-        "Axis {axis}: an exchange of its table with that of {others:join| or } would not be seen in"
-        " this test. To exclude it, read the control's files back and give them with `--loaded`."
+        "Axis {axis}: this test would not show whether its table was exchanged with that of"
+        " {others:join| or }. To exclude this, read the control's files back and give them with"
+        " `--loaded`."
     ),
     "CW-V020": (
         "The test after loading covers less than the first test: {gaps:join|; }. Measure"

@@ -21,7 +21,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-R007": (
         "There are {positive} runs in direction + but {negative} in direction −. Either a run was"
-        " not made, or the file was cut off: compare it with the instrument."
+        " not made, or the file was cut off: compare the file with the instrument."
     ),
     "CW-R008": (
         "{count} of {of} deviations are larger than 1 {unit}. The largest is {largest} {unit}, at"
@@ -51,8 +51,8 @@ SENTENCES: Final[dict[str, str]] = {
         " deviations."
     ),
     "CW-R014.forward": (
-        "The positions are not listed from low to high: check at the machine which direction"
-        " forward is."
+        "The positions are not listed from low to high: check at the machine in which direction the"
+        " forward runs went."
     ),
     "CW-R014.labels": (
         "The targets are listed from high to low, and FWD was taken as the approach in"
@@ -71,7 +71,7 @@ SENTENCES: Final[dict[str, str]] = {
         " ballbar (expansion {expansion} µm/(m K), {temperatures} °C). Neither was applied again."
     ),
     "CW-R031": (
-        "The true feed is {feed:.4g} mm/min by sample rate and number of samples, not"
+        "Sample rate and number of samples give a true feed of {feed:.4g} mm/min, not"
         " {programmed:.4g} mm/min as programmed. Either an override was set, or an axis did not"
         " follow. The true feed is used."
     ),
@@ -140,9 +140,9 @@ SENTENCES: Final[dict[str, str]] = {
         " been cut off, and digits or readings may be missing. Compare with the instrument."
     ),
     "CW-R053.one_direction": (
-        "The file contains only direction {direction}. In this form all readings of one"
-        " direction come before the other, so the second direction may have been cut off. Compare"
-        " with the instrument."
+        "The file contains only direction {direction}. In this file format, all readings of one"
+        " direction come before those of the other. The second direction may therefore have been"
+        " cut off: compare the file with the instrument."
     ),
     "CW-R053.run_count": (
         "According to its key Run-count the file has {promised} runs, but it contains {found}."

@@ -132,7 +132,7 @@ SENTENCES: Final[dict[str, str]] = {
     "given.samples": "{counts} samples",
     "given.sense": "{sense:choose|ccw=counter-clockwise|cw=clockwise}",
     "given.sentences": "{sentences:join| }",
-    "given.smoothing": "none by compwright: every sample counts",
+    "given.smoothing": "compwright does not smooth the readings: every sample counts",
     "given.statements": "{statements:join|; }",
     "given.targets": "{count} from {first} to {last} {unit}; listed in annex A",
     "given.travel": "{low:g} to {high:g} {unit}",

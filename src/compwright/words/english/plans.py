@@ -21,17 +21,17 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P001.old_table": (
         "the tests {off} and {on} contradict the control's files ({percent:.1f} % sure). In {on}"
-        " the existing table (states.{state} in the job) {did:choose|not_active=was not"
-        " active|inverted=was active with the opposite sign|scaled=was active with factor"
-        " {factor:2sig}|shifted=was active, shifted by {shift:+d} points|mirrored=was active,"
-        " mirrored over the travel|wrong_axis=was not active; the table of another axis"
-        " was|one_direction=was active in one direction only|backlash=was active with a different"
-        " backlash|partial=was active over a part of the travel only|measurement=does not fit the"
-        " readings: one of the tests was measured wrongly|undecided=did something else"
-        " ({likely:join|, or })}{detail:if| ({detail})}.{off_too:if| Or it was active in {off}"
-        " too: both tests show the same error. Check whether it was switched off for"
-        " {off}.}{exchanged:if| Or the two tests are exchanged.} The new table would contain the"
-        " same error{look_at:if|. Look at: {look_at:join|. }}"
+        " the existing table (states.{state} in the job) {did:choose|not_active=was not active|"
+        "inverted=was active with the opposite sign|scaled=was active with factor {factor:2sig}|"
+        "shifted=was active, shifted by {shift:+d} points|mirrored=was active, mirrored over the"
+        " travel|wrong_axis=was not active; the table of another axis was|one_direction=was active"
+        " in one direction only|backlash=was active with a different backlash|partial=was active"
+        " over a part of the travel only|measurement=does not fit the readings: one of the tests"
+        " was measured wrongly|undecided=behaved differently ({likely:join|, or })}{detail:if|"
+        " ({detail})}.{off_too:if| Or it was active in {off} too: both tests show the same error."
+        " Check whether it was switched off for {off}.}{exchanged:if| Or the two tests are"
+        " exchanged.} The new table would contain the same error{look_at:if|. Look at:"
+        " {look_at:join|. }}"
     ),
     "CW-P101": (
         "Circle {circle}: the job does not give its centre in the machine, so the middle of the"
@@ -150,7 +150,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P119.not_calibrated": (
         "the bar of {circle} was not calibrated, and its other axis has no positioning test"
     ),
-    "CW-P119.two_feeds": "{slow} and {fast}, extrapolated to feed zero",
+    "CW-P119.two_feeds": "circular tests {slow} and {fast} at two feeds, extrapolated to feed zero",
     "CW-P120": (
         "{scale}. The table corrects it. This scale includes the temperature of bar and scale"
         " during the test: 1 K changes steel by 11 µm/m."

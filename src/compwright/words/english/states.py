@@ -112,11 +112,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S032": "{label}: all values and the grid are zero. This means that there is no table",
     "CW-S033.ends": (
-        "{label} turns endlessly, but its table does not repeat: the table ends at both sides"
+        "{label} is an endless axis, but its table does not repeat: the table has two ends"
     ),
     "CW-S033.repeats": (
         "{label}: the existing table repeats every {period:g}, but the job gives no `modulo` for"
-        " this axis. A new table will not repeat: it will end at both sides"
+        " this axis. A new table will not repeat: it will have two ends"
     ),
     "CW-S034": "{label} is switched off in the files ({switches}), so it corrects nothing",
     "CW-S035": (
@@ -207,8 +207,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S051": (
         "The tables that correct one axis over another ({pairs}) are left as they are and not"
-        " shown, because the sign of CEC values on this control is unknown. Make the check of the"
-        " sign on the card, then give the option cec_sign"
+        " shown, because the sign of CEC values on this control is unknown. Check the sign as the"
+        " card describes, then give the option cec_sign"
     ),
     "CW-S052": (
         "axis {axis}: the job names measuring system {number}, but in the files compensation is"
@@ -224,15 +224,14 @@ SENTENCES: Final[dict[str, str]] = {
         " values are 0, so they correct nothing"
     ),
     "CW-S055": (
-        "The values of CEC tables are shown as if a positive value moved the axis in +."
-        " According to Siemens' manual (Extended Functions 03/2009, page 372) a positive value"
-        " moves the axis in −, the opposite. Make the check of the sign on the card, then give"
-        " the option cec_sign"
+        "The values of CEC tables are shown as if a positive value moved the axis in +. According"
+        " to Siemens' manual (Extended Functions 03/2009, page 372) a positive value moves the axis"
+        " in −, the opposite. Check the sign as the card describes, then give the option cec_sign"
     ),
     "CW-S056": (
-        "axis {axis}: {period:if|the existing table repeats every {period:g}, but the job gives"
-        " no `modulo` for this axis. A new table will not repeat: it will end at both sides|the"
-        " axis turns endlessly, but its table does not repeat: the table ends at both sides}"
+        "axis {axis}: {period:if|the existing table repeats every {period:g}, but the job gives no"
+        " `modulo` for this axis. A new table will not repeat: it will have two ends|this is an"
+        " endless axis, but its table does not repeat: the table has two ends}"
     ),
     "CW-S057": (
         "{format}: the meaning of the parameters {parameters} on this series is unknown ({place});"

@@ -51,8 +51,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-C011": (
         "The circle lies {offset} from the set-up centre. The angles were taken as commanded; if"
-        " they were measured from the set-up centre, radii are off by up to {effect}. Centre better"
-        " and measure again."
+        " they were measured from the set-up centre, the radii are wrong by up to {effect}. Centre"
+        " better and measure again."
     ),
     "CW-C012": (
         "The two ends of {run} are at the same place but differ by {step}. Either the machine"
@@ -89,12 +89,13 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T005.repeated_long": (
         "This test repeats its approaches over more than {limit}. Here the standard asks for two"
-        " tests: one of the whole length with one approach per direction, and one with n = 5 over"
-        " {limit} of the normal working area. The test was evaluated as it was measured."
+        " tests: one of the whole length with one approach per direction, and one with five"
+        " approaches per direction over {limit} of the normal working area. The test was evaluated"
+        " as it was measured."
     ),
     "CW-T005.repeated_missing": (
-        "The axis is longer than {limit}, and this test has one approach per direction. In"
-        " addition the standard asks for a test with n = 5 over {limit}."
+        "The axis is longer than {limit}, and this test has one approach per direction. In addition"
+        " the standard asks for a test with five approaches per direction over {limit}."
     ),
     "CW-T005.whole_missing": (
         "The axis is longer than {limit}. In addition the standard asks for a test of its whole"
@@ -135,8 +136,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T009": (
         "The test uses a step cycle, which the standard allows for acceptance only if agreed in"
-        " writing (annex of ISO 230-2). A drift D during such a test puts about 0.92 D into E and"
-        " M, and hardly any into R."
+        " writing (annex of ISO 230-2). If the axis drifts by D during such a test, E and M become"
+        " larger by about 0.92 D, and R hardly changes."
     ),
     "CW-T010": (
         "Readings are missing: {where:join|; } have fewer readings than the others. Each target"
@@ -288,10 +289,10 @@ SENTENCES: Final[dict[str, str]] = {
         " digits."
     ),
     "CW-T032": (
-        "The mean reversal value is +{reversal}, but lost motion makes it negative. The"
-        " directions + and − {likely:if|are probably ({odds:odds} times as likely as not)|may be}"
-        " swapped, or the sign of the deviations is reversed, unless the backlash compensation is"
-        " too large. A table made from swapped directions doubles the lost motion. Check at one"
+        "The mean reversal value is +{reversal}, but lost motion makes it negative. Unless the"
+        " backlash compensation is too large, the directions + and − {likely:if|are probably"
+        " ({odds:odds} times as likely as not)|may be} swapped, or the sign of the deviations is"
+        " reversed. A table made from swapped directions doubles the lost motion. Check at one"
         " target: with lost motion the deviation of an approach in + is the smaller one."
     ),
     "CW-T033": (
@@ -349,7 +350,7 @@ SENTENCES: Final[dict[str, str]] = {
         "the length of the bar was not calibrated (ISO 230-4:1996, clause 4.5)"
     ),
     "reason.not_measured": "the test was not measured in the {direction} direction",
-    "reason.one_approach": "one approach per direction ({clause})",
+    "reason.one_approach": "the test has only one approach per direction ({clause})",
     "reason.one_reading": (
         "only one reading in the {direction} direction at {position}, so no standard deviation"
         " there"

@@ -12,8 +12,8 @@ SENTENCES: Final[dict[str, str]] = {
         " plus. compwright compare montre où."
     ),
     "CW-V012": (
-        "Axe {axis} : un échange de sa table avec celle de {others:join| ou } ne se verrait pas"
-        " dans cet essai. Pour l'exclure, relire les fichiers de la commande et les donner avec"
+        "Axe {axis} : cet essai ne montrerait pas si sa table a été échangée avec celle de"
+        " {others:join| ou }. Pour l'exclure, relire les fichiers de la commande et les donner avec"
         " `--loaded`."
     ),
     "CW-V020": (

@@ -20,8 +20,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {unit}. Les résultats ne couvrent pas ces points visés."
     ),
     "CW-R007": (
-        "Il y a {positive} parcours dans le sens + mais {negative} dans le sens −. Soit un"
-        " parcours n'a pas été fait, soit le fichier a été coupé : le comparer avec l'instrument."
+        "Il y a {positive} parcours dans le sens + mais {negative} dans le sens −. Soit un parcours"
+        " n'a pas été fait, soit le fichier a été coupé : comparer le fichier avec l'instrument."
     ),
     "CW-R008": (
         "{count} des {of} écarts dépassent 1 {unit}. Le plus grand est de {largest} {unit}, au"
@@ -53,8 +53,8 @@ SENTENCES: Final[dict[str, str]] = {
         " pas des écarts."
     ),
     "CW-R014.forward": (
-        "Les positions ne sont pas en ordre croissant : vérifier à la machine quel sens est"
-        " l'avant."
+        "Les positions ne sont pas en ordre croissant : vérifier à la machine dans quel sens"
+        " allaient les parcours avant."
     ),
     "CW-R014.labels": (
         "Les points visés sont en ordre décroissant, et FWD a été pris comme approche dans le sens"
@@ -146,9 +146,9 @@ SENTENCES: Final[dict[str, str]] = {
         " l'instrument."
     ),
     "CW-R053.one_direction": (
-        "Le fichier ne contient que le sens {direction}. Dans cette forme, toutes les mesures"
-        " d'un sens précèdent l'autre, donc le second sens a peut-être été coupé. Comparer avec"
-        " l'instrument."
+        "Le fichier ne contient que le sens {direction}. Dans ce format de fichier, toutes les"
+        " mesures d'un sens précèdent celles de l'autre. Le second sens a donc peut-être été coupé"
+        " : comparer le fichier avec l'instrument."
     ),
     "CW-R053.run_count": (
         "D'après sa clé Run-count, le fichier a {promised} parcours, mais il en contient {found}."

@@ -141,7 +141,7 @@ SENTENCES: Final[dict[str, str]] = {
         " montre}"
     ),
     "given.sentences": "{sentences:join| }",
-    "given.smoothing": "aucun par compwright : chaque point compte",
+    "given.smoothing": "compwright ne lisse pas : chaque point compte",
     "given.statements": "{statements:join| ; }",
     "given.targets": "{count} de {first} à {last} {unit} ; liste en annexe A",
     "given.travel": "{low:g} à {high:g} {unit}",

@@ -20,19 +20,18 @@ SENTENCES: Final[dict[str, str]] = {
         " de {spread}, donc le gain est dans l'incertitude"
     ),
     "CW-P001.old_table": (
-        "les essais {off} et {on} contredisent les fichiers de la commande (sûr à {percent:.1f}"
-        " %). Dans {on}, la table existante (states.{state} dans le dossier de travail)"
-        " {did:choose|not_active=n'était pas active|inverted=était active avec le signe"
-        " opposé|scaled=était active avec le facteur {factor:2sig}|shifted=était active, décalée"
-        " de {shift:+d} points|mirrored=était active, en miroir sur la course|wrong_axis=n'était"
-        " pas active ; celle d'un autre axe l'était|one_direction=n'était active que dans un"
-        " sens|backlash=était active avec un autre jeu|partial=n'était active que sur une partie"
-        " de la course|measurement=ne va pas avec les mesures : un des essais a été mal"
-        " mesuré|undecided=a fait autre chose ({likely:join|, ou })}{detail:if|"
-        " ({detail})}.{off_too:if| Ou elle était active aussi dans {off}, car les deux essais"
-        " montrent la même erreur. Vérifier si elle était désactivée pour {off}.}{exchanged:if| Ou"
-        " les deux essais sont permutés.} La nouvelle table contiendrait la même"
-        " erreur{look_at:if|. Regarder : {look_at:join|. }}"
+        "les essais {off} et {on} contredisent les fichiers de la commande (sûr à {percent:.1f} %)."
+        " Dans {on}, la table existante (states.{state} dans le dossier de travail) {did:choose|"
+        "not_active=n'était pas active|inverted=était active avec le signe opposé|scaled=était"
+        " active avec le facteur {factor:2sig}|shifted=était active, décalée de {shift:+d} points|"
+        "mirrored=était active, en miroir sur la course|wrong_axis=n'était pas active ; celle d'un"
+        " autre axe l'était|one_direction=n'était active que dans un sens|backlash=était active"
+        " avec un autre jeu|partial=n'était active que sur une partie de la course|measurement=ne"
+        " va pas avec les mesures : un des essais a été mal mesuré|undecided=s'est comportée"
+        " autrement ({likely:join|, ou })}{detail:if| ({detail})}.{off_too:if| Ou elle était active"
+        " aussi dans {off}, car les deux essais montrent la même erreur. Vérifier si elle était"
+        " désactivée pour {off}.}{exchanged:if| Ou les deux essais sont permutés.} La nouvelle"
+        " table contiendrait la même erreur{look_at:if|. Regarder : {look_at:join|. }}"
     ),
     "CW-P101": (
         "Cercle {circle} : le dossier de travail ne donne pas son centre dans la machine, donc le"
@@ -142,7 +141,9 @@ SENTENCES: Final[dict[str, str]] = {
         "{axis} : aucun cercle ne donne l'échelle de cet axe : {reasons:if|{reasons:join|;"
         " }|aucun n'a été mesuré avec lui}."
     ),
-    "CW-P119.two_feeds": "{slow} et {fast}, extrapolés à une avance nulle",
+    "CW-P119.two_feeds": (
+        "essais de circularité {slow} et {fast} à deux avances, extrapolés à une avance nulle"
+    ),
     "CW-P119.undetermined": (
         "{axis} : l'échelle, prise de {tests:join|; }, n'est pas corrigée : {why}. Autre moyen :"
         " mesurer l'axe au laser, ou répéter le cercle à faible avance."

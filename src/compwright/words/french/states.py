@@ -125,12 +125,12 @@ SENTENCES: Final[dict[str, str]] = {
         " table"
     ),
     "CW-S033.ends": (
-        "{label} tourne sans fin, mais sa table ne se répète pas : la table finit des deux côtés"
+        "{label} est un axe sans fin, mais sa table ne se répète pas : la table a deux extrémités"
     ),
     "CW-S033.repeats": (
-        "{label} : la table existante se répète tous les {period:g}, mais le dossier de travail"
-        " ne donne pas de `modulo` pour cet axe. Une nouvelle table ne se répétera pas : elle"
-        " finira des deux côtés"
+        "{label} : la table existante se répète tous les {period:g}, mais le dossier de travail ne"
+        " donne pas de `modulo` pour cet axe. Une nouvelle table ne se répétera pas : elle aura"
+        " deux extrémités"
     ),
     "CW-S034": "{label} est désactivé dans les fichiers ({switches}), donc il ne corrige rien",
     "CW-S035": (
@@ -245,10 +245,10 @@ SENTENCES: Final[dict[str, str]] = {
         " donner l'option cec_sign"
     ),
     "CW-S056": (
-        "axe {axis} : {period:if|la table existante se répète tous les {period:g}, mais le"
-        " dossier de travail ne donne pas de `modulo` pour cet axe. Une nouvelle table ne se"
-        " répétera pas : elle finira des deux côtés|l'axe tourne sans fin, mais sa table ne se"
-        " répète pas : la table finit des deux côtés}"
+        "axe {axis} : {period:if|la table existante se répète tous les {period:g}, mais le dossier"
+        " de travail ne donne pas de `modulo` pour cet axe. Une nouvelle table ne se répétera pas :"
+        " elle aura deux extrémités|l'axe tourne sans fin, mais sa table ne se répète pas : la"
+        " table a deux extrémités}"
     ),
     "CW-S057": (
         "{format} : le sens des paramètres {parameters} sur cette série est inconnu ({place}) ;"

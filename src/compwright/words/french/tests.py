@@ -94,13 +94,13 @@ SENTENCES: Final[dict[str, str]] = {
         " points visés : {positions}."
     ),
     "CW-T005.repeated_long": (
-        "Cet essai répète ses approches sur plus de {limit}. La norme demande ici deux essais :"
-        " un de toute la longueur avec une approche par sens, et un avec n = 5 sur {limit} de la"
-        " zone de travail normale. L'essai a été évalué tel qu'il a été mesuré."
+        "Cet essai répète ses approches sur plus de {limit}. La norme demande ici deux essais : un"
+        " de toute la longueur avec une approche par sens, et un avec cinq approches par sens sur"
+        " {limit} de la zone de travail normale. L'essai a été évalué tel qu'il a été mesuré."
     ),
     "CW-T005.repeated_missing": (
-        "L'axe est plus long que {limit}, et cet essai a une approche par sens. La norme demande"
-        " en plus un essai avec n = 5 sur {limit}."
+        "L'axe est plus long que {limit}, et cet essai a une approche par sens. La norme demande en"
+        " plus un essai avec cinq approches par sens sur {limit}."
     ),
     "CW-T005.whole_missing": (
         "L'axe est plus long que {limit}. La norme demande en plus un essai de toute sa longueur"
@@ -140,9 +140,9 @@ SENTENCES: Final[dict[str, str]] = {
         " différentes (article sur les points visés) ; {better}"
     ),
     "CW-T009": (
-        "L'essai utilise un cycle en pas, que la norme n'autorise pour une réception que par"
-        " accord écrit (annexe de l'ISO 230-2). Une dérive D pendant un tel essai met environ"
-        " 0,92 D dans E et M, et presque rien dans R."
+        "L'essai utilise un cycle en pas, que la norme n'autorise pour une réception que par accord"
+        " écrit (annexe de l'ISO 230-2). Si l'axe dérive de D pendant un tel essai, E et M"
+        " augmentent d'environ 0,92 D, et R ne change presque pas."
     ),
     "CW-T010": (
         "Des mesures manquent : {where:join|; } ont moins de mesures que les autres. Chaque point"
@@ -365,7 +365,7 @@ SENTENCES: Final[dict[str, str]] = {
         "la longueur de l'instrument n'était pas étalonnée (ISO 230-4:1996, 4.5)"
     ),
     "reason.not_measured": "l'essai n'a pas été mesuré dans le sens {direction}",
-    "reason.one_approach": "une approche par sens ({clause})",
+    "reason.one_approach": "l'essai n'a qu'une approche par sens ({clause})",
     "reason.one_reading": (
         "une seule mesure dans le sens {direction} à {position}, donc pas d'écart-type à ce point"
     ),

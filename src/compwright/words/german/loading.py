@@ -12,9 +12,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {difference:.2f} {unit} vom Plan ab. Wo, zeigt compwright compare."
     ),
     "CW-V012": (
-        "Achse {axis}: Ein Vertauschen ihrer Tabelle mit der von {others:join| oder } wäre in"
-        " dieser Prüfung nicht zu sehen. Um es auszuschließen, die Dateien der Steuerung"
-        " zurücklesen und mit `--loaded` angeben."
+        "Achse {axis}: Diese Prüfung würde nicht zeigen, ob ihre Tabelle mit der von {others:join|"
+        " oder } vertauscht ist. Um das auszuschließen, die Dateien der Steuerung zurücklesen und"
+        " mit `--loaded` angeben."
     ),
     "CW-V020": (
         "Die Prüfung nach dem Laden deckt weniger ab als die erste: {gaps:join|; }. {targets}"

@@ -22,8 +22,8 @@ SENTENCES: Final[dict[str, str]] = {
         " weitere} {unit}. Die Ergebnisse umfassen diese Zielpositionen nicht."
     ),
     "CW-R007": (
-        "Es gibt {positive} Läufe in Richtung +, aber {negative} in Richtung −. Entweder wurde"
-        " ein Lauf nicht gefahren, oder die Datei ist abgeschnitten: mit dem Messgerät"
+        "Es gibt {positive} Läufe in Richtung +, aber {negative} in Richtung −. Entweder wurde ein"
+        " Lauf nicht gefahren, oder die Datei ist abgeschnitten: die Datei mit dem Messgerät"
         " vergleichen."
     ),
     "CW-R008": (
@@ -55,8 +55,8 @@ SENTENCES: Final[dict[str, str]] = {
         " keine Abweichungen."
     ),
     "CW-R014.forward": (
-        "Die Positionen stehen nicht von klein nach groß: an der Maschine prüfen, welche Richtung"
-        " vorwärts ist."
+        "Die Positionen stehen nicht von klein nach groß: an der Maschine prüfen, in welche"
+        " Richtung die Vorwärtsläufe fuhren."
     ),
     "CW-R014.labels": (
         "Die Zielpositionen stehen von groß nach klein, und FWD wurde als Anfahren in Richtung +"
@@ -148,9 +148,9 @@ SENTENCES: Final[dict[str, str]] = {
         " vergleichen."
     ),
     "CW-R053.one_direction": (
-        "Die Datei enthält nur die Richtung {direction}. In dieser Form stehen alle Messwerte der"
-        " einen Richtung vor der anderen, die zweite kann also abgeschnitten sein. Mit dem"
-        " Messgerät vergleichen."
+        "Die Datei enthält nur die Richtung {direction}. In diesem Dateiformat stehen alle"
+        " Messwerte der einen Richtung vor denen der anderen. Die zweite kann also abgeschnitten"
+        " sein: die Datei mit dem Messgerät vergleichen."
     ),
     "CW-R053.run_count": (
         "Nach ihrem Schlüssel Run-count hat die Datei {promised} Läufe, sie enthält aber {found}."

@@ -135,7 +135,7 @@ SENTENCES: Final[dict[str, str]] = {
     "given.samples": "{counts} Messpunkte",
     "given.sense": "{sense:choose|ccw=Gegenuhrzeigersinn|cw=Uhrzeigersinn}",
     "given.sentences": "{sentences:join| }",
-    "given.smoothing": "keine durch compwright: Jeder Messpunkt zählt",
+    "given.smoothing": "compwright glättet nicht: Jeder Messpunkt zählt",
     "given.statements": "{statements:join|; }",
     "given.targets": "{count} von {first} bis {last} {unit}; Liste in Anhang A",
     "given.travel": "{low:g} bis {high:g} {unit}",

@@ -20,25 +20,24 @@ SENTENCES: Final[dict[str, str]] = {
         " {parameter} um {spread}, der Gewinn liegt also innerhalb der Unsicherheit"
     ),
     "CW-P001.old_table": (
-        "die Prüfungen {off} und {on} widersprechen den Dateien der Steuerung (zu {percent:.1f}"
-        " % sicher). In {on} {did:choose|not_active=war die vorhandene Tabelle (states.{state} im"
-        " Auftrag) nicht aktiv|inverted=war die vorhandene Tabelle (states.{state} im Auftrag)"
-        " mit umgekehrtem Vorzeichen aktiv|scaled=war die vorhandene Tabelle (states.{state} im"
+        "die Prüfungen {off} und {on} widersprechen den Dateien der Steuerung (zu {percent:.1f} %"
+        " sicher). In {on} {did:choose|not_active=war die vorhandene Tabelle (states.{state} im"
+        " Auftrag) nicht aktiv|inverted=war die vorhandene Tabelle (states.{state} im Auftrag) mit"
+        " umgekehrtem Vorzeichen aktiv|scaled=war die vorhandene Tabelle (states.{state} im"
         " Auftrag) mit dem Faktor {factor:2sig} aktiv|shifted=war die vorhandene Tabelle"
         " (states.{state} im Auftrag) aktiv, um {shift:+d} Punkte verschoben|mirrored=war die"
-        " vorhandene Tabelle (states.{state} im Auftrag) aktiv, über den Verfahrweg"
-        " gespiegelt|wrong_axis=war die vorhandene Tabelle (states.{state} im Auftrag) nicht"
-        " aktiv, sondern die einer anderen Achse|one_direction=war die vorhandene Tabelle"
-        " (states.{state} im Auftrag) nur in einer Richtung aktiv|backlash=war die vorhandene"
-        " Tabelle (states.{state} im Auftrag) mit anderer Lose aktiv|partial=war die vorhandene"
-        " Tabelle (states.{state} im Auftrag) nur über einen Teil des Verfahrwegs"
-        " aktiv|measurement=passt die vorhandene Tabelle (states.{state} im Auftrag) nicht zu den"
-        " Messwerten: Eine der Prüfungen wurde falsch gemessen|undecided=tat die vorhandene"
-        " Tabelle (states.{state} im Auftrag) etwas anderes ({likely:join|, oder })}{detail:if|"
-        " ({detail})}.{off_too:if| Oder sie war auch in {off} aktiv, denn beide Prüfungen zeigen"
-        " denselben Fehler. Prüfen, ob sie für {off} ausgeschaltet war.}{exchanged:if| Oder die"
-        " beiden Prüfungen sind vertauscht.} Die neue Tabelle enthielte denselben"
-        " Fehler{look_at:if|. Ansehen: {look_at:join|. }}"
+        " vorhandene Tabelle (states.{state} im Auftrag) aktiv, über den Verfahrweg gespiegelt|"
+        "wrong_axis=war die vorhandene Tabelle (states.{state} im Auftrag) nicht aktiv, sondern die"
+        " einer anderen Achse|one_direction=war die vorhandene Tabelle (states.{state} im Auftrag)"
+        " nur in einer Richtung aktiv|backlash=war die vorhandene Tabelle (states.{state} im"
+        " Auftrag) mit anderer Lose aktiv|partial=war die vorhandene Tabelle (states.{state} im"
+        " Auftrag) nur über einen Teil des Verfahrwegs aktiv|measurement=passt die vorhandene"
+        " Tabelle (states.{state} im Auftrag) nicht zu den Messwerten: Eine der Prüfungen wurde"
+        " falsch gemessen|undecided=verhielt sich die vorhandene Tabelle (states.{state} im"
+        " Auftrag) anders ({likely:join|, oder })}{detail:if| ({detail})}.{off_too:if| Oder sie war"
+        " auch in {off} aktiv, denn beide Prüfungen zeigen denselben Fehler. Prüfen, ob sie für"
+        " {off} ausgeschaltet war.}{exchanged:if| Oder die beiden Prüfungen sind vertauscht.} Die"
+        " neue Tabelle enthielte denselben Fehler{look_at:if|. Ansehen: {look_at:join|. }}"
     ),
     "CW-P101": (
         "Kreis {circle}: Der Auftrag gibt seinen Mittelpunkt in der Maschine nicht an, deshalb"
@@ -156,7 +155,9 @@ SENTENCES: Final[dict[str, str]] = {
         "{axis}: Kein Kreis ergibt den Maßstab dieser Achse: {reasons:if|{reasons:join|; }|keiner"
         " wurde mit ihr gemessen}."
     ),
-    "CW-P119.two_feeds": "{slow} und {fast}, auf Vorschub null extrapoliert",
+    "CW-P119.two_feeds": (
+        "Kreisformprüfungen {slow} und {fast} mit zwei Vorschüben, auf Vorschub null extrapoliert"
+    ),
     "CW-P119.undetermined": (
         "{axis}: Der Maßstab aus {tests:join|; } wird nicht korrigiert: {why}. Anderer Weg: die"
         " Achse mit einem Laser messen oder den Kreis bei kleinem Vorschub wiederholen."

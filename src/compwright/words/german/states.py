@@ -124,12 +124,13 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S032": "{label}: Alle Werte und das Raster sind null. Das heißt, es gibt keine Tabelle",
     "CW-S033.ends": (
-        "{label} dreht endlos, aber die Tabelle wiederholt sich nicht: Sie endet an beiden Seiten"
+        "{label} ist eine endlos drehende Achse, aber ihre Tabelle wiederholt sich nicht: Die"
+        " Tabelle hat zwei Enden"
     ),
     "CW-S033.repeats": (
         "{label}: Die vorhandene Tabelle wiederholt sich alle {period:g}, aber der Auftrag nennt"
-        " für diese Achse kein `modulo`. Eine neue Tabelle wiederholt sich nicht: Sie endet an"
-        " beiden Seiten"
+        " für diese Achse kein `modulo`. Eine neue Tabelle wiederholt sich nicht: Sie hat zwei"
+        " Enden"
     ),
     "CW-S034": (
         "{label} ist in den Dateien ausgeschaltet ({switches}) und korrigiert deshalb nichts"
@@ -247,10 +248,10 @@ SENTENCES: Final[dict[str, str]] = {
         " dann die Option cec_sign angeben"
     ),
     "CW-S056": (
-        "Achse {axis}: {period:if|Die vorhandene Tabelle wiederholt sich alle {period:g}, aber"
-        " der Auftrag nennt für diese Achse kein `modulo`. Eine neue Tabelle wiederholt sich"
-        " nicht: Sie endet an beiden Seiten|Die Achse dreht endlos, aber die Tabelle wiederholt"
-        " sich nicht: Sie endet an beiden Seiten}"
+        "Achse {axis}: {period:if|Die vorhandene Tabelle wiederholt sich alle {period:g}, aber der"
+        " Auftrag nennt für diese Achse kein `modulo`. Eine neue Tabelle wiederholt sich nicht: Sie"
+        " hat zwei Enden|Die Achse dreht endlos, aber ihre Tabelle wiederholt sich nicht: Die"
+        " Tabelle hat zwei Enden}"
     ),
     "CW-S057": (
         "{format}: Die Bedeutung der Parameter {parameters} bei dieser Baureihe ist unbekannt"

@@ -92,14 +92,14 @@ SENTENCES: Final[dict[str, str]] = {
         " Zielpositionen: {positions}."
     ),
     "CW-T005.repeated_long": (
-        "Diese Prüfung wiederholt ihre Anfahrten über mehr als {limit}. Die Norm verlangt hier"
-        " zwei Prüfungen: eine der ganzen Länge mit einer Anfahrt je Richtung und eine mit n = 5"
-        " über {limit} des üblichen Arbeitsbereichs. Die Prüfung wurde ausgewertet, wie sie"
-        " gemessen ist."
+        "Diese Prüfung wiederholt ihre Anfahrten über mehr als {limit}. Die Norm verlangt hier zwei"
+        " Prüfungen: eine der ganzen Länge mit einer Anfahrt je Richtung und eine mit fünf"
+        " Anfahrten je Richtung über {limit} des üblichen Arbeitsbereichs. Die Prüfung wurde"
+        " ausgewertet, wie sie gemessen ist."
     ),
     "CW-T005.repeated_missing": (
-        "Die Achse ist länger als {limit}, und diese Prüfung hat eine Anfahrt je Richtung. Die"
-        " Norm verlangt zusätzlich eine Prüfung mit n = 5 über {limit}."
+        "Die Achse ist länger als {limit}, und diese Prüfung hat eine Anfahrt je Richtung. Die Norm"
+        " verlangt zusätzlich eine Prüfung mit fünf Anfahrten je Richtung über {limit}."
     ),
     "CW-T005.whole_missing": (
         "Die Achse ist länger als {limit}. Die Norm verlangt zusätzlich eine Prüfung ihrer ganzen"
@@ -140,9 +140,9 @@ SENTENCES: Final[dict[str, str]] = {
         " verschiedenen Phasen wählen (Abschnitt über Zielpositionen); {better}"
     ),
     "CW-T009": (
-        "Die Prüfung verwendet einen Schrittzyklus, den die Norm für eine Abnahme nur erlaubt,"
-        " wenn er schriftlich vereinbart ist (Anhang von ISO 230-2). Eine Drift D während einer"
-        " solchen Prüfung bringt etwa 0,92 D in E und M und kaum etwas in R."
+        "Die Prüfung verwendet einen Schrittzyklus, den die Norm für eine Abnahme nur erlaubt, wenn"
+        " er schriftlich vereinbart ist (Anhang von ISO 230-2). Driftet die Achse während einer"
+        " solchen Prüfung um D, werden E und M um etwa 0,92 D größer, und R ändert sich kaum."
     ),
     "CW-T010": (
         "Messwerte fehlen: {where:join|; } haben weniger Messwerte als die anderen. Jede"
@@ -361,7 +361,7 @@ SENTENCES: Final[dict[str, str]] = {
     "reason.no_reading": "kein Messwert in Richtung {direction} bei {position}",
     "reason.not_calibrated": "die Länge des Messgeräts war nicht kalibriert (ISO 230-4:1996, 4.5)",
     "reason.not_measured": "die Prüfung wurde in Richtung {direction} nicht gemessen",
-    "reason.one_approach": "eine Anfahrt je Richtung ({clause})",
+    "reason.one_approach": "die Prüfung hat nur eine Anfahrt je Richtung ({clause})",
     "reason.one_reading": (
         "nur ein Messwert in Richtung {direction} bei {position}, dort also keine"
         " Standardabweichung"
