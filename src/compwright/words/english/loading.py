@@ -274,11 +274,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "next.stop_axis": "{stop:if|stop here|no new table}: {why}",
     "next.verdict": (
-        'the verdict is "{verdict:choose|not_active=not'
-        " active|inverted=inverted|scaled=scaled|shifted=shifted|mirrored=mirrored|wrong_axis=wrong"
-        " axis|on_top=added to the old table|one_direction=active in one direction|partial=partly"
-        ' active|thermal=thermal slope|undecided=undecided|={name}}{of:if| ({of})}", not'
-        ' "loaded"'
+        'the verdict is "{verdict:choose|not_active=not active|inverted=inverted|scaled=scaled|'
+        "shifted=shifted|mirrored=mirrored|wrong_axis=wrong axis|on_top=added to the old table|"
+        "one_direction=one direction|partial=partial|thermal=thermal|undecided=undecided|"
+        '={name}}{of:if| ({of})}", not "loaded"'
     ),
     "next.written": "a new table is written",
 }
