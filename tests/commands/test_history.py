@@ -268,7 +268,7 @@ def test_scatter_that_differs_is_not_laid_to_the_machine_alone(
     assert compwright(["history", str(tmp_path)]) == 0
     told = " ".join(capsys.readouterr().out.split())
     assert "unchanged machine" not in told
-    assert "the same machine, instrument and hall without drift" in told
+    assert "The same machine, instrument and hall without drift" in told
 
 
 def test_squareness_after_a_collision(tmp_path: Path, ask: Ask) -> None:
@@ -781,7 +781,7 @@ def test_a_change_between_two_tests_is_on_the_page(tmp_path: Path) -> None:
     assert compwright(["history", str(tmp_path / "years"), "--page", str(page)]) == 0
     text = page.read_text(encoding="utf-8")
     assert "1 of 1 axes and planes changed beyond the uncertainty; 1 have too few tests" in text
-    assert "mean B from −5.00 to −45.00 µm" in text
+    assert "mean B changed from −5.00 to −45.00 µm" in text
     assert "verdict good" not in text
 
 

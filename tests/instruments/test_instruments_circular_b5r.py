@@ -250,7 +250,7 @@ def test_full_circles_by_equal_angles() -> None:
     [
         (
             document(PROGRAMMED_FEEDRATE="1200"),
-            "CW-R031: The true feed is 1000 mm/min",
+            "CW-R031: Sample rate and number of samples give a true feed of 1000 mm/min",
         ),
         (document(run_xml("CW")), "CW-R033: The file announces a ccw run"),
         (
