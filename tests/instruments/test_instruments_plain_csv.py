@@ -566,3 +566,14 @@ def test_readings_that_form_no_table_are_refused() -> None:
 def test_the_line_that_tells_a_spreadsheet_the_delimiter(line: str) -> None:
     text = f"{line}\r\ntarget_mm;direction;run;deviation_um\r\n0;+;1;0,5\r\n10;+;1;1,5\r\n"
     assert read_positioning(text.encode(), "x.csv").targets.tolist() == [0.0, 10.0]
+
+
+def test_blanks_around_cells_change_nothing() -> None:
+    spaced = COMPLETE.replace(",", " , ").replace("\n", " \n")
+    np.testing.assert_array_equal(read(spaced).positive, read(COMPLETE).positive)
+    np.testing.assert_array_equal(read(spaced).negative, read(COMPLETE).negative)
+
+
+def test_a_number_of_absurd_length_is_a_fault_of_its_line() -> None:
+    line = f"300.0,+,1,{'1' * 200_000}.5\n"
+    assert one_fault(COMPLETE + line).startswith("runs/x_before.csv: line 14")

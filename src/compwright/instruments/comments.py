@@ -75,6 +75,8 @@ def comment_text(line: str) -> str | None:
     """
     if line[:1] in _SEPARATOR_START and _SEPARATOR_LINE.fullmatch(line.strip()):
         return ""
+    if "#" not in line:  # nearly every line of a file
+        return None
     stripped = line.strip().rstrip(",;\t ")
     if (
         stripped.startswith('"')
