@@ -130,7 +130,7 @@ class _Sorter:
         for index, found in self.axes.items():
             lists.listed.setdefault(str(int(found.text)), []).append(found)
             if index not in self.names:
-                message = "names an axis without a list"
+                message = "the axis in this line has no list"
                 notes.refuse(
                     "start-up list", message, found, expected=f"achs_kw[{index}]", hint=EXPORT_AGAIN
                 )
