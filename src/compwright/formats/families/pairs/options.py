@@ -17,13 +17,6 @@ from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation
 from compwright.words.sentences import control_text
 
-#: The check that answers the option cec_sign, in words.
-_SIGN_CHECK = (
-    "check the sign in ten minutes: with a dial gauge on the axis, MD32710 and SD41300 on, write"
-    " +0.1 into every point of one table that is known to be free, then 0 again. The axis moves by"
-    " 0.1 in +: `cec_sign: correction`; it moves in -: `cec_sign: error`"
-)
-
 
 def available(options: Mapping[str, object]) -> bool:
     """Return whether the control has cross-axis tables, by the option ``cec``."""
@@ -40,22 +33,24 @@ def sign_known(control: Family) -> bool:
     return "cec_sign" not in control.definition.options or control.options["cec_sign"] is not None
 
 
-def sign_question(why: str, moved: str = "the axis") -> Fault:
-    """Return the question whether table values are corrections or errors.
-
-    ``why`` it matters, ``moved``: what a value moves.
-    """
+def sign_question(why: str) -> Fault:
+    """Return the question whether table values are corrections or errors; ``why`` it matters."""
     return Fault(
         message=(
-            f"{why}: a wrong answer doubles the error. Siemens' manual (Extended "
-            f"Functions 03/2009, page 372) states that a positive value moves {moved} "
-            "in -, which is cec_sign: error. The existing values may have been made "
+            f"{why}, and the sign of its values is not given: a wrong sign doubles the error. "
+            "Siemens' manual (Extended Functions 03/2009, page 372) states that a positive value "
+            "moves the axis in -, which is cec_sign: error. The existing values may have been made "
             "the other way round"
         ),
         place="option cec_sign",
         expected="cec_sign: correction or cec_sign: error",
         found="not given",
-        hint=(f"{_SIGN_CHECK}. Set this in the options (without a job: `--option cec_sign=error`)"),
+        hint=(
+            "check the sign in ten minutes: with a dial gauge on the axis, MD32710 and SD41300 on, "
+            "write +0.1 into every point of one table that is known to be free, read the gauge, "
+            "write 0 again. If the axis moved by 0.1 in +, set `cec_sign: correction` in the "
+            "options, if in -, `cec_sign: error` (without a job: `--option cec_sign=error`)"
+        ),
     )
 
 

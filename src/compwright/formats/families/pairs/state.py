@@ -130,7 +130,7 @@ class PairsReader(GridReader):
         if active and not self.sign_known:
             named = " and ".join(str(table.index) for table in active)
             why = f"axis {address}: CEC table {named} corrects the axis over itself"
-            self.notes.ask(sign_question(why, "it"))
+            self.notes.ask(sign_question(why))
         return bool(active) or bool(self.cec.uncounted(address))
 
     def axis(self, address: str, axis: Axis | None) -> AxisReading:
