@@ -26,7 +26,7 @@ def visible(text: str) -> str:
 
 def visible_lines(text: str) -> str:
     """Return ``text`` as `visible` does, but keep its line breaks."""
-    return "\n".join(map(visible, text.split("\n")))
+    return text if text.isprintable() else "\n".join(map(visible, text.split("\n")))
 
 
 def _visible(character: str) -> str:

@@ -21,6 +21,7 @@ import string
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from decimal import Decimal
+from functools import cache
 from typing import Any, Final, Literal, Self
 
 Language = Literal["en", "de", "fr", "ru"]
@@ -315,7 +316,8 @@ def _field(value: Any, form: str, values: Mapping[str, Any], language: Language)
     return number_text(value, form, language) if form else in_language(value, language)
 
 
-def parts(form: str) -> list[str]:
+@cache
+def parts(form: str) -> tuple[str, ...]:
     """Return the parts of a format separated by bars (``|``), except bars inside fields."""
     parts, depth = [""], 0
     for character in form:
@@ -324,7 +326,7 @@ def parts(form: str) -> list[str]:
             parts.append("")
         else:
             parts[-1] += character
-    return parts
+    return tuple(parts)
 
 
 def _outside(value: Any) -> Any:
