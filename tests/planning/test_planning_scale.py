@@ -122,7 +122,10 @@ def test_two_feeds_tell_what_the_lag_takes_away() -> None:
     fast = circle_of({"scale_error_second": (40.0 - 4.0 * k, 1.0)}, feed=2000.0, name="fast")
     found = scaled(slow, fast)
     assert "scale +40.0 ± " in found.finding.message
-    assert "according to slow and fast, extrapolated to feed zero" in found.finding.message
+    assert (
+        "according to circular tests slow and fast at two feeds, extrapolated to feed zero"
+        in found.finding.message
+    )
     assert slope_of(scaled(fast, slow)) == pytest.approx(-40.0 * PPM, abs=0.3 * PPM)
 
 

@@ -141,9 +141,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{axis} : aucun cercle ne donne l'échelle de cet axe : {reasons:if|{reasons:join|;"
         " }|aucun n'a été mesuré avec lui}."
     ),
-    "CW-P119.two_feeds": (
-        "essais de circularité {slow} et {fast} à deux avances, extrapolés à une avance nulle"
-    ),
+    "CW-P119.two_feeds": "{slow} et {fast} (deux avances), extrapolés à une avance nulle",
     "CW-P119.undetermined": (
         "{axis} : l'échelle, prise de {tests:join|; }, n'est pas corrigée : {why}. Autre moyen :"
         " mesurer l'axe au laser, ou répéter le cercle à faible avance."

@@ -155,9 +155,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{axis}: Kein Kreis ergibt den Maßstab dieser Achse: {reasons:if|{reasons:join|; }|keiner"
         " wurde mit ihr gemessen}."
     ),
-    "CW-P119.two_feeds": (
-        "Kreisformprüfungen {slow} und {fast} mit zwei Vorschüben, auf Vorschub null extrapoliert"
-    ),
+    "CW-P119.two_feeds": "{slow} und {fast} (zwei Vorschübe), auf Vorschub null extrapoliert",
     "CW-P119.undetermined": (
         "{axis}: Der Maßstab aus {tests:join|; } wird nicht korrigiert: {why}. Anderer Weg: die"
         " Achse mit einem Laser messen oder den Kreis bei kleinem Vorschub wiederholen."
