@@ -208,7 +208,7 @@ def _question(file: str, first: Doubt, calls: ProgramCalls) -> Fault:
         ),
         file=file,
         place=f"line {first.line}",
-        expected=f"{program}{_EXPORT}",
+        expected=f"{program}{_EXPORT}, or active: yes or active: no",
         found=first.text,
         hint=(
             "export the compensation data from the control and give that file, or answer "
