@@ -171,6 +171,7 @@ def test_refused_where_the_instrument_did_it(
         (RECORD.replace(",100,", ",0.55,"), "humidity_percent"),  # a fraction
         ("", "is empty"),
         ("# hall\n", "contains no rows"),
+        (RECORD.partition("\n")[0] + "\n", "contains no rows"),
     ],
 )
 def test_records_that_cannot_be_used(
@@ -180,6 +181,14 @@ def test_records_that_cannot_be_used(
     shown = capsys.readouterr().err
     assert expected in shown
     assert "Next:" in shown
+
+
+def test_a_record_in_the_place_of_a_test(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "hall.csv").write_text(RECORD, encoding="utf-8")
+    assert compwright(["evaluate", str(tmp_path / "hall.csv")]) == 3
+    assert "a record of the environment, not a positioning test" in capsys.readouterr().err
 
 
 def refused(folder: Path, test: str, record: str) -> int:

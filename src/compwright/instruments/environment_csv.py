@@ -44,7 +44,7 @@ def read_environment(content: bytes, file: str) -> EnvironmentRecord:
     """
     faults = FaultList(file)
     _, lines = split_lines(read_lines(content, file))
-    if not lines:
+    if len(lines) < 2:
         raise InputError(
             Fault(
                 message="the file contains no rows of values",

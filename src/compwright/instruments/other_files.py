@@ -69,6 +69,17 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
                 ),
             )
         )
+    if "time" in names and {"air_c", "material_c"} & set(names):
+        raise InputError(
+            Fault(
+                message="the file contains a record of the environment, not a positioning test",
+                file=file,
+                place=f"line {number}",
+                expected=ACCEPTED_FORMS,
+                found=f"columns {', '.join(names[:8])}",
+                hint="give it as `environment` in the job (docs/job-file.md#environment)",
+            )
+        )
     if _is_status_pro(names):
         raise InputError(
             Fault(
