@@ -17,13 +17,18 @@ import numpy as np
 from compwright.foundations.findings import Finding, Severity
 from compwright.planning.circle_network import squareness_contradiction
 from compwright.planning.circles import CircleWork, effect_of, why_undetermined
-from compwright.planning.value_with_error import CONTRADICTORY, SIGNIFICANT, contradictory
+from compwright.planning.value_with_error import (
+    CONTRADICTORY,
+    SIGNIFICANT,
+    contradictory,
+    worse_doubts,
+)
 from compwright.prediction.active_corrections import ActiveCorrections
 from compwright.prediction.circular import commanded_path
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.circular import CircularRun
 from compwright.records.correction import CrossCompensation
-from compwright.records.correction_need import correction_need, shortfall, worse_doubts
+from compwright.records.correction_need import correction_need, shortfall
 from compwright.records.job import CrossRequest, Job, other_axis
 from compwright.records.plan import PlannedCross
 from compwright.words.sentences import Sentence, say

@@ -19,7 +19,7 @@ from compwright.planning.axis_work import CapacityOf
 from compwright.planning.circle_checks import ENDS, CircleChecks, mismatch, scale_error
 from compwright.planning.circles import CircleWork, as_shown_at_feed, effect_of, why_undetermined
 from compwright.planning.tables import NEW_GRID, fit_keeping_grid, fit_remaining
-from compwright.planning.value_with_error import ValueWithError
+from compwright.planning.value_with_error import ValueWithError, worse_doubts
 from compwright.planning.wanted_correction import (
     axis_compensation,
     dense_positions,
@@ -28,7 +28,7 @@ from compwright.planning.wanted_correction import (
 from compwright.prediction.active_corrections import NO_CORRECTIONS, ActiveCorrections
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import ControlState
-from compwright.records.correction_need import correction_need, shortfall, worse_doubts
+from compwright.records.correction_need import correction_need, shortfall
 from compwright.records.estimate import ErrorEstimate
 from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.job import AS_FOUND, AxisJob, Job

@@ -1,11 +1,14 @@
-"""A value with its standard error, and the test whether two values disagree."""
+"""A value with its standard error: do two values disagree, may correcting it make it worse."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import erfc, sqrt
+from typing import Final
 
 import numpy as np
 
+from compwright.foundations.findings import Finding
 from compwright.words.sentences import Sentence, say
 
 #: An effect smaller than this many standard errors is not corrected, two values further apart than
@@ -14,6 +17,10 @@ SIGNIFICANT = 2.0
 #: Standard deviations, as of a normal distribution, beyond which measurements contradict each
 #: other: one consistent machine in a thousand, because nothing is decided then.
 CONTRADICTORY = 3.09
+#: A correction that is more often worse than no correction is a doubt: one in a thousand. A value
+#: of four standard errors, the least that is corrected, is so in one of 44; one of six in one of
+#: 740.
+_WORSE: Final = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,3 +51,20 @@ def contradictory(scatter: float, free: float) -> bool:
     """
     share = 2.0 / (9.0 * free)
     return bool(np.cbrt(scatter / free) - (1.0 - share) > CONTRADICTORY * np.sqrt(share))
+
+
+def worse_doubts(
+    value: float, std_error: float, axes: tuple[str, ...], plane: str = ""
+) -> tuple[Finding, ...]:
+    """Return the doubt that correcting ``value`` (µm/m; the squareness of ``plane``, else the scale
+    of an axis) makes it worse, or nothing.
+
+    It is worse where the true value is below half of ``value``: then the correction leaves more of
+    the other sign than there was. Normal error, and no knowledge of the machine.
+    """
+    chance = 0.5 * erfc(0.5 * abs(value) / (sqrt(2.0) * std_error))
+    if chance <= _WORSE:
+        return ()
+    return (
+        Finding.of("CW-P166", "warning", axes, axis=axes[-1], plane=plane, percent=100.0 * chance),
+    )

@@ -26,8 +26,8 @@ SENTENCES: Final[dict[str, str]] = {
         " text of ISO 230-4:2005 was not available; its clauses are not quoted."
     ),
     "basis.vdi3441": (
-        "This report gives the information that ISO 230-2:2006, 7.1 requires. The text of VDI/DGQ"
-        " 3441 was not available; its clauses are not quoted."
+        "This report gives the information that ISO 230-2:2006, 7.1 requires. The text of"
+        " VDI/DGQ 3441 was not available; its clauses are not quoted."
     ),
     "budget.E_VE": "Environmental variation (range)",
     "budget.U_alpha_instrument": "Expansion coefficient of the instrument",

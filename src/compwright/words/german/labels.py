@@ -28,8 +28,8 @@ SENTENCES: Final[dict[str, str]] = {
         " ISO 230-4:2005 lag nicht vor; seine Abschnitte werden nicht genannt."
     ),
     "basis.vdi3441": (
-        "Dieser Bericht enthält die Angaben, die ISO 230-2:2006, 7.1 verlangt. Der Text von VDI/DGQ"
-        " 3441 lag nicht vor; seine Abschnitte werden nicht genannt."
+        "Dieser Bericht enthält die Angaben, die ISO 230-2:2006, 7.1 verlangt. Der Text von"
+        " VDI/DGQ 3441 lag nicht vor; seine Abschnitte werden nicht genannt."
     ),
     "budget.E_VE": "Schwankung der Umgebung (Spanne)",
     "budget.U_alpha_instrument": "Ausdehnungskoeffizient des Messgeräts",
