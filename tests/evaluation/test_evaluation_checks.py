@@ -140,8 +140,8 @@ def test_the_other_test_of_a_long_axis_is_missed_only_where_it_is_missing() -> N
         return [finding.message for finding in found if finding.code == "CW-T005"]
 
     assert said(whole, part) == said(part, whole) == []
-    assert "n = 5" in said(whole)[0]
-    assert "n = 5" in said(whole, whole)[0]
+    assert "five approaches per direction" in said(whole)[0]
+    assert "five approaches per direction" in said(whole, whole)[0]
     assert "whole length" in said(part)[0]
     assert "whole length" in said(part, part)[0]
     assert "repeats its approaches" in said(over_all, whole)[0]  # whatever there is beside it
