@@ -7,6 +7,7 @@ The logs: a placement machine, X axis, measured by camera (`jkoelker/lumenpnp-co
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -34,13 +35,20 @@ def test_a_real_log_whose_lost_motion_grows_with_the_distance(tmp_path: Path) ->
     assert (result["kind"], result["over"], result["depends"]) == ("lost_motion", "distance", True)
     assert result["parameters"] == {"constant": 39.5, "left": 26.3}  # between 13.2 and 65.8
     assert [finding["code"] for finding in result["findings"]] == ["CW-T040"]
-    assert all(word in result["findings"][0]["message"] for word in ("0.06 mm", "±26.3 µm"))
+    assert all(word in result["findings"][0]["message"] for word in ("0.06 mm", "±26.30 µm"))
 
 
 def test_a_real_log_that_a_slow_approach_makes_nearly_one_constant(tmp_path: Path) -> None:
     result = evaluated(tmp_path, DISTANCES, SLOW)
     assert not result["depends"]
     assert result["parameters"]["left"] == pytest.approx(4.95)
+
+
+def test_what_a_constant_leaves_is_not_rounded_to_nothing(tmp_path: Path) -> None:
+    """Means of 3.40, 3.45 and 3.42 µm: a constant leaves half their range, 0.025 µm."""
+    values = (3.39, 3.41, 3.44, 3.46, 3.41, 3.43)
+    [finding] = evaluated(tmp_path, (1.0, 1.0, 10.0, 10.0, 100.0, 100.0), values)["findings"]
+    assert re.search("±0.0[23] µm", finding["message"])
 
 
 def test_a_constant_lost_motion_is_seldom_taken_for_another(tmp_path: Path) -> None:

@@ -59,7 +59,7 @@ def lost_motion_result(test: LostMotionTest) -> LostMotionResult:
     depends = score > CLEAR
     low, high = sorted((int(np.argmin(means)), int(np.argmax(means))))
     unit = "mm" if test.over == "distance" else "mm/min"
-    best, most = Amount(constant, _UM, ".1f"), Amount(left, _UM, ".1f")
+    best, most = Amount(constant, _UM), Amount(left, _UM)
     if depends:
         found = Finding.of(
             "CW-T040",
@@ -68,8 +68,8 @@ def lost_motion_result(test: LostMotionTest) -> LostMotionResult:
             over=test.over,
             constant=best,
             left=most,
-            first=Amount(float(means[low]), _UM, ".1f"),
-            last=Amount(float(means[high]), _UM, ".1f"),
+            first=Amount(float(means[low]), _UM),
+            last=Amount(float(means[high]), _UM),
             first_move=Amount(float(moves[low]), unit, ".4g"),
             last_move=Amount(float(moves[high]), unit, ".4g"),
         )

@@ -223,9 +223,9 @@ def _notes(series: Sequence[TestSeries]) -> list[str]:
         what = "states" if undated == 1 else "state"
         unclear = f" ({unread} a date that can be read in two ways)" if unread else ""
         found.append(
-            f"{undated} of {len(entries)} tests {what} no date{unclear}: the place is next to the"
-            " dated tests of the same folder, else last, in the order of the folders. To date a"
-            " test, add `# date: 2026-11-30` to its file"
+            f"{undated} of {len(entries)} tests {what} no date{unclear}: each is listed next to the"
+            " dated tests of its folder, else last, in the order of the folders. To date a test,"
+            " add `# date: 2026-11-30` to its file"
         )
     found += [*_turned_dates(entries), *_names_of_one_number(entries)]
     if simulated:
