@@ -316,7 +316,9 @@ def test_a_line_beside_a_table_of_zeros_is_asked_for(
     """MP720 of 0.02 mm/m acts only while the bit is 0 (TNC 407 technical manual p151)."""
     files = {"mp": "MP710.0 : 0.0\nMP720.0 : 0.0200\n"}
     assert run_activity(tmp_path, ITNC.id, values=0 * OLD, files=files) == 2
-    assert "MP720 is not zero, and MP730 is in no file" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "MP720 is not zero, but is active only if no table is selected" in said
+    assert "the switch MP730 is in no file" in said
     columns = []
     for answer in ("yes", "no"):
         assert run_activity(tmp_path, ITNC.id, f", active: {answer}", 0 * OLD, files) == 0
