@@ -5,7 +5,7 @@ The state that was patched, with the plan's files in their place.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -23,18 +23,21 @@ from compwright.formats.text.file_values import same_text
 from compwright.foundations import storage
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, outside_unit
+from compwright.records.plan import PlannedCross
 
 
 @dataclass(frozen=True, slots=True)
 class ReadBackDifferences:
     """The values read back that are not as expected.
 
-    ``own``: by the name of an axis of the plan; ``others``: all others.
+    ``own``: by the name of an axis of the plan; ``others``: all others; ``doubts``: tables between
+    axes that were not read back.
     """
 
     own: Mapping[str, tuple[Difference, ...]]
     others: Others
     findings: tuple[Finding, ...] = ()
+    doubts: tuple[Finding, ...] = ()
 
 
 def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
@@ -47,12 +50,38 @@ def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
             yield Finding.of("CW-S085", "warning", path=path)
 
 
+def pairs_not_read_back(
+    planned: Iterable[PlannedCross], whole: Differences
+) -> dict[tuple[str, str], Finding]:
+    """Return the finding for each written table between axes of which values are missing in what
+    was read back, by its addresses. ``whole``: from the plan's files to those read back.
+    """
+    lost = _not_read(whole)
+    found = {}
+    for entry in planned:
+        names = [one.entry.name for one in lost if set(entry.addresses) <= set(one.axes)]
+        if entry.written and names:
+            found[entry.addresses] = Finding.of(
+                "CW-V013",
+                "warning",
+                input=entry.input,
+                output=entry.output,
+                value=names[0],
+                more=len(names) - 1,
+            )
+    return found
+
+
 def read_back_differences(
-    control: Control, expected: ComparedSide, found: ComparedSide, names: Mapping[str, str]
+    control: Control,
+    expected: ComparedSide,
+    found: ComparedSide,
+    names: Mapping[str, str],
+    planned: Sequence[PlannedCross] = (),
 ) -> ReadBackDifferences:
     """Return the differences between read-back and expected contents.
 
-    ``names``: axis names by address.
+    ``names``: axis names by address; ``planned``: the corrections between axes of the plan.
 
     Files that were not read back are ignored; so is a value that was in no file before, unless its
     file was. A neighbour's table of which a part is missing differs, as does a value
@@ -79,6 +108,7 @@ def read_back_differences(
         {name: tuple(found) for name, found in own.items()},
         Others(tuple(others), tuple(_elsewhere(whole)), tuple(one.entry.name for one in ignored)),
         tuple(dict.fromkeys((*whole.findings, *_ignored(whole, known, len(ignored))))),
+        tuple(pairs_not_read_back(planned, whole).values()),
     )
 
 

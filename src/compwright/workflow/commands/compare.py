@@ -79,22 +79,13 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
         if address is not None
     }
     back = compared_side(control, given, "read back", files)
-    if not planned and back.state is not None:
-        raise_all(
-            InputError,
-            [
-                _unsaid(entry.output, entry.added.output, loaded)
-                for entry in plan.cross
-                if entry.written and entry.addresses not in back.state.pairs
-            ],
-        )
     planned_side = compared_side(control, files, "the plan", given)
     if planned_side.state is None:
         # a changed key next to the file that it replaces: the other axes are those of the state
         planned_side = replace(planned_side, state=as_found.state, findings=())
     before = control.format.listing.file_values(control.definition, as_found.files, files)
     partly = partial_load(before, planned_side.entries, back.entries)
-    read_back = read_back_differences(control, planned_side, back, names)
+    read_back = read_back_differences(control, planned_side, back, names, plan.cross)
     differs = read_back.own or read_back.others.differences
     if refused is not None and not (
         differs and {axis.address for axis in axes} <= _axes_in(control, back)
@@ -115,7 +106,11 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
     expected = (*as_found.state.findings, *wanted, *planned_side.findings)
     foreign = _axes_in(control, back) - {*names, *names.values()}
     unread = _unread(planned_side, back) if foreign else ()
-    doubts = (*unread, *_new_doubts(findings, {finding.code for finding in expected}))
+    doubts = (
+        *read_back.doubts,
+        *unread,
+        *_new_doubts(findings, {finding.code for finding in expected}),
+    )
     rest = [finding for finding in findings if finding not in doubts]
     document = compare_document(plan.format, compared, read_back.others, assumed, rest, doubts)
     return CompareOutcome(0 if document["verdict"] == "same" else 1, document)

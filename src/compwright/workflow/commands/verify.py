@@ -14,8 +14,9 @@ import numpy as np
 from compwright.controls.control import Control, decode, open_control, origin_of, plan_origin
 from compwright.controls.control_files import read_control
 from compwright.controls.decoded_state import DecodedState, SingleReader
+from compwright.controls.differences import compared_side, differences
 from compwright.controls.job_completion import completed_by_files, named_axes, with_counted_turns
-from compwright.controls.read_back import not_read_back
+from compwright.controls.read_back import not_read_back, pairs_not_read_back
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import read_plan
 from compwright.documents.record import RECORD
@@ -249,14 +250,22 @@ def _verified(
 def _between(
     control: Control, plan: Plan, as_found: DecodedState, read_back: DecodedState | None
 ) -> Iterator[Finding]:
-    """Yield the tables between axes that differ from the plan in the files read back."""
+    """Yield the tables between axes that differ from the plan in the files read back, or are not
+    among them.
+    """
     planned = [entry for entry in plan.cross if entry.written]
     if read_back is None or not planned:
         return
     files, _ = planned_files(control.in_state(as_found.state), plan, as_found)
     wanted, back = SingleReader(decode(control, files).state), SingleReader(read_back.state)
+    sides = (
+        compared_side(control, files, "the plan", read_back.files),
+        compared_side(control, read_back.files, "read back", files),
+    )
+    missing = pairs_not_read_back(planned, differences(control, *sides))
     for entry in planned:
-        if entry.addresses not in back.state.pairs:
+        if entry.addresses in missing and entry.addresses not in back.state.pairs:
+            yield missing[entry.addresses]
             continue
         planned_values, held_values = (
             [
@@ -268,8 +277,8 @@ def _between(
         off = float(np.max(np.abs(np.subtract(planned_values, held_values))))
         largest = float(np.max(np.abs(planned_values)))
         found = differs_from_plan(entry.output, off, largest, entry.added.output_kind)
-        if found is not None:
-            yield found
+        if found is not None or entry.addresses in missing:
+            yield found or missing[entry.addresses]
 
 
 def _compared(session: Session, plan_file: Path, loaded: Sequence[Path]) -> Mapping[str, Any] | str:

@@ -69,7 +69,8 @@ def after_verify(
         return f"Next: keep the folder {out}. To see the years, type: " + _command("history", out)
     again = [word for file in after for word in ("--after", file)]
     loaded = ("--loaded", READ_BACK) if read_back else ()
-    active = all(axis["loading"]["verdict"] == "loaded" for axis in document["axes"].values())
+    axes = document["axes"].values()
+    active = all(axis["loading"]["verdict"] == "loaded" for axis in axes)
     if active and any(finding["code"] == "CW-V023" for finding in document["findings"]):
         return "Next: measure what CW-V023 names, then type: " + _command(
             "verify", job, *again, "--after", _AFTER, *given, *loaded, "--force"
@@ -77,6 +78,12 @@ def after_verify(
     if not read_back:
         return f"Next: save the control's files to {READ_BACK}, then type: " + _command(
             "compare", plan, "--loaded", READ_BACK
+        )
+    codes = {finding["code"] for part in (document, *axes) for finding in part["findings"]}
+    if codes & {"CW-V011", "CW-V013"}:
+        return (
+            "Next: load what differs from the plan or is missing, save the control's files to"
+            f" {READ_BACK}, then type: " + _command("compare", plan, "--loaded", READ_BACK)
         )
     if not then and active:
         return "Next: the table is active, but not enough. To correct again, type: " + _command(

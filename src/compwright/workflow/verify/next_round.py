@@ -51,6 +51,7 @@ from compwright.workflow.verify.next_files import JOB, Looped, next_files
 FOLDER: Final = "next"
 #: Findings, in addition to doubts, that name a proof that the test of an axis lacks.
 LACKING: Final = frozenset({"CW-V020", "CW-V021", "CW-V024"})
+_NOT_FROM_HERE: Final = frozenset({"CW-V011", "CW-V013", "CW-V022"})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -139,7 +140,8 @@ def next_round(
 
 def _general(found: Verified, compared: Mapping[str, Any] | str) -> str:
     """Return why no axis at all may be corrected further, or "" if some may be."""
-    changed = [one.message for one in found.findings if one.code == "CW-V022"]
+    # limits that were changed, a table between axes that is another one or was not read back
+    changed = [one.message for one in found.findings if one.code in _NOT_FROM_HERE]
     if changed:
         return changed[0]
     if isinstance(compared, str):
