@@ -132,26 +132,41 @@ def test_squareness_alone_goes_into_a_table_between_the_axes_and_can_be_the_stat
 def test_squareness_alone_is_compared_with_what_was_read_back(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The same values, the sign of the last one changed, and files that hold no such table."""
+    """The same values, the sign of the last one changed, the table switched off, and files that
+    hold no such table, or not the switch.
+    """
     assert run(folder, SIEMENS, options=CEC) == 0
     tables, plan = folder / "job" / "tables" / SIEMENS, str(folder / "job" / "plan.json")
     ((name, text),) = ((path.name, path.read_text()) for path in tables.iterdir())
     write_circle(folder / "after.csv", Bent().circle(8, judge_of(tables)))
     after = ["verify", str(folder / "job.yaml"), "--after", str(folder / "after.csv"), "--force"]
     other = "CHANDATA(1)\n$MA_ENC_COMP_ENABLE[0,AX2]=0\nM17\n"
-    for place, content, compared, verified in (
-        ("same", text, 0, 0),
-        ("sign", text.replace("[0,1]=", "[0,1]=-"), 1, 1),
-        ("none", other, 3, 0),
+    switch = "$SN_CEC_TABLE_ENABLE[0]"
+    off = text.replace(f"{switch}=1", f"{switch}=0")
+    for place, content, shows, missing in (
+        ("same", text, "Verdict: good", ""),
+        ("sign", text.replace("[0,1]=", "[0,1]=-"), "CW-V011", ""),
+        ("off", off, "CW-V011", ""),
+        ("none", other, "CW-V013", "$AN_CEC[0,0] and 10 more missing"),
+        ("no switch", text.replace(switch, ";"), "CW-V013", f"{switch} missing"),
     ):
         (folder / place).mkdir()
         (folder / place / name).write_text(content)
         loaded = ["--loaded", str(folder / place / name)]
-        assert compwright(["compare", plan, *loaded]) == compared
-        capsys.readouterr()
-        assert compwright([*after, *loaded]) == verified
-        shown = " ".join(capsys.readouterr().out.split())
-        assert ("CW-V011" in shown) is (place == "sign")
+        well = place == "same"
+        assert compwright(["compare", plan, *loaded]) == (0 if well else 1)
+        assert missing in codes(capsys)
+        assert compwright([*after, *loaded]) == (0 if well else 1)
+        shown = codes(capsys)
+        assert shows in shown
+        assert (
+            f"The table of axis Y over axis X was not read back completely: {missing}" in shown
+            or not missing
+        )
+        assert ("Next: load what differs from the plan or is missing" in shown) is not well
+        assert compwright([*after, *loaded, "--update"]) == 1
+        kept = json.loads((folder / "job" / "verification.json").read_text())["next"]["reason"]
+        assert ("no axis gets a new table" in kept) is well
 
 
 def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(
