@@ -88,7 +88,9 @@ def test_a_test_of_an_axis_that_had_none_is_refused_in_words(
     )
     code = compwright(["verify", str(folder / "job.yaml"), "--after", str(folder / "y_after.csv")])
     assert code == 2
-    assert "the job has no test of axis Y to compare it with" in capsys.readouterr().err
+    assert (
+        "the job has no test of axis Y, so this test cannot be compared" in capsys.readouterr().err
+    )
 
 
 # --- squareness alone
