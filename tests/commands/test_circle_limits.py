@@ -160,7 +160,7 @@ def test_a_circle_of_unknown_causes_is_not_decided() -> None:
     assert undecided_circle_findings({"xy": unknown}) == ()  # no limits: nothing is left open
     (finding,) = undecided_circle_findings({"xy": replace(unknown, accept=decided), "yz": known})
     assert finding.code == "CW-P134"
-    assert "Circle xy" in finding.message
+    assert "circle xy" in finding.message
     assert "3000 samples over 360°" in finding.message
 
 

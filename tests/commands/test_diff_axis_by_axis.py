@@ -78,7 +78,7 @@ def test_an_odd_axis_hides_no_other_from_diff(
     assert (axes["1"]["correction"], axes["4"]["correction"]) == (None, None)
     told = [one["message"] for one in found["findings"] if one["code"] == "CW-S080"]
     assert [message.split()[:4] for message in told] == [
-        ["NEW:", "what", "axis", axis] for axis in ("1", "4")
+        ["NEW:", "for", "axis", f"{axis},"] for axis in ("1", "4")
     ]
     assert "14985" in told[0]
     capsys.readouterr()

@@ -76,8 +76,9 @@ def further_targets(posterior: AxisPosterior) -> FurtherTargets | None:
 
 
 def _places(targets: FloatArray, periods: FloatArray) -> FloatArray:
-    """Return candidate places between the ``targets`` (m,), rounded as far as the ``periods``
-    allow.
+    """Return positions between the ``targets`` (m,) where further targets may be measured.
+
+    They are rounded to decimals that are small against the shortest of the ``periods``.
     """
     parts = np.mod(_STEP * np.arange(1, _PLACES + 1), 1.0)
     digits = int(np.ceil(-np.log10(_ROUNDED * float(np.min(periods)))))

@@ -25,7 +25,8 @@ def _short(text: str) -> str:
 _NEXT = ". Next: "
 #: The beginning of a message without a subject: its subject is the place.
 _PREDICATE = re.compile(
-    r"(is|has|holds|contains|names|states|covers|goes|cannot|belongs|extends|may|disagrees) "
+    r"(is|has|does|do|holds|contains|names|states|covers|goes|cannot|belongs|extends|may"
+    r"|disagrees) "
 )
 #: Equal faults of lines up to which each one is a line of its own, and places that are listed.
 _LISTED = 3

@@ -136,8 +136,10 @@ def _wave_root(positive: int, negative: int, pace: float) -> FloatArray:
 
 
 def _at_all(waves: FloatArray, positive: int, negative: int) -> tuple[FloatArray, FloatArray]:
-    """Return offset and tilt (count, positive + negative) of all traverses, interpolated from those
-    drawn in ``waves`` (count, 2 k). A traverse with a smaller share of the test tilts less.
+    """Return the offset and the tilt of each traverse, by linear interpolation in ``waves``.
+
+    Both have the shape (count, positive + negative), + first. ``waves`` (count, 2 k) holds k
+    offsets, then k tilts. A traverse that is a smaller share of the test tilts less.
     """
     offset, tilt = np.split(waves, 2, axis=1)
     few = _few(positive, negative)

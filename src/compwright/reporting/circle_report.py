@@ -30,7 +30,7 @@ _AGREES: Final = 2.0
 
 
 def circle_page(result: Document, index: int, job: Sequence[str] | None = None) -> dict[str, Any]:
-    """Return the contents of a circular test's page. ``job``: lines of a job for its machine."""
+    """Return the contents of a circular test's report page. ``job``: a job file to begin with."""
     name = plain(result.get("name") or "")
     causes = ranked_causes(result)
     axes = result.get("axes") or ("first", "second")

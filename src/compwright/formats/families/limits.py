@@ -91,7 +91,9 @@ def curves(capacity: Capacity, compensation: AxisCompensation, label: str) -> li
 
 
 def turn(capacity: Capacity, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Yield a fault if an endless axis' table is not one turn, or if a second one also repeats."""
+    """Return the faults of a table that repeats: the axis is not endless, the table is not one
+    turn long, or its two ends differ.
+    """
     period = capacity.period
     if period is None:
         if compensation.period is None:

@@ -164,9 +164,9 @@ def _misfit(path: Path, error: Exception) -> InputError:
     lacking = isinstance(error, KeyError)
     return InputError(
         Fault(
-            message="the document of compwright lacks a key"
+            message="the results file lacks a key"
             if lacking
-            else "the document of compwright has a wrong form",
+            else "the results file has a wrong form",
             file=shown_path(path),
             expected=str(error.args[0]) if lacking else "",
             found="" if lacking else str(error),

@@ -291,7 +291,8 @@ class ColumnAxisReader:
                 Fault(
                     message=(
                         f"{self.label}: {name} is not zero, but is active only if no table is "
-                        f"selected, and the switch {self._switch} is in no file"
+                        "selected, and the files do not show whether one is: the switch "
+                        f"{self._switch} is missing"
                     ),
                     file=slope.occurrence.file,
                     place=slope.occurrence.place,
@@ -302,7 +303,8 @@ class ColumnAxisReader:
                     found=slope.text,
                     hint=(
                         f"add {self._switch} to the files, or answer `active: yes` (the table was "
-                        "selected) or `active: no` in this entry of `states` in the job"
+                        "selected) or `active: no` (no table was selected) in this entry of "
+                        "`states` in the job"
                     ),
                 )
             )

@@ -149,7 +149,10 @@ class _Sorter:
                 )
         for index, found in {**self.axes, **self.names}.items():
             if counts and index >= int(counts[0].text):
-                message = f"this entry is beyond {name} {counts[0].text}, so it may not be loaded"
+                message = (
+                    f"the index of this entry is {index}, and {name} gives the number of entries "
+                    f"as {counts[0].text}, so the control possibly does not load it"
+                )
                 expected = f"{name} {index + 1}, or no such entry"
                 self.notes.refuse(
                     "start-up list", message, found, expected=expected, hint=CORRECT_VALUE

@@ -59,11 +59,11 @@ def _two_kinds(found: Found) -> Fault:
     return Fault(
         message=(
             f"`active: no` applies only to the values in {found.program.span}, but the file "
-            "contains other values, which the control takes in any case"
+            "also contains other values, which are always in effect"
         ),
         file=found.file,
         place=f"line {found.program.values[0].line}",
-        expected=f"these values in a file of their own, or {EXPORTED}",
+        expected=f"the values in {found.program.span} in a file of their own, or {EXPORTED}",
         hint=(
             "export the compensation data from the control, then give that file "
             "instead of the program"
