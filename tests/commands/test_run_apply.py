@@ -149,8 +149,8 @@ def test_squareness_alone_is_compared_with_what_was_read_back(
         ("same", text, "Verdict: good", ""),
         ("sign", text.replace("[0,1]=", "[0,1]=-"), "CW-V011", ""),
         ("off", off, "CW-V011", ""),
-        ("none", other, "CW-V013", "$AN_CEC[0,0] and 10 more missing"),
-        ("no switch", text.replace(switch, ";"), "CW-V013", f"{switch} missing"),
+        ("none", other, "CW-S087", "$AN_CEC[0,0] and 10 more missing"),
+        ("no switch", text.replace(switch, ";"), "CW-S087", f"{switch} missing"),
     ):
         (folder / place).mkdir()
         (folder / place / name).write_text(content)

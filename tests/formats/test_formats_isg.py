@@ -4,6 +4,7 @@ table, and lists of the user's own that are changed in place.
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -683,6 +684,24 @@ def test_squareness_is_added_to_what_the_slaves_list_does(bent: Path, tmp_path: 
     # before: 0 at -100, 2 at 0, -4 from 200 on (µm); added: 40 µm/m from 0 on
     found = cross_acting(made, "correction", -100, 0, 200, 800)
     assert found == pytest.approx([0, 2, 4, 28], abs=0.8)
+
+
+def test_a_list_of_the_slave_that_was_not_read_back_is_named(
+    bent: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Its values name the slave alone."""
+    assert squareness(tmp_path, bent, "none", options="cross_values: error") == 0
+    made, plan = tmp_path / "job" / "tables" / ISG, str(tmp_path / "job" / "plan.json")
+    for name in ("achskw1.lis", "achskw2.lis"):
+        (tmp_path / name).write_bytes((made / name).read_bytes())
+    words = ["compare", plan, "--loaded", str(tmp_path / "achskw1.lis")]
+    capsys.readouterr()
+    assert compwright(words) == 1
+    shown = " ".join(capsys.readouterr().out.split())
+    assert "Y over axis X was not read back completely: kw.crosscomp.unit and 6 more" in shown
+    assert compwright([*words, "--loaded", str(tmp_path / "achskw2.lis")]) == 0
+    (between,) = json.loads((tmp_path / "job" / "prediction.json").read_text())["cross"]
+    assert "-0.0" not in map(str, between["correction"])
 
 
 def test_squareness_without_the_meaning_of_the_values_is_asked_for(

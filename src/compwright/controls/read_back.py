@@ -51,25 +51,33 @@ def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
 
 
 def pairs_not_read_back(
-    planned: Iterable[PlannedCross], whole: Differences
+    planned: Iterable[PlannedCross], whole: Differences, found: ComparedSide
 ) -> dict[tuple[str, str], Finding]:
     """Return the finding for each written table between axes of which values are missing in what
-    was read back, by its addresses. ``whole``: from the plan's files to those read back.
+    was read back, by its addresses. ``whole``: from the plan's files to those ``found``.
+
+    A control may name one of the axes in such a value, or none: these count where no table of the
+    pair was read back.
     """
     lost = _not_read(whole)
-    found = {}
+    missing = {}
     for entry in planned:
-        names = [one.entry.name for one in lost if set(entry.addresses) <= set(one.axes)]
+        pair = set(entry.addresses)
+        values = [one for one in lost if pair <= set(one.axes)]
+        if found.state is not None and entry.addresses not in found.state.pairs:
+            values = values or [one for one in lost if entry.added.output in one.axes]
+            values = values or [one for one in lost if not one.axes]
+        names = [one.entry.name for one in values]
         if entry.written and names:
-            found[entry.addresses] = Finding.of(
-                "CW-V013",
+            missing[entry.addresses] = Finding.of(
+                "CW-S087",
                 "warning",
                 input=entry.input,
                 output=entry.output,
                 value=names[0],
                 more=len(names) - 1,
             )
-    return found
+    return missing
 
 
 def read_back_differences(
@@ -108,7 +116,7 @@ def read_back_differences(
         {name: tuple(found) for name, found in own.items()},
         Others(tuple(others), tuple(_elsewhere(whole)), tuple(one.entry.name for one in ignored)),
         tuple(dict.fromkeys((*whole.findings, *_ignored(whole, known, len(ignored))))),
-        tuple(pairs_not_read_back(planned, whole).values()),
+        tuple(pairs_not_read_back(planned, whole, found).values()),
     )
 
 

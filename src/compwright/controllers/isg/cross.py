@@ -80,7 +80,8 @@ def read_cross(
             f"outside the cross table of axis {axis.address}", "the end values hold", "inferred"
         )
     )
-    return CrossTable(master, axis.address, positions * units[0], values * units[1] * sign)
+    corrections = values * units[1] * sign + 0.0  # no zero with a minus sign
+    return CrossTable(master, axis.address, positions * units[0], corrections)
 
 
 def _entries(axis: AxisLists, request: Request) -> tuple[str, FloatArray, FloatArray] | None:

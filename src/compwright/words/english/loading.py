@@ -18,11 +18,6 @@ SENTENCES: Final[dict[str, str]] = {
         " {others:join| or }. To exclude this, read the control's files back and give them with"
         " `--loaded`."
     ),
-    "CW-V013": (
-        "The table of axis {output} over axis {input} was not read back completely: {value}"
-        "{more:if| and {more} more} missing. It is unknown whether this table is loaded and active."
-        " Read these values of the control back too, and give their files with `--loaded`."
-    ),
     "CW-V020": (
         "The test after loading covers less than the first test: {gaps:join|; }. Measure"
         " {targets} targets from {range}, as before."

@@ -307,4 +307,9 @@ SENTENCES: Final[dict[str, str]] = {
         " rotary. The unit of the corrections is unknown: thousandths of a mm (µm) or of a"
         " degree (3.6 arcsec). Give --option kind=linear or --option kind=rotary."
     ),
+    "CW-S087": (
+        "The table of axis {output} over axis {input} was not read back completely: {value}"
+        "{more:if| and {more} more} missing. It is unknown whether this table is loaded and active."
+        " Read these values of the control back too, and give their files with `--loaded`."
+    ),
 }

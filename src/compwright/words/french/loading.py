@@ -16,12 +16,6 @@ SENTENCES: Final[dict[str, str]] = {
         " {others:join| ou }. Pour l'exclure, relire les fichiers de la commande et les donner avec"
         " `--loaded`."
     ),
-    "CW-V013": (
-        "La table de l'axe {output} en fonction de l'axe {input} n'a pas été relue en entier : il"
-        " manque {value}{more:if| et {more} autres}. On ne sait pas si cette table est chargée et"
-        " active. Relire aussi ces valeurs de la commande, et donner leurs fichiers avec"
-        " `--loaded`."
-    ),
     "CW-V020": (
         "L'essai après chargement couvre moins que le premier : {gaps:join|; }. Mesurer {targets}"
         " points visés de {range}, comme avant."

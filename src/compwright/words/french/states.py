@@ -324,4 +324,10 @@ SENTENCES: Final[dict[str, str]] = {
         " {names} sont linéaires ou rotatifs}. L'unité des corrections est inconnue : millièmes de"
         " mm (µm) ou de degré (3,6″). Donner --option kind=linear ou --option kind=rotary."
     ),
+    "CW-S087": (
+        "La table de l'axe {output} en fonction de l'axe {input} n'a pas été relue en entier : il"
+        " manque {value}{more:if| et {more} autres}. On ne sait pas si cette table est chargée et"
+        " active. Relire aussi ces valeurs de la commande, et donner leurs fichiers avec"
+        " `--loaded`."
+    ),
 }

@@ -16,12 +16,6 @@ SENTENCES: Final[dict[str, str]] = {
         " oder } vertauscht ist. Um das auszuschließen, die Dateien der Steuerung zurücklesen und"
         " mit `--loaded` angeben."
     ),
-    "CW-V013": (
-        "Die Tabelle der Achse {output} über Achse {input} wurde nicht vollständig ausgelesen: Es"
-        " fehlt {value}{more:if| und {more} weitere}. Ob diese Tabelle geladen und aktiv ist, ist"
-        " nicht bekannt. Auch diese Werte aus der Steuerung auslesen und ihre Dateien mit"
-        " `--loaded` angeben."
-    ),
     "CW-V020": (
         "Die Prüfung nach dem Laden deckt weniger ab als die erste: {gaps:join|; }. {targets}"
         " Zielpositionen von {range} messen, wie zuvor."

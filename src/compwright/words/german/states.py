@@ -328,4 +328,10 @@ SENTENCES: Final[dict[str, str]] = {
         " Tausendstel mm (µm) oder Grad (3,6″). --option kind=linear oder --option kind=rotary"
         " angeben."
     ),
+    "CW-S087": (
+        "Die Tabelle der Achse {output} über Achse {input} wurde nicht vollständig ausgelesen: Es"
+        " fehlt {value}{more:if| und {more} weitere}. Ob diese Tabelle geladen und aktiv ist, ist"
+        " nicht bekannt. Auch diese Werte aus der Steuerung auslesen und ihre Dateien mit"
+        " `--loaded` angeben."
+    ),
 }

@@ -262,7 +262,7 @@ def _between(
         compared_side(control, files, "the plan", read_back.files),
         compared_side(control, read_back.files, "read back", files),
     )
-    missing = pairs_not_read_back(planned, differences(control, *sides))
+    missing = pairs_not_read_back(planned, differences(control, *sides), sides[1])
     for entry in planned:
         if entry.addresses in missing and entry.addresses not in back.state.pairs:
             yield missing[entry.addresses]

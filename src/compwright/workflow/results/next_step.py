@@ -80,7 +80,7 @@ def after_verify(
             "compare", plan, "--loaded", READ_BACK
         )
     codes = {finding["code"] for part in (document, *axes) for finding in part["findings"]}
-    if codes & {"CW-V011", "CW-V013"}:
+    if codes & {"CW-V011", "CW-S087"}:
         return (
             "Next: load what differs from the plan or is missing, save the control's files to"
             f" {READ_BACK}, then type: " + _command("compare", plan, "--loaded", READ_BACK)

@@ -51,7 +51,7 @@ from compwright.workflow.verify.next_files import JOB, Looped, next_files
 FOLDER: Final = "next"
 #: Findings, in addition to doubts, that name a proof that the test of an axis lacks.
 LACKING: Final = frozenset({"CW-V020", "CW-V021", "CW-V024"})
-_NOT_FROM_HERE: Final = frozenset({"CW-V011", "CW-V013", "CW-V022"})
+_NOT_FROM_HERE: Final = frozenset({"CW-V011", "CW-S087", "CW-V022"})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
