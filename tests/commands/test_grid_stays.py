@@ -222,7 +222,7 @@ def test_a_coarse_grid_stays_and_another_one_is_offered(name: str, visit: Start)
     assert there.run() == 0
     assert np.array_equal(there.nodes(there.files), there.nodes(there.written()))
     told = there.findings()["CW-P141"]
-    assert "are kept, 5 points from 0 to 800 mm, every 200" in told
+    assert "keeps the points of the existing table (5 points from 0 to 800 mm, every 200" in told
     before, after = (float(one) for one in re.findall(r"A ([.\d]+) µm", told))
     assert before > 2 * after
 

@@ -287,7 +287,7 @@ def test_the_capacity_is_that_of_the_control() -> None:
         ("one row", {"positions": [0.0], "positive": [0.0]}, "too few"),
         ("too many rows", {"positions": range(257), "positive": [0.0] * 257}, "at most 256"),
         ("backlash in addition to the table", {"backlash": 0.001}, "backlash"),
-        ("another end than the control's", {"below": "zero"}, "below its first point"),
+        ("another end than the control's", {"below": "zero"}, "below the first point"),
         ("a value between the steps", {"positive": [0.00000005, 0.0]}, "multiple"),
         ("a node between the steps", {"positions": [0.0, 1.00000005]}, "multiple"),
         ("a value out of range", {"positive": [0.0, 10.1]}, "outside"),
