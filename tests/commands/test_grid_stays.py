@@ -223,7 +223,7 @@ def test_a_coarse_grid_stays_and_another_one_is_offered(name: str, visit: Start)
     assert np.array_equal(there.nodes(there.files), there.nodes(there.written()))
     told = there.findings()["CW-P141"]
     assert "keeps the points of the existing table (5 points from 0 to 800 mm, every 200" in told
-    before, after = (float(one) for one in re.findall(r"A ([.\d]+) µm", told))
+    before, after = (float(one) for one in re.findall(r"([.\d]+) µm at the same targets", told))
     assert before > 2 * after
 
 

@@ -155,12 +155,14 @@ def test_a_gain_is_offered_with_its_numbers(
     bench = Bench(tmp_path)
     assert bench.run("B") == 0
     told = findings(bench, "B")["CW-P141"]
-    numbers = re.findall(r"A ([\d.]+) arcsec \(([\d.]+)(?: arcsec)?", told)
+    numbers = re.findall(r"([\d.]+) arcsec at the same targets, ([\d.]+) arcsec at new", told)
     (same, new), (better, better_new) = numbers
     predicted = json.loads((tmp_path / "job" / "prediction.json").read_text())["axes"]["B"]
     assert float(same) == pytest.approx(predicted["predicted"]["A"]["median"], abs=0.006)
     assert float(new) == pytest.approx(predicted["predicted_new_targets"]["A"]["median"], abs=0.006)
-    assert "are kept, 13 points from 0 to 360 deg, every 30 deg" in told
+    assert (
+        "keeps the points of the existing table (13 points from 0 to 360 deg, every 30 deg)" in told
+    )
     # The offer is what auto gives.
     assert (
         bench.run("B", axes={"B": "table: {spacing: auto}"}, options="") == 5

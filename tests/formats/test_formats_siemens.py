@@ -385,7 +385,7 @@ def test_the_capacity_is_what_the_manual_says() -> None:
         ("a value out of range", {"positive": [-0.003, -0.001, 0.0, 0.002, 10.5]}, {}, "outside"),
         ("backlash out of range", {"backlash": 11.0}, {}, "outside"),
         ("backlash between the steps", {"backlash": 0.0000015}, {}, "multiple"),
-        ("another end than the control's", {"below": "zero"}, {}, "below its first point"),
+        ("another end than the control's", {"below": "zero"}, {}, "below the first point"),
         ("not finite", {"positive": [-0.003, float("nan"), 0.0, 0.002, 0.0045]}, {}, "finite"),
         ("not ascending", {"positions": [-100, -50, 0, 0, 100]}, {}, "ascend"),
         ("values missing", {"positive": [0.0] * 4}, {}, "lengths"),
