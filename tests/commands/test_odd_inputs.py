@@ -295,7 +295,7 @@ def test_a_definition_that_lacks_an_entry(
         "\n".join(lines[:start] + lines[end:]) + "\n", encoding="utf-8"
     )
     assert compwright(["formats", "check", "mine.yaml"]) == 3
-    assert f"{place}: the section " in capsys.readouterr().err
+    assert f"{place}: the definition lacks the entry " in capsys.readouterr().err
 
 
 def test_a_definition_that_takes_an_entry_out(
@@ -306,7 +306,7 @@ def test_a_definition_that_takes_an_entry_out(
     )
     assert compwright(["formats", "check", "mine.yaml"]) == 3
     assert (
-        "options.increment_limit: the section options of the definition lacks"
+        "options.increment_limit: the definition lacks the entry increment_limit in its section"
         in capsys.readouterr().err
     )
 
