@@ -160,7 +160,7 @@ class TestShape:
         assert control.addresses() == ("AX1",)
         with pytest.raises(UsageError, match="AX2"):
             control.correction("AX2", np.zeros(1), UP)
-        with pytest.raises(UsageError, match="AX1 on AX2"):
+        with pytest.raises(UsageError, match="corrects axis AX1 over the position of axis AX2"):
             control.cross_correction("AX2", "AX1", np.zeros(1), UP)
         with pytest.raises(UsageError, match="no table"):
             control.cross_correction("AX1", "AX1", np.zeros(1), UP)

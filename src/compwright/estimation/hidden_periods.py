@@ -101,7 +101,7 @@ class CurveColumns:
 
 @dataclass(frozen=True, slots=True)
 class WaveDraw:
-    """One possible wave: distribution of its cosine and sine parts, and what targets show of it.
+    """One possible periodic error: the distribution of its cosine and sine, and what targets show.
 
     Both are normal with ``mean`` (2,) and covariance ``root`` ``root``' (2, 2). The wave of
     ``period`` (mm or deg) is a ``share`` of it, plus an independent part of standard deviation

@@ -59,7 +59,7 @@ class ScaleCorrection:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """The findings about the scale correction, and about table points that move."""
+        """The findings about the scale correction, and about new table points."""
         fitted = None if self.planned is None else self.planned.fitted
         moved = () if fitted is None else fitted.findings
         return (self.finding, *self.doubts, *(one for one in moved if one.code == NEW_GRID))

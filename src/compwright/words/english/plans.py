@@ -290,8 +290,8 @@ SENTENCES: Final[dict[str, str]] = {
         " than the difference between one test and the next."
     ),
     "CW-P156": (
-        "Axis {axis}: the control never applies a step of the correction that is larger than"
-        " {least:.2f} {unit} and not larger than {most:.2f} {unit}. The reversal in the table is"
+        "Axis {axis}: the control never applies a step of the correction whose size is between"
+        " {least:.2f} {unit} and {most:.2f} {unit}. The reversal in the table is"
         " such a step: {reversal:.2f}{reversal_to:if| to {reversal_to:.2f}} {unit}. After a"
         " reversal the old correction therefore stays until the table itself changes enough; the"
         " prediction allows for this. To have these steps applied, set the acceleration limit of"

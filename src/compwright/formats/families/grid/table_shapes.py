@@ -66,7 +66,7 @@ class ByIndex(TableShape):
     repeats = True
 
     def read(self, source: TableSource) -> GridTable | None:
-        """Return the table by index, None if it is all zeros (never written); see
+        """Return the table's values by their index, None if all are zero (never written); see
         `TableShape.read`.
         """
         if not source.rows and not source.singles:

@@ -103,7 +103,7 @@ def _executed_in_any_case(definition: Definition, programs: Sequence[Found]) -> 
                 ),
                 file=found.file,
                 place=f"line {first}",
-                expected=f"{EXPORTED}; or active: yes where all of its values were carried out",
+                expected=f"{EXPORTED}; or active: yes if the control executed every line of it",
                 hint=(
                     "export the compensation data from the control and give that file, or set "
                     "`active: yes` if every value was executed"
