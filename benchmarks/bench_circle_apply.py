@@ -31,8 +31,9 @@ from compwright.foundations.session import Session
 from compwright.instruments.circular_csv import read_circular_csv
 from compwright.planning.circle_diagnosis import diagnose_circle
 from compwright.planning.circles import CIRCULAR_STANDARD as STANDARD
+from compwright.planning.value_with_error import worse_doubts
 from compwright.records.circular import CircularTest
-from compwright.records.correction_need import correction_need, worse_doubts
+from compwright.records.correction_need import correction_need
 from compwright.workflow.commands.run import PlannedJob, planned
 from compwright.workflow.inputs.jobs import read_job_file
 

@@ -26,8 +26,8 @@ from compwright.prediction.active_corrections import (
     sum_of_corrections,
 )
 from compwright.prediction.circular import CirclePath
-from compwright.records.axis import AxisKind
-from compwright.records.circular import CircularResult, CircularRun, CircularTest, FittedRun
+from compwright.records.axis import AxisKind, FloatArray
+from compwright.records.circular import CircularResult, CircularRun, CircularTest, FittedRun, Sense
 from compwright.records.job import CircleRequest
 from compwright.records.prediction import CirclePrediction, Quantiles
 from planning_samples import MINUS, PLUS, UM, axis_of, by_slope, circle_of
@@ -176,9 +176,10 @@ def test_noise_does_not_hide_that_a_circle_gets_worse(median: float, *, worse: b
     assert found.before.diagnosis is not None
     angles = np.arange(0.0, 360.0)
     ellipse = 2.5 * UM * np.cos(2.0 * np.radians(angles))
+    runs: dict[Sense, FloatArray] = {"ccw": angles, "cw": angles[::-1]}
     fitted = tuple(
         FittedRun(sense=sense, number=1, angles=turned, deviations=ellipse, residuals=np.zeros(360))
-        for sense, turned in (("ccw", angles), ("cw", angles[::-1]))
+        for sense, turned in runs.items()
     )
     before = replace(found.before, diagnosis=replace(found.before.diagnosis, fitted=fitted))
     assert bool(worse_circle_findings({"xy": replace(found, before=before)})) is worse
