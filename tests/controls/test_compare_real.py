@@ -122,7 +122,7 @@ def read_back(tables: Path, changes: Mapping[str, str]) -> bytes:
 
 @pytest.fixture(scope="module")
 def of_archive(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The results of a job on the archive alone; nobody changes them."""
+    """The results of a job on the archive alone, which no test changes."""
     return planned(tmp_path_factory.mktemp("job"), SIEMENS, [ARCHIVE], "AX2", (-700, 0))
 
 

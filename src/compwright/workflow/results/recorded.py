@@ -104,7 +104,7 @@ def recorded_run(
 def _own_job(
     given: Sequence[GivenFile], out: Path, earlier: Mapping[str, Any] | None
 ) -> dict[str, bytes]:
-    """Return the job file in the result folder if an earlier run wrote it and nobody changed it."""
+    """Return the job file in the result folder if an earlier run wrote it and it is unchanged."""
     listed = {} if earlier is None else {each["file"]: each["sha256"] for each in earlier["files"]}
     return {
         file.path.name: file.content
