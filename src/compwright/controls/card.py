@@ -123,7 +123,7 @@ def _numbering(numbered: NumberedSections | None) -> dict[str, Any] | None:
 
 
 def _backlash(table: AxisCompensation | None, held: DecodedState, axis: Axis) -> float:
-    """Return an axis' backlash in mm or deg, including what is part of its correction curves.
+    """Return an axis' backlash in mm or deg, including backlash that its table values contain.
 
     Also where the control's own parameter is counted in the curve of one direction.
     """
@@ -133,16 +133,16 @@ def _backlash(table: AxisCompensation | None, held: DecodedState, axis: Axis) ->
 
 
 def _typed(control: Control, axis: Axis, card: AxisCard) -> str:
-    """Return the new backlash as the value of the control's parameter to type in."""
+    """Return the new backlash as the text to type into the control's parameter."""
     return typed_backlash(control.definition, axis, card.values)
 
 
 def _typed_before(
     control: Control, axis: Axis, old: DecodedState, new: AxisCompensation | None
 ) -> str:
-    """Return the old backlash as the value of the control's parameter; 0 if none was active.
+    """Return the old backlash as the text to type into the parameter; 0 if none was active.
 
-    ``new``: the table whose points count where there were none.
+    ``new``: the new table, whose points are used if the old table has fewer than two.
     """
     table = old.state.axes.get(axis.address, no_compensation(axis.address, axis.kind))
     if new is not None and table.positions.size < 2:
@@ -210,9 +210,9 @@ def _minus(number: str) -> str:
 def changes_document(
     control: Control, old: Sequence[ControlFile], entered: Sequence[ControlFile]
 ) -> dict[str, Any] | None:
-    """Return as plain data what the files ``entered`` change in the control's own files ``old``.
+    """Return as plain data the values that the new files ``entered`` change in the ``old`` files.
 
-    None without own files.
+    None if there are no such files.
     """
     if not old or not entered:
         return None
@@ -224,7 +224,7 @@ def changes_document(
 
 
 def unconfirmed_diameters(control: Control, axes: Sequence[Axis]) -> list[str]:
-    """Return what is not confirmed about the tables of axes that are programmed in diameter."""
+    """Return for each axis programmed in diameter a text on what is unconfirmed about its table."""
     return [
         ControlText(control.definition.diameter.card, {"name": axis.name})
         for axis in axes
@@ -238,7 +238,7 @@ def step_documents(
     loaded: DecodedState,
     between: Sequence[Mapping[str, Any]],
 ) -> list[Mapping[str, Any]]:
-    """Return the card's steps: those of the definition, then those for tables ``between`` axes."""
+    """Return the card's steps from the control's definition, then those of cross-axis tables."""
     tells = any("{gantry}" in rule.text for rule in control.definition.card)
     steps = [
         {
@@ -260,7 +260,7 @@ def step_documents(
 def restore_steps(
     control: Control, written: Mapping[str, AxisWork], loaded: DecodedState
 ) -> list[dict[str, Any]]:
-    """Return the steps that restore the old values, by file and parameter, as far as known."""
+    """Return the card's steps that restore the old values, from the control's definition."""
     axes = _with_values(control, written, loaded)
     return _plain(card_steps_of_all(control.definition, axes, control.definition.restore))
 
@@ -268,9 +268,9 @@ def restore_steps(
 def _with_values(
     control: Control, written: Mapping[str, AxisWork], loaded: DecodedState
 ) -> list[tuple[Axis, Mapping[str, str]]]:
-    """Return each axis, followed by its gantry slave, with the values for the texts of its card.
+    """Return each axis, and each gantry slave, with the values to insert into its card's texts.
 
-    The same table or the same change, on numbers and in files of its own.
+    A slave gets the same table or the same change, with axis number and files of its own.
     """
     axes: list[tuple[Axis, Mapping[str, str]]] = []
     for work in written.values():
@@ -333,11 +333,11 @@ def restore_texts(
     steps: bool,
     between: bool,
 ) -> list[str]:
-    """Return texts on how to restore the old state, with the files ``files`` or ``back``.
+    """Return texts on how to restore the old state by loading the old ``files`` or ``back``.
 
     ``files``: the control's own; ``back``: small files with the old values.
 
-    ``steps``: `restore_steps` say the rest; ``between``: there are new cross-axis tables.
+    ``steps``: `restore_steps` give the rest; ``between``: there are new cross-axis tables.
     """
     if not files:
         nothing = control_text("The job says that nothing was active.")

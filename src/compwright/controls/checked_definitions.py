@@ -1,4 +1,4 @@
-"""Check a definition with its sample, its hand-worked corrections and the independent reader."""
+"""Check a definition of a control's files by its sample and corrections worked out by hand."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A control as commands use it: its definition and options, and its files as two readers see them.
+"""A control for a command: its definition, its options, and its files decoded by two readers.
 
 Every set of files is read by ``formats`` (from the definition) and by ``controllers`` (the judge).
 Where the two do not agree nothing is done with the files.
@@ -70,7 +70,7 @@ class Origin:
     carried: Texts = ()
 
     def named(self, error: UsageError) -> UsageError:
-        """Return an error with the place at which each faulty option was given."""
+        """Return a copy of ``error`` that names the place of each faulty option."""
         return UsageError(
             *(
                 replace(fault, place=f"{self.before_option}{fault.place}").in_file(self.file)
@@ -143,7 +143,7 @@ class Control:
         return (judged, *self.notes)
 
     def look_at(self, axis: Axis, table: AxisCompensation) -> Mapping[LoadingName, tuple[str, ...]]:
-        """Return what to check at the control if a ``table`` has no planned effect, by verdict."""
+        """Return what to check at the control, by verdict on the effect of the loaded ``table``."""
         return look_at(self.format, axis, table)
 
     def in_state(self, state: ControlState) -> Control:
@@ -157,10 +157,10 @@ class Control:
             raise self.origin.named(error) from error
 
     def assumed(self, *states: ControlState, axes: Sequence[Axis] = ()) -> tuple[Assumption, ...]:
-        """Return as assumptions the options at their defaults that no file of ``states`` answers.
+        """Return an assumption for each option at its default, neither given nor stated by files.
 
-        ``axes``: those of a job; without one every axis of the states counts. An option that each
-        of them answers, by the job or by its files, is not left at its default.
+        ``axes``: those of a job; without them, all axes of the states. An option that the job or
+        the files state for each of these axes is not left at its default.
         """
         answered = {
             name for state in states for facts in state.facts.values() for name in facts.stated
@@ -348,15 +348,13 @@ def decode(
 
 
 def _judged_at(definition: Definition, axis: Axis) -> Mapping[str, str]:
-    """Return the motion (feed or rapid) of an axis; empty if it makes no difference."""
+    """Return the motion (feed or rapid) for an axis' backlash; empty if backlash is the same."""
     differs = "backlash_rapid" in definition.bindings and axis.motion != "feed"
     return {"motion": axis.motion} if differs else {}
 
 
 def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) -> None:
-    """Check that the option and the entry sheet of an axis agree on errors or corrections as
-    values.
-    """
+    """Raise UsageError if an axis' option ``table_values`` contradicts its entry sheet."""
     own = {axis.address: axis.options.get(TABLE_VALUES) for axis in axes}
     faults = []
     for address, facts in state.facts.items():

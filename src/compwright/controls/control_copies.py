@@ -275,7 +275,7 @@ def _same_decoding(
 def _ways_to_read(
     shipped: Mapping[str, Definition], control_id: str
 ) -> Iterator[tuple[str, dict[str, object]]]:
-    """Yield the controls with the same table shape, the given one first, with trial options."""
+    """Yield trial options for each control with the same file layout, ``control_id`` first."""
     shape = shipped[control_id].layout.shape
     relatives = [name for name, one in shipped.items() if one.layout.shape == shape]
     for name in sorted(relatives, key=lambda name: name != control_id):
@@ -326,7 +326,7 @@ def _decoded(
 
 
 def texts_in(file: ControlFile) -> tuple[ControlFile, ...]:
-    """Return the texts of the control's state in an archive; None for a file that is no archive.
+    """Return the texts in an archive that state the control's settings; none for another file.
 
     A copy of the container itself cannot be made: its checksum is not understood. Raises InputError
     for one that cannot be opened.

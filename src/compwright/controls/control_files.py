@@ -35,7 +35,7 @@ _DEEPEST = 3
 
 
 def holds_archive(files: Sequence[ControlFile]) -> bool:
-    """Return whether one of the files is an archive, over which small files are loaded."""
+    """Return whether one of the files is an archive, which contains other files."""
     return any(map(is_container, files))
 
 

@@ -109,9 +109,9 @@ def write_planned(
 def _wrong(
     planned: Sequence[PlannedCross], before: DecodedState, after: DecodedState, quantum: float
 ) -> list[Fault]:
-    """Return a fault for each pair of axes whose result is not its old plus its planned correction.
+    """Return a fault for each axis pair whose written correction is not the old plus the planned.
 
-    Up to half a ``quantum``.
+    Rounding by half a ``quantum`` is allowed.
     """
     old, new = (
         {(entry.input, entry.output): [entry] for entry in judged_cross(decoded)}

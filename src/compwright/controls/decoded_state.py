@@ -1,6 +1,6 @@
-"""The corrections that two independent readers decoded from control files, without the readers.
+"""Records of the corrections that two independent readers decoded from a control's files.
 
-A control of one's own has no judge: the values that its one reader found are used in its place.
+A user's own control has no independent reader (judge): the values of its one reader are used.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from compwright.records.correction import ControlFile, ControlState
 
 @dataclass(frozen=True, slots=True)
 class SingleReader:
-    """The corrections of a control by the definition's reader alone, mm or deg."""
+    """The corrections, mm or deg, of a control that has a definition but no independent reader."""
 
     state: ControlState
 

@@ -141,7 +141,7 @@ def definitions_at(session: Session, path: Path) -> list[tuple[str, bytes, Find]
 
 
 def is_base(path: Path) -> bool:
-    """Return whether a file is only a base that other definitions extend, and not a control."""
+    """Return whether a file is a base for other definitions and does not describe a control."""
     return path.name.endswith(BASE_ENDING)
 
 
@@ -155,7 +155,7 @@ def _content(session: Session, path: Path) -> bytes:
 
 
 def _neighbour_files(session: Session, folder: Path) -> Find:
-    """Return a function that finds the definition to extend: near ``folder``, else supplied."""
+    """Return a function that finds a base definition: a file in ``folder``, or a supplied one."""
 
     def find(name: str) -> tuple[str, bytes] | None:
         path = folder / name

@@ -71,11 +71,9 @@ def _sheet(file: ControlFile) -> EntrySheet | None:
 def contents_after_loading(
     before: Sequence[ControlFile], back: tuple[ControlFile, ...]
 ) -> tuple[ControlFile, ...]:
-    """Return the control's contents after loading: what was read ``back``.
+    """Return the control's contents after loading, from the files that were read ``back``.
 
-    An archive that was loaded but not read back stays, with the new files over it.
-
-    Where an archive was loaded and not read back, that of ``before`` with the new files over it.
+    An archive in ``before`` that was not read back stays, with the files ``back`` over it.
     """
     if holds_archive(before) and not holds_archive(back):
         return merged_files(before, back)

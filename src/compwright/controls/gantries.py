@@ -44,10 +44,10 @@ _ANSWERS = (
 def partner_questions(
     job: Job, states: Mapping[str, DecodedState]
 ) -> tuple[list[Fault], list[Fault]]:
-    """Return questions on gantry slaves that differ from their master, and contradictions of
-    states.
+    """Return two lists of faults: differences between gantry axes that the job must decide, and
+    differences that changed since the test.
 
-    The job has to answer what such a partner gets.
+    The job decides by ``gantry_table`` what the slave gets.
     """
     questions: list[Fault] = []
     faults: list[Fault] = []
@@ -97,9 +97,7 @@ def partner_questions(
 
 
 def differing(axis: Axis, state: ControlState) -> list[str]:
-    """Return in what a gantry slave's compensation differs from its master's: values, points,
-    backlash.
-    """
+    """Return as words what differs between a gantry's two tables: values, points, backlash."""
     leading, partner = _both(axis, state)
     facts, own_facts = (state.facts_of(address) for address in (axis.address, str(axis.gantry)))
     grid, own_grid = _grid(leading, facts.grid), _grid(partner, own_facts.grid)
@@ -235,7 +233,7 @@ def _skew(axis: Axis, state: DecodedState, where: FloatArray) -> list[FloatArray
 def _skews_differ(
     axis: Axis, states: Mapping[str, DecodedState], measured_in: Sequence[str]
 ) -> bool:
-    """Return whether the two tables differed otherwise during the first test than now."""
+    """Return whether the difference between the two tables has changed since the first test."""
     test = [states[name] for name in measured_in if name in states and name != AS_FOUND]
     if not test or AS_FOUND not in states:
         return False
@@ -253,12 +251,12 @@ def _both(axis: Axis, state: ControlState) -> tuple[AxisCompensation, AxisCompen
 
 
 def _grid(table: AxisCompensation, idle: Sequence[float]) -> FloatArray:
-    """Return the positions of a table's points, active or not; one point alone is a constant."""
+    """Return the positions of a table's points; ``idle`` (points not in use) if it has none."""
     return table.positions if table.positions.size > 1 else np.array(idle, dtype=np.float64)
 
 
 def _where(axis: Axis, *tables: AxisCompensation) -> FloatArray:
-    """Return positions over the travel of the axes and at the points of their tables."""
+    """Return positions at which to compare tables: over the travel, and at the tables' points."""
     nodes = [other.positions for table in tables for other in (table, *table.others)]
     return np.unique(np.concatenate([np.linspace(*axis.travel, _DENSE), *nodes]))
 

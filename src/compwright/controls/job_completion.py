@@ -115,7 +115,7 @@ def _number_question(control: Control, axis: Axis, by_name: Mapping[str, tuple[s
 
 
 def completed_by_files(job: Job, states: Mapping[str, DecodedState], as_found: str) -> Job:
-    """Return the job with detection units, value meanings and measuring systems from the files.
+    """Return the job with detection units, meaning of values and measuring systems from the files.
 
     ``states``: all that were read; ``as_found``: the name of the one that is in the control now.
     """
@@ -131,9 +131,9 @@ def completed_by_files(job: Job, states: Mapping[str, DecodedState], as_found: s
 
 
 def completed_axis(axis: Axis, states: Sequence[ControlState], given: Mapping[str, object]) -> Axis:
-    """Return an axis with options that the control's files answer.
+    """Return an axis with the options, lead and ignored steps that the control's files state.
 
-    ``given``: the controller's options.
+    ``given``: the options of the whole control, which take precedence.
     """
     options = dict(axis.options)
     for name in (DETECTION_UNIT, TABLE_VALUES):
@@ -252,7 +252,7 @@ def _other_zero(job: Job, name: str, key: str, axis: Axis, place: float, home: D
 
 
 def _with_systems_in_use(job: Job, state: ControlState) -> Job:
-    """Return the job with the measuring systems in use by the files, where it names none."""
+    """Return the job with the measuring systems of the files for axes without a stated system."""
     axes = {}
     for name, entry in job.axes.items():
         found = state.facts_of(entry.axis.address).encoder_system
@@ -269,7 +269,7 @@ def _with_systems_in_use(job: Job, state: ControlState) -> Job:
 
 
 def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
-    """Yield a fault if the files give an axis' joint another letter, or the axis two joints."""
+    """Yield a fault if the files assign the joint to another axis, or two joints to the axis."""
     letters, letter, own = facts.letters, (facts.name or "").upper(), axis.name.upper()
     place, stated = f"axes.{axis.name}", f"{letters}: joint {axis.address} is {letter}"
     if not letters:
@@ -316,9 +316,9 @@ def length_unit(definition: Definition) -> tuple[OptionRule, str] | None:
 
 
 def keys_with_effect(definition: Definition) -> dict[str, bool]:
-    """Return by name whether certain job keys have an effect on this control, for `idle_keys`.
+    """Return by name whether some groups of job keys have an effect on this control.
 
-    Measuring systems, axes otherwise than by address, backlash at rapid traverse by itself.
+    Measuring systems, axis numbers, backlash at rapid traverse; used by `idle_keys`.
     """
     return {
         "systems": "system" in definition.fields,

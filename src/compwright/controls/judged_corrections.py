@@ -1,4 +1,4 @@
-"""Corrections of and between a job's axes by the independent reader (the virtual control)."""
+"""The active corrections of a job's axes and axis pairs, by the independent reader."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def applied_correction(decoded: DecodedState | None, axis: Axis) -> Correction:
 
 
 def active_corrections(decoded: DecodedState | None, axes: Mapping[str, Axis]) -> ActiveCorrections:
-    """Return the independent reader's corrections of and between a job's axes; empty if unknown."""
+    """Return the active corrections of axes and axis pairs; none without an independent reader."""
     if decoded is None or decoded.judge is None:
         return NO_CORRECTIONS
     names = {axis.address: name for name, axis in axes.items()}
@@ -66,7 +66,7 @@ def _across(decoded: DecodedState, pair: tuple[str, str]) -> Correction:
 def judged_cross(
     decoded: DecodedState, at: FloatArray | None = None
 ) -> tuple[CrossCompensation, ...]:
-    """Return the independent reader's corrections between axes, at table points or positions (k,).
+    """Return each axis pair's correction by the independent reader, at ``at`` or at table points.
 
     Each pair of axes once, with the sum of all its active tables.
     """

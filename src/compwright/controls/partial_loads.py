@@ -38,7 +38,7 @@ def harmful_parts(
     tables: Sequence[ControlFile],
     works: Mapping[str, AxisWork],
 ) -> tuple[str, ...]:
-    """Return, as text, each subset of the files that makes an axis worse if it is loaded alone.
+    """Return a text for each file that makes an axis worse if only this file is loaded.
 
     ``own``: the control's files before.
     """

@@ -41,9 +41,7 @@ class ReadBackDifferences:
 
 
 def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
-    """Yield a warning for files in the folder that `run` wrote, which were not read from the
-    control.
-    """
+    """Yield a warning for each path in the folder that `run` wrote, not read from the control."""
     own = storage.resolved(plan_file.parent / "tables")
     for path in loaded:
         if own in (there := storage.resolved(path), *there.parents):
@@ -53,11 +51,11 @@ def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
 def pairs_not_read_back(
     planned: Iterable[PlannedCross], whole: Differences, found: ComparedSide
 ) -> dict[tuple[str, str], Finding]:
-    """Return the finding for each written table between axes of which values are missing in what
-    was read back, by its addresses. ``whole``: from the plan's files to those ``found``.
+    """Return a finding for each written cross-axis table of which values were not read back.
 
-    A control may name one of the axes in such a value, or none: these count where no table of the
-    pair was read back.
+    By addresses of the axis pair; ``whole``: differences between planned and ``found`` files. A
+    control may name one of the axes in a value, or none: these count where no table of the pair was
+    read back.
     """
     lost = _not_read(whole)
     missing = {}
@@ -121,7 +119,7 @@ def read_back_differences(
 
 
 def _compared(placed: Placed, known: set[str]) -> bool:
-    """Return whether a difference counts: both sides state the value, or only the new file."""
+    """Return whether a difference counts: the value was read back, and is expected or not 0."""
     change = placed.change
     if change.new is None:
         return False
@@ -145,9 +143,7 @@ def _difference(placed: Placed, axis: str) -> Difference:
 def _corrections(
     whole: Differences, compensating: list[Placed], names: Mapping[str, str]
 ) -> Iterator[Difference]:
-    """Yield changed corrections of other axes and between axes, if a compared value belongs to
-    them.
-    """
+    """Yield the changed corrections of other axes and axis pairs that a compared value concerns."""
     touched = [set(one.axes) for one in compensating]
     for address, change in whole.corrections.items():
         if address not in names and any(address in axes for axes in touched):

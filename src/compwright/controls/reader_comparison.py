@@ -88,7 +88,7 @@ def _apart(
 
 
 def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
-    """Compare the cross-axis tables of both readers, several tables of one axis pair added."""
+    """Return a fault for each axis pair whose cross-axis tables differ between the readers."""
     between = "the two independent file readers of compwright do not agree on a cross-axis table"
     mine: dict[tuple[str, str], list[CrossCompensation]] = {}
     for entry in state.cross:
@@ -147,9 +147,9 @@ def probe_positions(nodes: FloatArray) -> FloatArray:
 
 
 def table_positions(nodes: FloatArray, travel: tuple[float, float]) -> FloatArray:
-    """Return positions at which a table defines the correction: up to its ends and the travel's.
+    """Return positions for the comparison of tables, within the table or within the travel.
 
-    Beyond both a plan's table only holds its ends, whatever the control does there (it may repeat).
+    Beyond both, a plan's table keeps its end values, whatever the control does (it may repeat).
     """
     ends = np.concatenate([nodes, travel])
     where = probe_positions(nodes)
