@@ -1,4 +1,4 @@
-"""Places in a file (file and line) that faults name."""
+"""Values with their place in a file (file and line), which faults show."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class OfLine:
 
     @property
     def shown(self) -> str:
-        """The text to show as found in a fault, unless the fault states another."""
+        """The text that a fault shows as found, unless the fault is given another text."""
         return ""
 
     def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:

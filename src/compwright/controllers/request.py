@@ -47,7 +47,7 @@ class Request:
         }
 
     def is_active(self, switches: Sequence[float | None]) -> bool:
-        """Return whether a table is active by the last values of its activation parameters.
+        """Return whether a table is active by the values of its activation parameters.
 
         None: not in the files, counts as on unless `active` states otherwise.
         """
@@ -60,7 +60,7 @@ class Request:
         return {**self.options, **(by_address(self.axis_options, address) or {})}
 
     def returning(self, address: str) -> tuple[Direction, Assumption | None]:
-        """Return the direction of an axis' reference return by its option; by assumption ``+``.
+        """Return the direction of an axis' reference return (default ``+``), and the assumption.
 
         Raises UsageError when the option ``reference_return`` is neither ``+`` nor ``-``.
         """
@@ -76,7 +76,7 @@ class Request:
         return direction, Assumption(f"reference_return of {address}", direction.value, evidence)
 
     def referenced(self, address: str) -> tuple[float, Assumption | None]:
-        """Return an axis' reference (machine coordinate, mm or deg) by its option; by assumption 0.
+        """Return an axis' reference position, mm or deg (default 0), and the assumption.
 
         Raises UsageError when it is not a finite number.
         """

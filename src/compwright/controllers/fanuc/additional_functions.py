@@ -92,7 +92,7 @@ class Cycle:
     totals: FloatArray
 
     def pulses(self, positions: FloatArray, *, ramp: bool) -> FloatArray:
-        """Return the total in detection units at ``positions`` (mm or deg from reference)."""
+        """Return the correction, detection units, at ``positions`` (mm or deg from reference)."""
         sections = np.mod(positions / self.interval, self.totals.size - 1)
         if ramp:
             return np.asarray(
@@ -105,8 +105,7 @@ class Cycle:
 
 @dataclass(frozen=True, slots=True)
 class Bend:
-    """Straightness compensation: lines over the moving axis, by which the axis ``bent`` is
-    corrected.
+    """Straightness compensation of the axis ``bent`` by ``lines`` over the position of ``moving``.
 
     ``entry``: the parameter of the pair.
     """
@@ -273,7 +272,7 @@ def _naming(machine: Machine, numbers: Iterable[int], axis: int) -> Iterator[Mac
 
 
 def _any(machine: Machine, numbers: Iterable[int]) -> MachineEntry | None:
-    """Return the first value of the parameters ``numbers`` that is not 0; None if there is none."""
+    """Return the first value except 0 of the parameters ``numbers``; None if all are 0."""
     found = (entry for number in numbers for entry in machine.entries.get(number, {}).values())
     return next((entry for entry in found if not entry.zero), None)
 

@@ -167,9 +167,9 @@ class AxisLoader:
         return rotary
 
     def _endless(self, grid: IncrementGrid, *, rotary: bool) -> IncrementGrid:
-        """Return the point numbers, with the turn if they are those of an endless axis.
+        """Return ``grid``, with its travel per turn if its points are those of an endless axis.
 
-        Numbers that nearly are become a fault.
+        Point numbers that nearly are those of an endless axis are a fault.
         """
         modulo = finite_number(by_address(self.request.modulo, str(grid.axis)))
         if not rotary:
@@ -235,7 +235,7 @@ class AxisLoader:
         )
 
     def _bidirectional(self, grid: IncrementGrid) -> IncrementGrid:
-        """Return the point numbers, with a second set for travel towards - if 3605#0 = 1."""
+        """Return ``grid``, with a second set of points for travel towards - if 3605#0 = 1."""
         bit = self.memory.bit(3605, 0, grid.axis)
         if bit is None:
             self.memory.assumed.append(

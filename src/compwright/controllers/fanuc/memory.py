@@ -209,9 +209,7 @@ class Memory:
         key: tuple[int, int | None, int | None],
         convert: Callable[[ParameterSetting], Value | None],
     ) -> Value | None:
-        """Return the value that all settings with ``key`` have in common; a different one is a
-        fault.
-        """
+        """Return the value that all settings with ``key`` share; other values are a fault."""
         first: Value | None = None
         settings = self._settings.get(key, [])
         for setting in settings:

@@ -79,7 +79,7 @@ class PitchTable:
         )
 
     def pulses(self, positions: FloatArray, *, positive: bool, ramp: bool) -> FloatArray:
-        """Return the total in detection units at ``positions`` (mm or deg from reference)."""
+        """Return the correction, detection units, at ``positions`` (mm or deg from reference)."""
         totals = self.positive if positive else self.negative
         x = np.asarray(positions, dtype=np.float64)
         if self.turn is not None:

@@ -278,9 +278,7 @@ class _TapeReader:
             self._parameter(known or number, words, line)
 
     def _parameter(self, number: int, words: list[tuple[str, str]], line: int) -> None:
-        """Read ``[Q1] (L1 | A<axis> | S<spindle>) P<value> ...``, without spindles and the second
-        path.
-        """
+        """Read ``[Q1] (L1 | A<axis> | S<spindle>) P<value> ...``; skip spindles and other paths."""
         if words and words[0][0] == "Q":
             if words[0][1] != "1":
                 raise _Unreadable("Q1, parameter data")

@@ -53,8 +53,7 @@ class Generation:
     numbers: Mapping[int, str] = field(default_factory=dict)
 
     def axis(self, number: int) -> str:
-        """Return the axis with a number (from 1): as the job states it, else in the order of
-        letters.
+        """Return the name of the axis with a number (from 1), from the job or the usual order.
 
         The number itself where no letter is fixed, or the letter was given another number.
         """

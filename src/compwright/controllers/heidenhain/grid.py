@@ -174,7 +174,7 @@ def _row(
     wanted: int,
     starts: Sequence[int] | None,
 ) -> tuple[str | None, ...] | Fault:
-    """Return the cells of a row without its row number, or the fault that the row has.
+    """Return the cells of a table line without its row number, or a fault if they are unclear.
 
     Where the table's description says so, a cell reaches from its column's first character (one of
     ``starts``) to the next one's. Else, with every cell filled, the blanks separate the columns;

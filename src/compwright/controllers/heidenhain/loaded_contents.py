@@ -36,7 +36,7 @@ class LoadedContents:
     faults: list[Fault] = field(default_factory=list)
 
     def kind(self, address: str) -> AxisKind:
-        """Return whether an axis is linear or rotary: by request, sheet, turn, or letter."""
+        """Return whether an axis is linear or rotary, from job, entry sheet, turn or letter."""
         requested = by_address(self.request.kinds, address)
         by_unit = next(
             (sheet for sheet in self.sheets if sheet.address == address and sheet.kind is not None),

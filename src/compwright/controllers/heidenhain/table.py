@@ -181,7 +181,7 @@ def _names(block: TableBlock, stem: str | None) -> frozenset[str]:
 
 
 def _values(grid: CellGrid, columns: dict[str, str], faults: list[Fault]) -> FloatArray:
-    """Return a table as numbers (rows, columns); used columns need a first and a last value."""
+    """Return a table as numbers (rows, columns); a blank end of a used column is a fault."""
     table = np.full((len(grid.rows), len(columns)), np.nan)
     for index, name in enumerate(columns):
         cells = grid.column(name)

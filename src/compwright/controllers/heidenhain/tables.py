@@ -128,9 +128,7 @@ class OwnTableLoader:
         self.crossed: dict[tuple[str, str], CorrectionCurve] = {}
 
     def load_com(self, com: Com, moving: str) -> None:
-        """Read the columns of a .COM table that follows the axis ``moving``: for it and for other
-        axes.
-        """
+        """Read the columns of a .COM table over the position of ``moving``, for any axis."""
         nodes = self._nodes(com, moving)
         sign = self._sign(com, moving)
         if nodes is None:

@@ -232,7 +232,7 @@ def _period(
     negative: FloatArray,
     unit: float,
 ) -> float | None:
-    """Return the turn of a repeating table, mm or deg, whose first and last entries must agree.
+    """Return the travel per turn, mm or deg, of a repeating table, and check that its ends agree.
 
     ``positions`` count in ``unit``.
     """

@@ -1,4 +1,4 @@
-"""Load a LinuxCNC compensation file (``COMP_FILE``) as the control does, which ends at a bad line.
+"""Load a LinuxCNC compensation file (``COMP_FILE``) as the control does, up to the first bad line.
 
 The control reads pieces of up to 254 bytes, takes the first three numbers of each the way C's
 ``scanf`` does, and stops at the first piece without three numbers; the rest of the file is never

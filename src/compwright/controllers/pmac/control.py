@@ -179,7 +179,7 @@ def _scales(
     assumed: list[Assumption],
     card: Card,
 ) -> dict[int, MotorScale]:
-    """Return the encoder counts per axis unit of each motor; without them outside the job None."""
+    """Return the encoder counts per axis unit by motor, if known; the job's motors need them."""
     wanted = {number for number in numbers if request.is_under_work(str(number))}
     wanted |= {source for source, target in crossing if target in wanted}
     scales = {}

@@ -35,7 +35,7 @@ Block = tuple[int, int, tuple[bool, str, int], bool]
 
 
 def apart(here: Sequence[Block], there: Sequence[Block]) -> bool:
-    """Return whether two places cannot both be sent, because their conditional blocks differ."""
+    """Return whether conditional blocks exclude that both places of a script are sent."""
     return any(
         branch != its if begun == other else queried == question and answered is not answer
         for begun, branch, queried, answered in here
@@ -170,7 +170,7 @@ def expression(text: str) -> str:
 
 
 def calculated(text: str) -> float | None:
-    """Return the value of an expression that contains only numbers; None if it has none."""
+    """Return the value of an expression of plain numbers; None if it cannot be calculated."""
     if len(text) > _LONGEST or re.search(r"[^-+*/%&|^()\s.\dA-F$]|\*\*|//", text):
         return None
     plain = re.sub(r"\$([\dA-F]+)", r"0x\1", text.strip())

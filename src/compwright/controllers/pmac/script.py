@@ -232,7 +232,7 @@ class _Script:
         return self._unknown(rest, place)
 
     def _unknown(self, rest: str, place: ScriptPlace) -> int | None:
-        """Refuse an unknown command, or skip it if its macros leave nothing to execute."""
+        """Return the end of an unknown command that is harmless; else None, with a fault."""
         expanded = self.sending.put_in(rest)
         certain = expanded != rest and not self.sending.may_differ(rest)
         if certain and _HARMLESS.fullmatch(expanded.strip()):
@@ -246,7 +246,7 @@ class _Script:
         return None
 
     def _sent(self, what: str, motor: int, place: ScriptPlace) -> bool:
-        """Record a compensation command; return True unless another branch has the same one.
+        """Record a compensation command; return False if an excluding branch has the same one.
 
         False, with a fault, if another branch of a block has the same: the card did not get both.
         """

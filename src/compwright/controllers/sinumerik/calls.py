@@ -1,4 +1,4 @@
-"""Calls between a SINUMERIK's programs: which certainly start and return, and what is last."""
+"""Calls between a SINUMERIK's programs: which calls are certain, which assignments come last."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ class ProgramCalls:
         return block.title in self._sites
 
     def trail(self, block: ProgramBlock) -> list[Line]:
-        """Return a program's lines, in which a call that certainly returns is an ordinary line."""
+        """Return a program's lines; a call that certainly returns counts as a line without jump."""
         back = {one.line for one in (*block.doubts, *block.late) if self._always_returns(one.call)}
         called = {line.number for line in self.calls_of(block)}
         return [
@@ -131,7 +131,7 @@ class ProgramCalls:
         )
 
     def loads(self, placed: PlacedBlock, above: Collection[str] = ()) -> list[int]:
-        """Return lines with a correction other than 0 of which every run executes at least one.
+        """Return lines that load a correction other than 0; every run executes at least one.
 
         Empty if none exist.
         """

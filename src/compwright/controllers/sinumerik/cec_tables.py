@@ -120,10 +120,9 @@ class CecTableLoader:
         ]
 
     def without_cut_sums(self, tables: Sequence[SagTable]) -> list[SagTable]:
-        """Return the tables without those of axes whose sum may exceed MD32720 and that stay
-        unchanged.
+        """Return the tables without unchanged ones whose sum the control may limit (MD32720).
 
-        The part that is cut off stays the same and is not counted.
+        The part that the limit cuts off stays the same and is not evaluated.
         """
         cut = set()
         for output in {table.output for table in tables}:
@@ -168,7 +167,7 @@ class CecTableLoader:
     def _curve(
         self, index: int, entries: Sequence[VariableAssignment], data: Sequence[VariableAssignment]
     ) -> SagTable | None:
-        """Return a table as a curve; None if invalid, which is a fault if it was cut short."""
+        """Return a table as a curve; None if it is invalid, or incomplete (then with a fault)."""
         names = {
             entry.name.removeprefix(f"{_PREFIX}_"): entry.names
             for entry in data
@@ -279,7 +278,7 @@ class CecTableLoader:
         return not isinstance(named, list | tuple) or index not in named
 
     def _is_active(self, entries: Sequence[VariableAssignment], output: str, *, own: bool) -> bool:
-        """Return whether a table is active; for tables by an axis' own position the job may decide.
+        """Return whether a table is active; the job may state it for an axis' own position.
 
         It does not if the leadscrew table of the axis is on: then it refers to that table, and a
         CEC table that is switched off was not active.

@@ -247,7 +247,7 @@ def _names(name: str | None) -> frozenset[str]:
 
 
 def _names_programs(words: Sequence[str]) -> bool:
-    """Return whether any program named in a statement may be called, not only its first word."""
+    """Return whether a statement may call programs that it names after its first word."""
     return any("CALL" in word or word in _CALLERS for word in words)
 
 

@@ -57,7 +57,7 @@ class Question:
 
 @dataclass(frozen=True, slots=True)
 class Fork:
-    """A condition with the lines (as bits) that follow if it is true, and if it is false."""
+    """A condition, and the lines that follow (a bit for each) if it is true and if it is false."""
 
     question: Question
     true: int
@@ -66,7 +66,7 @@ class Fork:
 
 @dataclass(frozen=True, slots=True)
 class Cases:
-    """A CASE with the lines (as bits) that follow for each number of its expression.
+    """A CASE, and the lines that follow (a bit for each) for each number of its expression.
 
     ``other``: for any other number.
     """
@@ -121,7 +121,7 @@ def answered(
     assigning: Mapping[int, Mapping[str, Words | None]],
     behind: Callable[[int], int],
 ) -> Iterator[dict[int, int]]:
-    """Yield, for each possible combination of condition results, the lines that follow each one.
+    """Yield, for each possible combination of results, the lines that follow each condition.
 
     ``assigning``: the variables that lines assign; ``behind``: the lines after a line, as bits.
     """
@@ -160,7 +160,7 @@ def ways_by_values(
     forks: Mapping[int, Fork | Cases],
     assigned: Sequence[Mapping[str, Words | None]],
 ) -> list[int]:
-    """Return each line's possible next lines (bits) that earlier assignments do not exclude.
+    """Return the possible next lines (a bit for each) of each line, by the values of variables.
 
     ``every``: the next lines regardless of values. Each line collects the values that a variable
     may have before it, None among them if any value may be; lines that no run reaches stay as they

@@ -32,7 +32,7 @@ from compwright.records.correction import ControlFile
 
 @dataclass(slots=True)
 class Loaded:
-    """The loaded contents.
+    """The contents of all files of a SINUMERIK after loading.
 
     ``under``: those of the archives; ``over``: those of all other files.
     """

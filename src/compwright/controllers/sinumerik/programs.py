@@ -1,4 +1,4 @@
-"""Check whether all assignments in a SINUMERIK's programs were executed, or ask the user."""
+"""Check that all assignments in a SINUMERIK's programs were executed, or ask the user about it."""
 
 from __future__ import annotations
 

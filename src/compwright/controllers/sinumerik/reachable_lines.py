@@ -297,7 +297,7 @@ def _reachable_after(follow: Sequence[int]) -> list[int]:
 
 
 def _next(lines: Sequence[Line]) -> list[int]:
-    """Return for every line the lines that may be executed next, as bits.
+    """Return the possible next lines of every line: a number with a bit for each next line.
 
     The bits after the last line are the end and the stop.
     """

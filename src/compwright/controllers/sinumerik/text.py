@@ -201,7 +201,7 @@ class ProgramContent:
 
 @dataclass(slots=True)
 class _Program:
-    """The archive's program that is being read.
+    """The program in an archive whose lines are being read.
 
     ``header``: its line (0 without one); ``before``: the assignments before it.
     """
@@ -447,7 +447,7 @@ def _foreign_key(name: str, index: str, found: ProgramContent) -> bool:
 
 
 def _indices(kinds: tuple[str, ...], text: str) -> dict[str, str] | None:
-    """Return the indices in a bracket by kind, as written; None if they are of other kinds."""
+    """Return the indices in a bracket by kind, as text; None if number or kinds do not match."""
     given = [index.strip() for index in text.split(",")]
     if len(given) != len(kinds):
         return None
