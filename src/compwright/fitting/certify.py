@@ -103,7 +103,8 @@ def lattice_certificate(
     magnification: int,
     claimed: tuple[float, float],
 ) -> dict[str, float]:
-    """Return the proof for a table of whole increments: violations, and bounds of its mean square.
+    """Return the certificate of a table of whole increments: its largest violation of a limit, its
+    rms error, and a lower bound of the rms error.
 
     ``claimed``: its mean square, and the lower bound of the mean square over real numbers, mm² or
     deg². Keys: ``primal``, the largest violation of a limit; ``objective`` and ``lower_bound``, the

@@ -94,9 +94,10 @@ class CurveChain:
         )
 
     def expanded(self, totals: IntArray) -> IntArray:
-        """Return whole-number values (size,) at all table points from those at the m counted ones.
+        """Return whole-number values (size,) at all table points, interpolated from the values
+        ``totals`` (m,) at the optimised points.
 
-        Nodes in between get equal steps, nodes beyond the ends the end values.
+        Values change in equal steps between these points and are constant beyond them.
         """
         full = np.empty(self.size, dtype=np.int64)
         full[: self.kept[0]], full[self.kept[-1] :] = totals[0], totals[-1]
@@ -132,12 +133,12 @@ def build_chain(
     kept: tuple[int, ...],
     closed: bool,
 ) -> CurveChain:
-    """Return the objective of a curve with ``size`` table points: half the weighted sum of squared
-    differences from the ``wishes``.
+    """Return the objective of a curve with ``size`` table points: half the weighted sum of its
+    squared differences from the ``wishes``.
 
-    Normal equations of hat functions, which couple only neighbouring nodes (de Boor 1978, chapter
-    III). ``fixed``: nodes with the value zero; ``kept``: nodes outside the travel that count
-    because they have limits.
+    Normal equations of hat functions, which couple only neighbouring points (de Boor 1978, chapter
+    III). ``fixed``: indices of points with the value zero; ``kept``: indices of points outside the
+    travel that are optimised because they have limits.
     """
     diagonal, off, linear, coupling = (
         np.zeros(size),
@@ -310,7 +311,7 @@ class LimitMultipliers:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Relaxation:
-    """A lower bound of the objective over real table values, by the constant c (reversal value).
+    """A lower bound of the objective over real table values, as a function of the reversal value c.
 
     Dual function (Boyd and Vandenberghe 2004, section 5.1.2): the Lagrange function L(v, c) = f +
     y'(Av - limits) <= f has its minimum over v, ``base - tilt (c - c0) + curve (c - c0)^2 / 2``, at
@@ -340,7 +341,9 @@ class Relaxation:
 
 
 def closing_multipliers(chain: CurveChain) -> LimitMultipliers:
-    """Return multipliers that make both ends of a closed curve equal and ignore other limits."""
+    """Return Lagrange multipliers that make both ends of a closed curve equal and ignore other
+    limits.
+    """
     close = 0.0
     if chain.closed:
         ends = np.zeros(chain.diagonal.size)
@@ -352,8 +355,8 @@ def closing_multipliers(chain: CurveChain) -> LimitMultipliers:
 
 
 def relax(chain: CurveChain, push: LimitMultipliers) -> Relaxation:
-    """Return the lower bound for the multipliers ``push``, without the constant term of the limits
-    (`priced` subtracts it).
+    """Return the lower bound for the Lagrange multipliers ``push``, without the constant term of
+    the limits (`priced` subtracts it).
 
     It is the least of a quadratic Lagrange function (Boyd and Vandenberghe 2004, section 5.2.4).
     """

@@ -57,10 +57,11 @@ def _shifted(wanted: WantedCorrection, shift: float) -> WantedCorrection:
 def _offset_from_mean(
     wanted: WantedCorrection, place: float, layout: UnknownsLayout, capacity: Capacity
 ) -> float:
-    """Return the wanted correction minus its least-squares fit at ``place``, mm or deg.
+    """Return how much the wanted correction at ``place`` exceeds a fit to it with one constant
+    reversal value, mm or deg.
 
-    In the return direction. The fit has one reversal value for the whole travel: its curve is the
-    mean of both directions plus or minus half of that value (least squares: Draper and Smith,
+    It applies to the reference-return direction. The curve of the fit is the mean of both
+    directions plus or minus half of the reversal value (least squares: Draper and Smith,
     Applied Regression Analysis, 3rd ed. 1998, chapter 1). A curve that is forced to the wanted
     value at the reference instead would bend on both sides of it.
     """

@@ -19,10 +19,10 @@ from compwright.records.axis import FloatArray
 def reachable_windows(
     chain: CurveChain, limits: ChainLimits, low: FloatArray, high: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return ranges of values, in steps, without those that the increments from neighbouring points
-    cannot reach.
+    """Return ranges of values, in steps, narrowed to those that the allowed increments reach from
+    the neighbouring points.
 
-    ``low``, ``high`` (n, m): smallest and largest value of each node for each of n lanes.
+    ``low``, ``high`` (n, m): smallest and largest value of each point for each of n curves.
     """
     along = np.append(0.0, np.cumsum(chain.span.astype(np.float64)))
     down, up = limits.increments[0] * along, limits.increments[1] * along
@@ -36,9 +36,10 @@ def reachable_windows(
 def closed_lanes(
     lanes: IntArray, low: FloatArray, high: FloatArray
 ) -> tuple[IntArray, FloatArray, FloatArray]:
-    """Return a separate case for every value at which a closed curve may begin and end.
+    """Return the ranges of closed curves, copied once for each possible common value of both ends.
 
-    Each has its owner among ``lanes`` and its windows (lanes, m), in steps.
+    ``lanes``: the rows of ``low`` and ``high`` to use. Returns the row from which each copy was
+    made, and the smallest and largest values of the copies (copies, m), in steps.
     """
     owners: list[int] = []
     starts: list[float] = []

@@ -221,7 +221,9 @@ def _whole_goal(
 
 @dataclass(frozen=True, slots=True)
 class _Best:
-    """The best table values before rounding, and their certificate. ``free``: no limit reached."""
+    """The best table values before rounding, and their certificate. ``free``: the values reach no
+    limit of the control.
+    """
 
     x: FloatArray
     certificate: dict[str, float]

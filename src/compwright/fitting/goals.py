@@ -183,7 +183,9 @@ def as_wanted(
 def _measured(
     scenarios: Scenarios,
 ) -> list[tuple[Direction, FloatArray, FloatArray]]:
-    """Return each measured direction with deviations minus the estimated error, and k s."""
+    """Return the direction, the deviations minus the estimated error, and the half-widths k s, for
+    each measured direction.
+    """
     both = (
         (Direction.POSITIVE, scenarios.positive, scenarios.half_positive),
         (Direction.NEGATIVE, scenarios.negative, scenarios.half_negative),
@@ -234,8 +236,8 @@ def _of_scenarios(
 def _of_the_mean(
     goal: Range, wanted: WantedCorrection, layout: UnknownsLayout, capacity: Capacity
 ) -> Deviations:
-    """Return the mean error curve in the form of one simulated test, at its positions and at the
-    table points.
+    """Return the expected error that a table leaves, in the form of one simulated test without
+    scatter.
 
     A step of the control's correction counts with the values on both sides.
     """

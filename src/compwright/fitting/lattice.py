@@ -139,7 +139,7 @@ def _better(new: LatticeSolution, best: LatticeSolution | None, unit: float) -> 
 
 @dataclass(frozen=True, slots=True)
 class _Relaxed:
-    """The best lower bound of one curve, from its first ``pushes`` sets of multipliers.
+    """The best lower bound of one curve so far; ``pushes`` sets of Lagrange multipliers were tried.
 
     ``least``: its smallest value over all reversal values.
     """
@@ -151,7 +151,7 @@ class _Relaxed:
 
 @dataclass(frozen=True, slots=True)
 class _Whole:
-    """The smallest lower bound of one curve over whole-number values, if not above ``room``."""
+    """The smallest lower bound of one curve over whole numbers, infinite if above ``room``."""
 
     bound: float
     room: float

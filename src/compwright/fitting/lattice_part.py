@@ -67,8 +67,8 @@ class LatticePart:
         return ChainLimits(step=unit * magnification, increments=increments, low=low, high=high)
 
     def shifts(self, unit: float, magnification: int) -> FloatArray:
-        """Return the possible constant offsets (n,) of the second table from whole multiples of the
-        unit, mm or deg.
+        """Return the offsets (n,) to try, mm or deg, by which the values of the curve may differ
+        from whole multiples of their step.
         """
         if self.offsets is None or self.magnified:
             return np.zeros(1)
@@ -140,7 +140,7 @@ def binding(part: LatticePart, relaxation: Relaxation, limits: ChainLimits) -> b
 
 
 def counts_within(part: LatticePart, relaxation: Relaxation, room: float) -> IntArray:
-    """Return the whole-number reversal values whose lower bound may be up to ``room``. If ``room``
+    """Return the whole-number reversal values to try for an objective up to ``room``. If ``room``
     is infinite, return those next to the best real value.
     """
     if part.constant is None:
@@ -164,8 +164,8 @@ def counts_within(part: LatticePart, relaxation: Relaxation, room: float) -> Int
 def variants_within(
     part: LatticePart, relaxation: Relaxation, limits: ChainLimits, shifts: FloatArray, room: float
 ) -> Variants:
-    """Return the combinations to try for a solution with an objective up to ``room``, most
-    promising first.
+    """Return the combinations of reversal value and offset to try for an objective up to ``room``,
+    the smallest lower bound first.
     """
     counts = counts_within(part, relaxation, room)
     distance, whole = whole_bounds(part, relaxation, limits, shifts, counts)
@@ -186,7 +186,8 @@ def whole_bounds(
     shifts: FloatArray,
     counts: IntArray,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return distances (n,) of whole-number reversal values from the optimum, and lower bounds.
+    """Return the distances (n,) of reversal values from the optimum, and lower bounds of the
+    objective.
 
     ``counts`` (n,): the whole values. Bounds (shifts * n,): over whole numbers, all of the first
     shift, then of the next.

@@ -160,8 +160,8 @@ class _FittedLine:
 
 
 def reversal_range(capacity: Capacity, sign: int) -> tuple[float, float]:
-    """Return the range of the correction opposite to the reference-return direction. ``sign``: the
-    sign with which the backlash value counts there.
+    """Return the range of the reversal value, mm or deg, from the control's range of the backlash
+    value. ``sign``: its sign in the direction opposite to the reference return.
     """
     if capacity.backlash_quantum is None:
         return 0.0, 0.0

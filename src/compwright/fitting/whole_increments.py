@@ -73,12 +73,16 @@ class WholeIncrementFit:
         return (self.anchor,) if self.capacity.period is None else (0, self.nodes.size - 1)
 
     def wish(self, direction: Direction, *, constant: bool = False) -> ChainTarget:
-        """Return the wanted correction in one direction at the sample points."""
+        """Return the wanted correction in one direction at the sample points. ``constant``: the fit
+        adds a constant in this direction.
+        """
         aims = np.interp(self.points, self.aim.positions, self.aim.total(direction))
         return ChainTarget(rows=self.rows, weights=self.weights, aims=aims, constant=constant)
 
     def single(self, *, reversal: bool) -> CurveChain:
-        """Return one curve for both directions, with a constant between them if ``reversal``."""
+        """Return one curve for both directions. ``reversal``: the other direction differs by a
+        constant.
+        """
         home = self.aim.reference_return
         wishes = (self.wish(home), self.wish(home.opposite, constant=reversal))
         return build_chain(wishes, self.nodes.size, fixed=self.fixed, kept=(), closed=False)
@@ -318,7 +322,8 @@ def _magnification_finding(
 
 
 def goal_finding(goal: Goal, why: Literal["slope", "increments", "no_gain"]) -> tuple[Finding, ...]:
-    """Return the finding that the table has the least mean square instead of the least ``goal``.
+    """Return the finding that the fit minimised the mean square instead of the parameter ``goal``,
+    such as A or E.
 
     Reasons: the control has one ``slope``, it has whole ``increments``, or rounding leaves
     ``no_gain``.

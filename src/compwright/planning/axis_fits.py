@@ -120,9 +120,7 @@ def _fit(
 
 
 def _holds_drift(work: AxisWork, found: _Fitted, rule: Literal["simple", "guarded"]) -> bool:
-    """Return whether separate tables for + and −, which the fit chose itself, may contain drift of
-    the test instead of reversal error.
-    """
+    """Return whether test drift may explain the difference of the fitted tables for + and −."""
     planned = work.planned
     if planned.request.mode != "auto" or found.table.mode != "bidirectional":
         return False
@@ -182,8 +180,8 @@ def _shown(work: AxisWork, rule: Literal["simple", "guarded"]) -> Shown:
 def _pays(
     work: AxisWork, table: FittedTable, usual: FittedTable, rule: Literal["simple", "guarded"]
 ) -> bool:
-    """Return whether to use the ``table`` fitted for the job's goal instead of the ``usual`` table:
-    both are equal, or simulated tests show a gain.
+    """Return whether the ``table`` fitted for the job's goal replaces the ``usual`` table: where
+    both are equal, or where simulated tests show a gain.
     """
     goal = work.planned.request.goal
     if goal == "expected" or same_tables(table, usual):
@@ -193,8 +191,8 @@ def _pays(
 
 
 def _not_held(error: CapacityError, name: str, work: AxisWork, file: str) -> CapacityError:
-    """Return the error that the control cannot hold a table of an axis. Doubts about the readings
-    come first in it.
+    """Return the error that the control cannot hold the table of an axis. Doubts about the readings
+    are its first faults.
 
     Readings with a wrong unit or sign are the usual cause.
     """

@@ -34,14 +34,14 @@ from compwright.words.sentences import Sentence
 def start_task(
     task: tuple[Job, AxisJob, tuple[PlannedTest, ...], Mapping[str, ControlState]],
 ) -> AxisWork:
-    """Return an axis with its tests evaluated and its error estimated (arguments of `start_axis`,
-    without the control's present correction).
+    """Return the result of `start_axis`. ``task``: its arguments without the present correction,
+    which is taken as zero.
     """
     return start_axis(*task, no_correction)
 
 
 def gain_task(task: tuple[AxisWork, Correction]) -> Sentence | None:
-    """Return why a table would not improve an axis. The tuple: arguments of `why_no_gain`."""
+    """Return the result of `why_no_gain`. ``task``: the arguments of that function."""
     return why_no_gain(*task)
 
 
@@ -49,7 +49,7 @@ def predict_task(
     task: tuple[AxisWork, Correction, AxisCompensation | None, Job],
 ) -> AxisPrediction:
     """Return the prediction of new tests of an axis, its limiting causes, and whether a table
-    helps. The tuple has the arguments of `predict_axis`.
+    helps. ``task``: the arguments of `predict_axis`.
     """
     work, new, _, job = task
     fitted = work.planned.fitted

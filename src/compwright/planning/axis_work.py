@@ -239,7 +239,9 @@ def start_axis(
 
 
 def _reported_checks(posterior: MeasuredError) -> Iterator[frozenset[str]]:
-    """Yield, for each test, the codes of reading checks that the estimate already reports."""
+    """Yield, for each test, the codes of findings that need not be reported, because the estimate
+    reports the same fact.
+    """
     for noise, place in zip(posterior.noises, posterior.counted, strict=True):
         found = () if noise is None or place is None else noise.findings
         yield frozenset(_REPORTED_BY[each.code] for each in found if each.code in _REPORTED_BY)
@@ -315,7 +317,7 @@ def _offered(
     fresh: FreshTests,
     rule: Literal["simple", "guarded"],
 ) -> Iterator[Finding]:
-    """Yield the finding that states how much better a free choice of table points would be than the
+    """Yield the finding that freely chosen table points would give clearly better tests than the
     existing points, which are kept.
     """
     capacity, chosen = work.capacity, work.chosen

@@ -35,8 +35,8 @@ class LaserValues:
 def laser_values(
     work: CircleWork, axis: AxisWork, index: int, during: ActiveCorrections
 ) -> LaserValues:
-    """Return lost motion (mm, positive for lag) and scale of an axis at both ends of a circle, from
-    its positioning test.
+    """Return the lost motion of an axis (mm, positive for lag) and its scale error over the
+    diameter of a circle, from its positioning test.
 
     ``index`` 0: the axis is the circle's first one. The laser's own uncertainty per metre counts
     where the job gives it.
@@ -58,13 +58,15 @@ def laser_values(
 
 
 def lost_motion(work: CircleWork, index: int) -> ValueWithError | None:
-    """Return the lost motion, mm, of a circle's first (``index`` 0) or second axis, or None."""
+    """Return the lost motion, mm, of a circle's first (``index`` 0) or second axis, or None if the
+    diagnosis does not determine it.
+    """
     found = effect_of(work.result, f"backlash_{ENDS[index]}")
     return None if found is None else ValueWithError(found.value / _UM, found.std_error / _UM)
 
 
 def scale_error(work: CircleWork, index: int) -> ValueWithError | None:
-    """Return the scale error (mm/mm) of the first (``index`` 0) or second axis of a circle, or None
+    """Return the scale error (mm/mm) of a circle's first (``index`` 0) or second axis, or None
     without a calibrated bar.
     """
     found = effect_of(work.result, f"scale_error_{ENDS[index]}")
@@ -191,16 +193,16 @@ class CircleChecks:
         return Finding.of("CW-P130.no_test", "error", axis=name)
 
     def _not_taken(self, name: str, circles: Sequence[CircleWork]) -> Finding:
-        """Return the finding why an axis keeps the lost motion of its positioning test. It is a
-        warning if no circle moves the axis, else an error.
+        """Return the finding that an axis keeps the lost motion of its positioning test: a warning
+        if no circle moves the axis, else an error.
         """
         if not _on(circles, name):
             return Finding.of("CW-P130.no_circle", "warning", axis=name)
         return Finding.of("CW-P130.unknown", "error", axis=name)
 
     def _shift(self, name: str, circles: Sequence[CircleWork]) -> ValueWithError | None:
-        """Return the weighted mean difference of lost motion (mm): circles minus positioning test
-        of an axis.
+        """Return the lost motion (mm) of an axis from its circles, weighted mean, minus that from
+        its positioning test. None if no circle can be compared.
         """
         values, weights = [], []
         for work in circles:

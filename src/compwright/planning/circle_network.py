@@ -61,8 +61,8 @@ class Observation:
 
     @property
     def group(self) -> tuple[str, str]:
-        """The key of the values that this one is compared with: its kind and, for squareness, its
-        plane.
+        """The kind of this value and, for squareness, its plane. Values with equal keys are
+        compared.
         """
         return self.kind, next(iter(self.parts))[1] if self.kind == "squareness" else ""
 
@@ -181,8 +181,8 @@ def _observations(result: CircularResult) -> Iterator[Observation]:
 def _mean_scale(
     result: CircularResult, of_mismatch: float, turning: float
 ) -> Iterator[Observation]:
-    """Yield the mean scale error of both axes of a circle. The shrinkage of the radius by the servo
-    loops is a separate unknown of the equation.
+    """Yield the mean scale error of both axes of a circle as an equation, in which the shrinkage of
+    the radius by the servo loops is a further unknown.
     """
     found = [effect_of(result, f"scale_error_{side}") for side in ("first", "second")]
     # What is taken off for unequal lags has opposite signs and is not in the mean.

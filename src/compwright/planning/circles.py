@@ -90,7 +90,7 @@ def why_undetermined(works: Iterable[CircleWork], name: str) -> Iterator[Sentenc
 
 
 def _without_causes(name: str, test: CircularTest) -> Sentence:
-    """Return the reason that a circle was not diagnosed, with its number of samples."""
+    """Return the sentence why a circle was not diagnosed. It states the number of samples."""
     return say(
         "undetermined.causes",
         circle=name,
@@ -107,8 +107,8 @@ def start_circle(
     budget: CircularBudget | None = None,
     thermal: Thermal | None = None,
 ) -> CircleWork:
-    """Evaluate and diagnose one circular test. Raises InputError if it cannot be evaluated, or its
-    centre does not match its axes.
+    """Evaluate and diagnose one circular test. Raises InputError if it cannot be evaluated, or if
+    its centre has three coordinates but its axes are not two of X, Y, Z.
     """
     test = in_job_names(test, axes)
     given = request.centre if request.centre is not None else test.centre
@@ -281,7 +281,9 @@ def _growing(circle: CirclePrediction) -> str | None:
 
 
 def _without_noise(result: CircularResult, parameter: str) -> float | None:
-    """Return a parameter of the deviations that the causes of the test explain."""
+    """Return a ``parameter`` of the circle without noise: computed from the fitted causes alone.
+    None without a diagnosis.
+    """
     fitted = () if result.diagnosis is None else result.diagnosis.fitted
     runs = tuple(
         CircularRun(

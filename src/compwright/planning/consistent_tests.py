@@ -132,8 +132,8 @@ def _doubt(
     shown: tuple[PlannedTest, MeasuredError],
     names: tuple[str, str],
 ) -> Finding | None:
-    """Return the doubt about the test ``shown`` if it contradicts the test ``telling``. Each is a
-    test with the error estimated from it alone.
+    """Return the doubt that the test ``shown`` contradicts the test ``telling``, or None if both
+    agree.
 
     Only the directions in which a test was taken count. Each test has its own noise.
     """
@@ -160,9 +160,9 @@ def _doubt(
 def _only_there(
     shown: tuple[PlannedTest, MeasuredError], telling: tuple[PlannedTest, MeasuredError]
 ) -> tuple[float, ...]:
-    """Return the periods that ``shown`` found and that ``telling`` cannot show or did not find.
+    """Return the periods found in the test ``shown`` and not in ``telling``.
 
-    Its targets hide them or it found none there, so it predicts nothing about them.
+    The targets of ``telling`` hide these periods, or its readings do not show them.
     """
     one, other = (
         visible_periods(

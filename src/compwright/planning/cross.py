@@ -165,8 +165,8 @@ class _Planner:
         curves: Mapping[Direction, FloatArray],
         slope: float,
     ) -> CrossCompensation:
-        """Return the table over the travel of the axis ``given``, zero at its reference. Beyond the
-        measured range it continues with ``slope``.
+        """Return the correction of the axis ``bent`` as a table over the travel of the axis
+        ``given``, zero at its reference. Beyond the measured range it continues with ``slope``.
         """
         axis = self.axes[given]
         nodes = _nodes(axis, where)
@@ -212,8 +212,8 @@ class _Planner:
     # ----------------------------------------------------------------------------------------------
 
     def squareness(self) -> Iterator[PlannedCross]:
-        """Yield the correction for every plane listed in the job's ``apply``, and add findings
-        about other planes that need one.
+        """Yield the correction of squareness for every plane listed in the job's ``apply``, and add
+        findings about unlisted planes with a significant squareness error.
         """
         requested = {
             frozenset({bent, other_axis(plane, bent)}): (plane, bent)

@@ -110,8 +110,8 @@ def _without(
     shown: _ShownParameter,
     without_outliers: Quantiles,
 ) -> Iterator[tuple[str, Quantiles, float | None]]:
-    """Yield each cause with the parameter of simulated tests that lack this cause, and the size of
-    the cause according to the fit.
+    """Yield each cause with the parameter of simulated tests that lack this cause, and the rms
+    error by the cause (mm or deg), None where it is unknown.
 
     ``without_outliers``: the parameter without outlying readings.
     """

@@ -30,7 +30,9 @@ def decide_limits(
     rule: Literal["simple", "guarded"],
     tests: tuple[TestPrediction, ...],
 ) -> tuple[Mapping[str, AcceptDecision], tuple[Finding, ...]]:
-    """Return decisions about the limits of an axis from the predictions ``tests``; and findings."""
+    """Return the decisions about the limits of an axis, with findings, from the predicted
+    ``tests``.
+    """
     if entry.accept is None:
         return {}, ()
     place = accepted_index(entry.accept, tuple(each.name for each in tests))
@@ -39,8 +41,8 @@ def decide_limits(
 
 
 def further_targets_finding(axis: Axis, posterior: AxisPosterior) -> Iterator[Finding]:
-    """Yield the finding CW-P164: a few further targets that would show periods that are possible
-    now.
+    """Yield the finding CW-P164 if periodic errors may be hidden at the measured targets. It names
+    a few further targets that would show them.
     """
     hidden = posterior.hidden
     found = further_targets(posterior) if hidden.probability >= _NAMED else None

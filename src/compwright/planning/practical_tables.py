@@ -1,7 +1,7 @@
 """Replacement of the best table by one that is easier to load, if tests would show almost no
 difference.
 
-With the magnification that the control has, and with fewer points where somebody types them.
+It keeps the magnification set in the control, and has fewer points where somebody types them.
 """
 
 from __future__ import annotations
@@ -41,8 +41,8 @@ def practical_table(
     axis: Axis,
     shown: Shown,
 ) -> tuple[Capacity, FittedTable]:
-    """Return the control's limits for the easiest table to load that is good enough, and that
-    table. Raises CapacityError if the control can hold no table.
+    """Return the control's limits, narrowed if needed, and the fitted table: the easiest to load
+    that is good enough. Raises CapacityError if the control can hold no table.
     """
     capacity, table = _with_kept_magnification(wanted, capacity, request, axis, shown)
     if capacity.typed and request.named_spacing is None:
@@ -53,9 +53,11 @@ def practical_table(
 def planned_request(
     capacity: Capacity, request: TableRequest, planned: FittedTable
 ) -> tuple[Capacity, TableRequest]:
-    """Return limits and request with which the fit reproduces the table of a plan.
+    """Return the limits and the requested table points with which a new fit gives the ``planned``
+    table again.
 
-    They have the magnification that stayed, and the few points that are typed.
+    They keep the magnification, if the plan kept the one in the control, and the smaller number of
+    points of a table that is typed.
     """
     lattice, nodes = capacity.lattice, planned.compensation.positions
     kept = None if lattice is None else lattice.there
@@ -149,8 +151,8 @@ def _fewest(
 
 
 def _covering(request: TableRequest, grid: FloatArray, cover: int) -> TableRequest:
-    """Return the request for points at the spacing of ``grid``, up to ``cover`` spacings beyond it
-    where the job states no end.
+    """Return the request with the spacing of ``grid``. Where the job states no end, the points
+    extend ``cover`` spacings beyond the grid.
     """
     spacing = float(grid[-1] - grid[0]) / (grid.size - 1)
     start, end = float(grid[0]) - cover * spacing, float(grid[-1]) + cover * spacing

@@ -96,11 +96,11 @@ def why_not_better(
     old: Mapping[str, Quantiles],
     new: Mapping[str, Quantiles],
 ) -> Sentence | None:
-    """Return why a table would not improve the axis, or None if it would.
+    """Return the reason why a table would not improve the axis, or None if it would.
 
-    ``before``, ``after``: the measured test re-evaluated with what the control does now and with
-    what the new files give; ``old``, ``new``: what newly dithered targets will show, from the same
-    draws. Judged by the first of A, E, ... that the test has.
+    ``before``, ``after``: the measured test evaluated with the present correction and with that of
+    the new files; ``old``, ``new``: quantiles of tests at new random targets, from the same draws.
+    The first of A, E, ... that the test has decides.
     """
     name = judged_parameter(before)
     if name is None:
@@ -124,7 +124,8 @@ def why_not_better(
 def why_not_seen(
     before: PositioningResult, old: Mapping[str, Quantiles], new: Mapping[str, Quantiles]
 ) -> Sentence | None:
-    """Return why no test would show the gain of a table, or None if a test would.
+    """Return the reason why no test would show the gain of a table, or None if a test would show
+    it.
 
     The parameter that judges tables has to fall by more than the standard deviation by which it
     differs from test to test.

@@ -38,10 +38,11 @@ def with_repeating_table(
     request: TableRequest,
     plain: FittedTable,
 ) -> FittedTable:
-    """Return the table together with a second table that repeats with a known short period.
+    """Return the table ``plain``, supplemented by a second table that repeats with a known short
+    period.
 
-    Only where that leaves clearly less error than ``plain``; else ``plain``. Both state both
-    errors.
+    The second table is used only if it leaves clearly less error; else the result is ``plain``
+    alone. A finding states the errors with and without the second table.
     """
     if capacity.wave is None or plain.compensation.positions.size < 2:
         return plain

@@ -192,7 +192,9 @@ def _by_mismatch(
 
 
 def shrinking(work: CircleWork) -> float:
-    """Return the relative shrinkage of a circle's radius by the softest usual position loop."""
+    """Return the relative shrinkage of a circle by servo lag, at the lowest usual position-loop
+    gain.
+    """
     test = work.planned.test
     return float((test.feed / 60.0) ** 2 / (2.0 * SOFTEST_LOOP**2 * test.nominal_radius**2))
 
@@ -308,7 +310,7 @@ def _planned(
 
 
 def scale_steps(scaled: Sequence[ScaleCorrection]) -> tuple[Mapping[str, str], ...]:
-    """Return the steps on the card for axes whose table was computed from circles."""
+    """Return the steps of the operator's card for axes whose table was computed from circles."""
     return tuple(
         {
             "title": f"{entry.name}: scale from circles",

@@ -1,8 +1,8 @@
-"""Separate straight line for a slope that whole increments reproduce badly, if the control has such
-a line.
+"""A straight line in a separate table of the control, for a slope that whole increments reproduce
+badly.
 
-The line takes a whole number of units per section, so that it is exact at every node; the table
-takes the rest, with smaller increments and a smaller step.
+The line rises by a whole number of units per interval, so that it is exact at every table point.
+The table corrects the rest, with smaller increments and a smaller step.
 """
 
 from __future__ import annotations
@@ -37,10 +37,11 @@ def with_line(
     request: TableRequest,
     plain: FittedTable,
 ) -> FittedTable:
-    """Return the table together with a separate straight line, if the line clearly reduces the
-    error at the table points.
+    """Return the table ``plain``, supplemented by a straight line in a separate table of the
+    control.
 
-    Else ``plain``, the table alone. Both state both errors.
+    The line is used only if it clearly reduces the error at the table points; else the result is
+    ``plain`` alone. A finding states the errors with and without the line.
     """
     if capacity.slope is None or capacity.period is not None:
         return plain

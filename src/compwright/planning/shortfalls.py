@@ -71,8 +71,8 @@ def shortfalls(
 def unheld_period(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest
 ) -> tuple[Shortfall, Finding] | None:
-    """Return the part by short periods that no table at the requested points can reproduce, with
-    its finding, or None.
+    """Return the part of the wanted correction with periods too short for the requested table
+    points, and its finding, or None if there is no such part.
     """
     if capacity.line is not None or not wanted.periods:
         return None
@@ -124,8 +124,8 @@ def _parts(
 def _alone(
     held: AxisCompensation, wanted: WantedCorrection
 ) -> tuple[AxisCompensation, WantedCorrection]:
-    """Return the table without existing tables that stay active, and the wanted correction minus
-    them.
+    """Return the new table alone, and the wanted correction minus the existing tables that stay
+    active.
     """
     if not held.others:
         return held, wanted

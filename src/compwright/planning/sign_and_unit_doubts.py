@@ -1,4 +1,5 @@
-"""Comparison of the readings of a test with the sign, unit and state that file and job state.
+"""Check whether the readings of a test fit the sign, the unit and the active table that file and
+job state.
 
 The readings as stated are compared with the same readings under another assumption: opposite sign,
 + and - exchanged, targets in the opposite order, positions counted against the machine, or the
@@ -75,10 +76,11 @@ def reading_doubts(
     axis: Axis,
     states: Mapping[str, ControlState],
 ) -> tuple[Finding, ...]:
-    """Return the doubts CW-P160 and CW-P161 about the tests of an axis.
+    """Return the doubts about the tests of an axis: a mirror image of the active table (CW-P161),
+    or another sign, unit or direction (CW-P160).
 
     ``observed``: the same tests with the correction that was active in them subtracted, as far as
-    ``states`` (by name) give it. A test that made its table gets no second doubt.
+    ``states`` (by name) give it. A test with the doubt CW-P161 gets no doubt CW-P160.
     """
     mirrored = dict(mirror_image_doubts(tests, observed, axis, states))
     known = states if tests[0].measured_in in states else {}

@@ -42,10 +42,10 @@ BAND: Final = 3.29
 
 @dataclass(frozen=True, slots=True)
 class RepeatConditions:
-    """The conditions of a simulated test: the index ``place`` of the test with the same noise, and
-    the standard deviation of a slope from uncertain temperature (mm/mm).
+    """The conditions of a simulated test: the index ``place`` of the measured test whose noise it
+    has, and the standard deviation of its slope from uncertain temperature (mm/mm).
 
-    It has the noise of a test of the axis (its ``place`` among them).
+
     """
 
     place: int = 0
@@ -164,7 +164,7 @@ class FreshTests:
         return replace(self, draws=replace(self.draws, noise=noise), drawn={})
 
     def has(self, parts: Sequence[NoisePart]) -> bool:
-        """Return whether any draw of the noise contains one of the ``parts``."""
+        """Return whether the simulated noise contains any of the ``parts``, such as drift."""
         noise = self.draws.noise
         bare = without(noise, *parts)
         return any(

@@ -67,7 +67,8 @@ def fit_remaining(
     *,
     costs: bool = True,
 ) -> FittedTable:
-    """Return the table that gives the wanted correction together with tables that stay active.
+    """Return the table that, added to the existing tables that stay active, gives the wanted
+    correction.
 
     ``costs``: whether to compute what each limit costs. Raises CapacityError where the control
     cannot hold it.
@@ -180,8 +181,8 @@ def new_grid_offer(
     quantum: float,
     written: bool,
 ) -> Finding | None:
-    """Return the finding about the gain of the ``chosen`` table over one at the existing points
-    ``there`` (mm or deg), or None without a gain.
+    """Return the finding that the ``chosen`` table, with new points, is better than a table at the
+    existing points ``there`` (mm or deg), or None if it is not.
 
     ``kept``, ``offered``: the first test's predictions with both; ``written``: False where no table
     on the existing grid improves the axis, and ``kept`` is the prediction without one. A gain

@@ -1,4 +1,5 @@
-"""Uncertain temperatures and set-ups in the job, as slopes that differ from test to test.
+"""The effect of uncertain temperature and set-up: a slope error of a test that differs from test to
+test.
 
 Counted once: under the decision rule ``simple`` in the band of the prediction, under ``guarded`` in
 the guard band U alone.
@@ -19,7 +20,7 @@ from compwright.records.positioning import PositioningTest
 
 
 def with_temperature_slopes(job: Job, tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ...]:
-    """Return the tests of an axis, each with the standard deviation of its slope (mm/mm) from
+    """Return the tests of an axis, each with the standard deviation of its slope error (mm/mm) from
     temperature and set-up.
 
     ``guarded``: the slope relative to the first test, because the slope of the first test is part
@@ -37,8 +38,8 @@ def with_temperature_slopes(job: Job, tests: Sequence[PlannedTest]) -> tuple[Pla
 
 
 def relative_to_first(tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ...]:
-    """Return the tests with the standard deviation of their slope relative to the first test, whose
-    slope the table contains.
+    """Return the tests with the standard deviation of their slope relative to the first test, from
+    which the table takes its slope.
 
     It is zero for the first and the combination of both for the others.
     """
@@ -50,17 +51,15 @@ def relative_to_first(tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ...]:
 
 
 def fresh_slope(rule: Literal["simple", "guarded"], test: PlannedTest) -> float:
-    """Return the standard deviation of the slope (mm/mm) of a repeated test, as used in its
-    prediction.
-    """
+    """Return the standard deviation of the slope (mm/mm) in a simulated repetition of a test."""
     return 0.0 if rule == "guarded" else test.slope_std
 
 
 def slope_in_table(job: Job, tests: Sequence[PlannedTest], coming: PositioningTest) -> float:
-    """Return the standard deviation (mm/mm) of the slope error that the table has from the first of
-    the ``tests``.
+    """Return the standard deviation (mm/mm) of the slope error that the table takes from the first
+    of the ``tests``.
 
-    Relative to a test like ``coming``.
+    It is relative to the slope of a test like ``coming``.
 
     It combines the uncertain slope of the first test with the effect of the uncertain coefficient
     over the difference of their temperatures.

@@ -1,4 +1,4 @@
-"""A value with its standard error: do two values disagree, may correcting it make it worse."""
+"""A value with its standard error: whether values differ, and whether a correction may harm."""
 
 from __future__ import annotations
 
@@ -56,11 +56,11 @@ def contradictory(scatter: float, free: float) -> bool:
 def worse_doubts(
     value: float, std_error: float, axes: tuple[str, ...], plane: str = ""
 ) -> tuple[Finding, ...]:
-    """Return the doubt that correcting ``value`` (µm/m; the squareness of ``plane``, else the scale
-    of an axis) makes it worse, or nothing.
+    """Return the doubt that a correction by ``value`` (µm/m) makes the error larger, or nothing.
+    The value is the squareness of a ``plane`` or, without one, the scale error of an axis.
 
-    It is worse where the true value is below half of ``value``: then the correction leaves more of
-    the other sign than there was. Normal error, and no knowledge of the machine.
+    The error grows where the true value is below half of ``value``: then the correction leaves a
+    larger error of opposite sign. Assumed: normal error, and no other knowledge of the machine.
     """
     chance = 0.5 * erfc(0.5 * abs(value) / (sqrt(2.0) * std_error))
     if chance <= _WORSE:

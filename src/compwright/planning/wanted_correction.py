@@ -177,7 +177,8 @@ def measured_error(
 
 
 def _taken_alike(tests: Sequence[PlannedTest], observed: Sequence[ObservedTest]) -> tuple[int, ...]:
-    """Return the indices of tests in use that were made like the first one, with known noise.
+    """Return the indices of the tests in use that were measured in the same way as the first test,
+    with known noise.
 
     Same motion, numbers of targets and of readings, so that they lasted as long. Where the scatter
     differs by more than `_ANOTHER_DAY`, it is not the day that differs.
@@ -212,10 +213,10 @@ def _nodes_of(active: AxisCompensation) -> tuple[float, ...]:
 
 
 def _with_own_slopes(tests: Sequence[ObservedTest]) -> list[ObservedTest]:
-    """Return the tests, each with the standard deviation of a slope that it has in addition to the
-    axis.
+    """Return the tests, each with the standard deviation of its own slope error, such as from
+    temperature.
 
-    Its standard deviation is the declared one, else `UNDECLARED_SLOPE` relative to the first test
+    The standard deviation is the declared one, else `UNDECLARED_SLOPE` relative to the first test
     that covers more than half of the measured range (a short test does not determine a slope).
     Angles do not grow with temperature.
     """
