@@ -36,7 +36,7 @@ def sum_of_corrections(one: Correction, other: Correction) -> Correction:
 def _together(
     one: Correction, other: Correction, sign: float, positions: FloatArray, direction: Direction
 ) -> FloatArray:
-    """Return ``one`` plus ``sign`` times ``other`` (not nested: other processes must find it)."""
+    """Return ``one`` plus ``sign`` times ``other`` at the given positions."""
     return one(positions, direction) + sign * other(positions, direction)
 
 

@@ -1,10 +1,11 @@
-"""Prediction of the next circular test: samples move with the change of the tables, noise is new.
+"""Prediction of the next circular test: the measured path changes as the tables do, and noise is
+simulated.
 
-The measured path holds every error of the machine at the place of the circle, so that nothing of it
-has to be modelled to predict the change. What is random in a fresh test is drawn: the path from
-what the fit of the diagnosis leaves open of it, and the noise from the spectrum of its residuals.
-The measured samples themselves are no path: the largest of them hold the noise of their own test,
-and with fresh noise on top of it the range comes out too large.
+The measured path contains every error of the machine at the place of the circle, so that no error
+has to be modelled to predict the change. Random parts of a new test are drawn: the path from the
+uncertainty of the diagnosis, and the noise from the spectrum of its residuals. The measured samples
+themselves are not the path: the largest of them contain the noise of their own test, and with new
+noise in addition the range would be too large.
 """
 
 from __future__ import annotations

@@ -100,8 +100,8 @@ def _drifts(
 def _traverses(
     draws: NoiseDraws, positive: int, negative: int, rng: np.random.Generator
 ) -> tuple[tuple[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]:
-    """Return offset and tilt of each traverse in + (count, positive) and in − (count, negative),
-    drawn from the pattern of each draw.
+    """Return the random offset and tilt of each simulated traverse in + (count, positive) and in −
+    (count, negative).
     """
     shape = draws.count, positive + negative
     units = rng.standard_normal(shape) * (rng.random(shape) < draws.moved[:, np.newaxis])
@@ -120,13 +120,17 @@ def _traverses(
 
 
 def _few(positive: int, negative: int) -> tuple[int, int]:
-    """Return how many traverses in + and − are drawn from a wave, at most `_MOST_WAVED`."""
+    """Return the number of traverses in + and in − for which a slow disturbance is simulated. It is
+    interpolated for further ones.
+    """
     return min(positive, _MOST_WAVED), min(negative, _MOST_WAVED)
 
 
 @functools.lru_cache(maxsize=8)
 def _wave_root(positive: int, negative: int, pace: float) -> FloatArray:
-    """Return a root of the covariance matrix of traverse offsets and tilts that follow a wave."""
+    """Return a root of the covariance matrix of traverse offsets and tilts under a slow
+    disturbance.
+    """
     few = _few(positive, negative)
     signs = np.repeat([1.0, -1.0], few)
     unit = wave_effects(np.concatenate(traverse_order(*few)), signs, sum(few), pace)
@@ -136,10 +140,11 @@ def _wave_root(positive: int, negative: int, pace: float) -> FloatArray:
 
 
 def _at_all(waves: FloatArray, positive: int, negative: int) -> tuple[FloatArray, FloatArray]:
-    """Return the offset and the tilt of each traverse, by linear interpolation in ``waves``.
+    """Return the offset and the tilt of all traverses, interpolated from those of the simulated
+    ones.
 
     Both have the shape (count, positive + negative), + first. ``waves`` (count, 2 k) holds k
-    offsets, then k tilts. A traverse that is a smaller share of the test tilts less.
+    offsets, then k tilts. The tilt is smaller where a traverse is a smaller share of the test.
     """
     offset, tilt = np.split(waves, 2, axis=1)
     few = _few(positive, negative)
@@ -162,10 +167,11 @@ def _at_all(waves: FloatArray, positive: int, negative: int) -> tuple[FloatArray
 def _moved(
     draws: NoiseDraws, std: FloatArray, unit: FloatArray, order: tuple[IndexArray, IndexArray]
 ) -> tuple[FloatArray, FloatArray]:
-    """Return a shift of standard deviation ``std`` (count,) for each traverse, in + and in −.
+    """Return a random shift of each traverse, in + and in −, scaled by the standard deviations
+    ``std`` (count,).
 
-    Made of ``unit`` (count, positive + negative) by the pattern of each draw; ``order``: the places
-    in time of the traverses.
+    It is made of ``unit`` (count, positive + negative) by the pattern of each draw, such as a
+    random walk; ``order``: the places of the traverses in time.
     """
     walked, steps = np.cumsum(unit, axis=1), draws.pattern[:, np.newaxis]
     walked = walked - walked[:, [unit.shape[1] // 2]]  # set to nothing in the middle of the test

@@ -1,4 +1,6 @@
-"""The scatter of repeated tests at each target and direction: errors of means, and s."""
+"""The scatter of repeated tests at each target and direction: error of the mean, and standard
+deviation s of the readings.
+"""
 
 from __future__ import annotations
 

@@ -217,8 +217,8 @@ def _axis(axis: Axis) -> cs.CoreSchema:
         encoder: Encoder | None = None,
         **own: Any,
     ) -> VirtualAxis:
-        """Return the virtual axis. Without ``encoder`` the control's files state the measuring
-        system.
+        """Return the virtual axis. Without ``encoder`` its measuring system is unknown here, and
+        the control's files state it.
         """
         plan, motion = test or (
             TestPlan(targets=_spread_targets(axis, _least_targets(axis), 0)),
@@ -301,7 +301,9 @@ def _axis_error(
 
 
 def _points(axis: Axis) -> Keys:
-    """Return the keys of a curve through given points: positions, and the deviations there."""
+    """Return the keys of a MACHINE.yaml for a curve through given points: positions, and the
+    deviations there.
+    """
     units = _UNITS[axis.kind]
     return {
         f"positions_{units.position}": ("positions", numbers()),

@@ -111,8 +111,8 @@ class HypothesisBuilder:
         )
 
     def _from_zero(self, curve: Curve, curves: Mapping[Direction, FloatArray]) -> Curve | None:
-        """Return ``curve`` with both directions shifted to the planned value at the reference, or
-        None if that shifts both alike.
+        """Return ``curve`` with each direction shifted to the planned value at the reference, or
+        None if both shifts are equal.
         """
         nodes, at = self.table.positions, self.loading.reference
         off = [
@@ -128,8 +128,8 @@ class HypothesisBuilder:
         weight: float,
         **more: Any,
     ) -> Iterator[Hypothesis]:
-        """Yield hypotheses of a table with other values: as they are, and shifted to the planned
-        value at the reference if that differs.
+        """Yield hypotheses of a table with the values ``curves``, and with these values shifted so
+        that the reference has its planned value.
         """
         curve = self.values(curves)
         yield from self.both(name, curve, weight, **more)

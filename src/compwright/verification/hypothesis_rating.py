@@ -137,8 +137,8 @@ def _relevant(after: AfterMeans, rated: Sequence[RatedHypothesis]) -> list[Rated
 
 
 def _effect(ways: Sequence[Hypothesis]) -> Hypothesis | None:
-    """Return the hypothesis of the old correction plus an unknown share of the planned effect, or
-    None unless both ``loaded`` and ``not_active`` are among the hypotheses.
+    """Return the hypothesis that an unknown share of the planned change is active, or None unless
+    both ``loaded`` and ``not_active`` are hypotheses.
     """
     loaded = next((each for each in ways if each.name == "loaded"), None)
     inactive = next((each for each in ways if each.name == "not_active"), None)
@@ -148,7 +148,7 @@ def _effect(ways: Sequence[Hypothesis]) -> Hypothesis | None:
 
 
 def _on_slope(way: Hypothesis, share: float) -> Hypothesis:
-    """Return the hypothesis that the axis also changed its length, which adds a slope.
+    """Return the hypothesis ``way`` together with a changed length of the axis, which adds a slope.
 
     ``share``: prior odds of a fault with the slope against the fault alone.
     """

@@ -132,7 +132,7 @@ class AfterMeans:
 def after_means(test: PositioningTest, fallback: NoiseDraws) -> AfterMeans:
     """Return the mean readings of a ``test``, with noise from its own readings if possible.
 
-    Or, where they are too few, with ``fallback``: that of another test of the axis.
+    Where these are too few, ``fallback`` is used: the noise of another test of the axis.
     """
     blocks = (test.positive, test.negative)
     plain = np.stack([_means(block) for block in blocks])
@@ -155,7 +155,9 @@ def after_means(test: PositioningTest, fallback: NoiseDraws) -> AfterMeans:
 
 
 def _evenly(count: int, targets: int) -> NDArray[np.intp]:
-    """Return the indices of the draws, of ``count``, to use for this number of ``targets``."""
+    """Return the indices of evenly spaced draws out of ``count``. The number of ``targets`` limits
+    how many.
+    """
     most = _FEW if 2 * targets > _MANY_CELLS else _DRAWS
     return np.unique(np.linspace(0, count - 1, min(most, count)).astype(np.intp))
 
@@ -167,7 +169,9 @@ def _means(block: FloatArray) -> FloatArray:
 def _as_before(
     test: PositioningTest, plain: FloatArray, counts: FloatArray, noise: NoiseDraws
 ) -> AfterMeans:
-    """Return the mean readings with the ``noise`` of another test of the axis."""
+    """Return the mean readings of a ``test``, with the ``noise`` that was estimated from another
+    test of the axis.
+    """
     m = test.targets.size
     taken = noise.taken(_evenly(noise.count, m))
     floor = _LEAST_NOISE[test.kind]
@@ -210,11 +214,12 @@ class Curves:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fits:
-    """How well each of H curves fits a test: log likelihood, residual, fitted slope and amount.
+    """How well each of H curves fits a test: log likelihood, residual, fitted slope, and fitted
+    unknown amount such as a factor.
 
     ``log_likelihood`` (H,): of the means, integrated over all unknowns. ``score`` (H,): the
     residual, as an equally improbable standard normal value. ``slope`` (H, 2): slope of the test
-    relative to the curve, with its standard error, mm/mm; ``amount`` (H, 2): of the free direction,
+    relative to the curve, with its standard error, mm/mm; ``amount`` (H, 2): the unknown amount,
     with its standard error, both 0 where there is none.
     """
 
@@ -310,10 +315,12 @@ def _products(
     free: FloatArray | None,
     numbers: Sequence[int],
 ) -> tuple[FloatArray, FloatArray]:
-    """Return scalar products for the least-squares fit of change, free direction and slope.
+    """Return the score and the normal matrix of the least-squares fit: amount of the change, free
+    amount, and slope.
 
-    (H, 3) of the residuals ``left`` with the whitened change, free direction and slope, and (H, 3,
-    3) of these with each other; ``free`` (n, f): of the curves ``numbers``.
+    Score (H, 3): products of the residuals ``left`` with the three whitened curves; matrix (H, 3,
+    3): products of these with each other. ``free`` (n, f): the curves with a free amount of the
+    hypotheses ``numbers``.
     """
     count = change.shape[1]
     score, inner = np.zeros((count, 3)), np.zeros((count, 3, 3))
@@ -352,8 +359,8 @@ def _estimate(slope: FloatArray, score: FloatArray, declared: float) -> FloatArr
 
 
 def _amounts(score: FloatArray, square: FloatArray) -> FloatArray:
-    """Return the fitted amount of each curve's free direction with its standard error, (H, 2); 0
-    where a curve has none.
+    """Return the fitted unknown amount of each hypothesis with its standard error, (H, 2). Both are
+    0 where the hypothesis has no unknown amount.
     """
     there = square > 0.0
     safe = np.where(there, square, 1.0)
@@ -389,8 +396,8 @@ class _Whitener:
     def of(
         cls, precision: FloatArray, used: FloatArray, blocks: FloatArray, columns: FloatArray
     ) -> _Whitener:
-        """Return the inverse root of the covariance ``blocks`` + 1 / ``precision`` + ``columns``
-        ``columns``', for the means marked in ``used`` (2, m).
+        """Return the inverse root of a covariance matrix: ``blocks`` + 1 / ``precision`` + C C'
+        with C = ``columns``, for the means marked in ``used`` (2, m).
         """
         noise = np.where(used > 0.0, 1.0 / np.where(used > 0.0, precision, 1.0), 0.0)
         up, down = used

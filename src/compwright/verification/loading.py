@@ -56,7 +56,8 @@ def judge_loading(
     further: Callable[[], Sequence[MeasurementCase]] = tuple,
     read_back: bool = False,
 ) -> LoadingVerdict:
-    """Return the loading verdict from the test ``after`` and the hypotheses in all ``views``.
+    """Return the loading verdict from the mean readings ``after`` loading and all hypotheses. Those
+    of each of the ``views`` share one expected deviation.
 
     ``further`` makes more hypotheses where the test fits neither the loaded table nor the control
     as before. The first view is the test as given; its first hypotheses of the names ``loaded`` and
@@ -88,7 +89,9 @@ def judge_loading(
 
 
 def _fits_unchanged(each: RatedHypothesis) -> bool:
-    """Return whether the test fits the loaded table or the old correction exactly as planned."""
+    """Return whether a hypothesis is the loaded table or the old correction, without any fault, and
+    fits the test.
+    """
     return each.hypothesis.name in ("loaded", "not_active") and each.score <= REFUSED
 
 
@@ -130,7 +133,7 @@ def _verdict(
 
 
 def _neither(shown: ShownTest, names: NamedLoading) -> LoadingVerdict:
-    """Return the verdict ``undecided`` where no hypothesis fits, because the least improbable one
+    """Return the verdict ``undecided`` for a test that fits no hypothesis. The most probable name
     would mislead.
     """
     sentence = neither_message(shown)

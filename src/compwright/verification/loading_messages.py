@@ -140,7 +140,7 @@ def named_message(
     factor: float,
     equivalent: Sequence[LoadingName],
 ) -> list[Sentence]:
-    """Return the sentences of a verdict with one name: what was measured, how much and where.
+    """Return the sentences of a decided verdict: what was measured, how much, and at which target.
 
     ``expected`` (2, m): the test that the verdict would show.
     """
@@ -229,7 +229,9 @@ def open_message(
 
 
 def neither_message(shown: ShownTest) -> Sentence:
-    """Return the sentence that a test contradicts every hypothesis, with how much and where."""
+    """Return the sentence that a test contradicts every hypothesis. It states how large the
+    differences are, and where.
+    """
     loaded, inactive = (
         None if expected is None else shown.left(expected)
         for expected in (shown.loaded, shown.inactive)

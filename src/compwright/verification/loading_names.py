@@ -152,7 +152,7 @@ def _equivalent(
 
 
 def _near(far: FloatArray, rated: Sequence[RatedHypothesis]) -> tuple[LoadingName, ...]:
-    """Return the names that this test hardly distinguishes from the best one.
+    """Return the names of verdicts that this test hardly distinguishes from the most probable one.
 
     Left out: variants that can come arbitrarily close (a cut near an end, an unknown factor or
     slope), and faults of measurement.

@@ -80,7 +80,9 @@ def measurement_fault(
 
 
 def _copied(after: PositioningTest, first: PositioningTest) -> Sentence | None:
-    """Return how the readings were copied from the first test, or None if they are independent."""
+    """Return the sentence how the readings were copied from the first test, or None if they are
+    independent.
+    """
     for way, positive, negative in (
         ("same", first.positive, first.negative),
         ("sign", -first.positive, -first.negative),

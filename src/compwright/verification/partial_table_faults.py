@@ -19,8 +19,8 @@ _FAMILY: Final = 0.025  # prior odds of a whole family of cuts of one kind
 
 
 def one_direction(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield hypotheses of a table that is active in only one direction, with possible corrections
-    in the other.
+    """Yield hypotheses of a table that is active in only one direction. The other has the old
+    correction, none, or the new backlash value alone.
     """
     new = ways.total(ways.own)
     beyond = [("the other as before", ways.old - ways.active_before)]

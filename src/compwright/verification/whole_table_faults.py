@@ -80,7 +80,9 @@ def inverted(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def scaled(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield hypotheses of a table times a factor, which has a known cause or is unknown."""
+    """Yield hypotheses of a table multiplied by a factor: by one with a known cause, or by an
+    unknown one.
+    """
     for factor, (share, words) in _FACTORS.items():
         weight = COMMON * share
         curve = factor * ways.own
