@@ -29,7 +29,8 @@ _ENOUGH: Final = 2  # partners that make a file doubtful; more need not be sough
 
 
 def paired(tests: Sequence[CircularTest]) -> tuple[CircularTest, ...]:
-    """Return the tests in their order, with certain pairs of a ccw file and a cw file joined.
+    """Return the tests in their order. A ccw file and a cw file are joined if they certainly belong
+    together.
 
     A file of only ccw and one of only cw fit when plane, axes, radius, feed, arc, and (if both
     state them) centre and machine are the same (`merge_circular`). First those of one folder are

@@ -1,4 +1,4 @@
-"""Read plain CSV in a Windows code page, if no relevant text depends on which one it is.
+"""Read plain CSV in a Windows code page, if the choice of the code page changes no relevant text.
 
 Numbers, directions and key words are ASCII, which all these code pages share. Only free text
 (comment lines, and names in the header row) may need the code page, and that is reported.

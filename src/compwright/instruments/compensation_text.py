@@ -178,7 +178,7 @@ def _text(text: Sequence[str]) -> _Text:
 
 
 def _header(line: str) -> tuple[str, ...]:
-    """Return the column names if the line is the table's header row, else nothing."""
+    """Return the column names if the line is the table's header row, else an empty tuple."""
     names = [_COLUMNS.get(cell.lower(), "") for cell in re.split(r"\s{2,}|\t|;", line) if cell]
     return tuple(names) if "axis position" in names and "" not in names else ()
 

@@ -94,7 +94,8 @@ class CsvTable:
     def which(
         self, column: str, words: tuple[str, str], spelt: Callable[[str], str], faults: FaultList
     ) -> IntArray:
-        """Return for each row which of two ``words`` its cell contains: 0 or 1, -1 for neither.
+        """Return the index (0 or 1) of the word in each cell of a column, -1 for neither of the two
+        ``words``.
 
         ``spelt`` gives the form of a cell in which it is compared.
         """

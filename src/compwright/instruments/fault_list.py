@@ -38,7 +38,7 @@ class FaultList:
         found: str = "",
         hint: str = "",
     ) -> None:
-        """Add a fault. Of faults with one message the first `SHOWN_PER_KIND` keep their places.
+        """Add a fault. Of faults with the same message only the first `SHOWN_PER_KIND` are listed.
 
         Without a ``hint`` the next step is to correct the place.
         """

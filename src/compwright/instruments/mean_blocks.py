@@ -220,7 +220,9 @@ def _row(
 def _both_ways(
     blocks: Mapping[str, _Block], half_digit: float, faults: FaultList
 ) -> tuple[_Block, _Block, bool]:
-    """Return the forward and the backward means, and whether the latter were computed."""
+    """Return the forward and the backward means, and whether the backward means were computed from
+    the forward and the total means.
+    """
     both, out, back = (blocks.get(which) for which in (_BOTH, _FORWARD, _BACK))
     given = [block for block in (both, out, back) if block is not None]
     if not any(given):

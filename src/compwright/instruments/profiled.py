@@ -335,7 +335,9 @@ def _directions(
 
 
 def traverses_of(targets: FloatArray) -> list[slice]:
-    """Return the traverses in a series of targets (n,). A repeated target begins a new one."""
+    """Return the index range of each traverse in the ``targets`` (n,). A traverse begins where a
+    target is repeated.
+    """
     ends = (np.flatnonzero(np.diff(targets) == 0.0) + 1).tolist()
     return [slice(a, b) for a, b in pairwise([0, *ends, len(targets)])]
 

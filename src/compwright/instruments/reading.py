@@ -180,7 +180,9 @@ def _listed(names: Sequence[str]) -> str:
 
 
 def _source(read: _Read, content: bytes, file: str, *, several: bool) -> Source:
-    """Return file name and SHA-256 of a test: of its own lines if the file has ``several``."""
+    """Return file name and SHA-256 of a test. If the file has ``several`` tests, the hash is that
+    of the test's lines.
+    """
     if not several:
         return source_of(file, content)
     own = "\n".join((read.part.sheet, read.part.axis, *read.part.text))

@@ -17,7 +17,9 @@ BoolArray = NDArray[np.bool_]
 
 @dataclass(frozen=True, slots=True)
 class ApproachReading:
-    """One reading: ``target``, ``deviation`` (measured minus target), mm or deg, and its place."""
+    """One reading: ``target``, ``deviation`` (measured minus target), mm or deg, and its place in
+    the file.
+    """
 
     target: float
     direction: Direction

@@ -103,7 +103,9 @@ def spans_of(text: Sequence[str]) -> Iterator[Spans]:
 
 
 def spans_in(line: str, *, rows: bool) -> Spans:
-    """Return the parts of a line with their meaning. ``rows``: it may be a row of numbers."""
+    """Return the parts of a line with their meaning. ``rows``: a line without a key counts as a row
+    of numbers.
+    """
     match = _KEY.fullmatch(line)
     meaning = KEYS.get(" ".join(match["key"].lower().split())) if match is not None else None
     if match is None or meaning is None:
@@ -187,7 +189,9 @@ def axis_name(text: str) -> str:
 
 
 def with_axis(header: Mapping[str, str], text: str) -> dict[str, str]:
-    """Return ``header`` with the file's text about its axis; a clear name as key ``axis``."""
+    """Return ``header`` with the axis from the file's ``text``: as key ``axis`` if the name is
+    clear, else ``axis as written``.
+    """
     name = axis_name(text)
     if name:
         return {**header, "axis": name}

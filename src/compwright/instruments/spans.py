@@ -63,7 +63,7 @@ SpansOf = Callable[[Sequence[str]], Iterator[Spans]]
 
 
 def by_key(keys: Mapping[Meaning, Sequence[str]]) -> Mapping[str, Meaning]:
-    """Return the meaning of each key, from the keys that are listed by meaning."""
+    """Return the meaning of each key, given the list of ``keys`` for each meaning."""
     return {key: meaning for meaning, names in keys.items() for key in names}
 
 

@@ -52,9 +52,10 @@ def _numbers_in(line: str, delimiter: str) -> tuple[int, int]:
 
 
 def _names_in(lines: Sequence[str], first: int, delimiter: str) -> bool:
-    """Return whether the first row of numbers is a header row of names such as ``+1``.
+    """Return whether the row with index ``first`` is a header whose column names look like numbers
+    (``+1``).
 
-    It has a word where the next row has a number.
+    A header has a word where the next row has a number.
     """
     if first + 1 >= len(lines):
         return False
@@ -76,7 +77,9 @@ def _header_line(lines: Sequence[str], first: int, delimiter: str, width: int) -
 
 
 def number_in(text: str, decimal: str | None) -> float | None:
-    """Return the number in a cell, None for other text. ``decimal``: its mark, None for any."""
+    """Return the number in a cell, or None for other text. ``decimal``: the decimal mark, None if
+    both are allowed.
+    """
     if decimal is not None and {".": ",", ",": "."}[decimal] in text:
         return None
     try:

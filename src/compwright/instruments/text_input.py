@@ -151,7 +151,8 @@ def _lines(text: str, file: str) -> list[str]:
 
 
 def unfinished_number(lines: Sequence[str]) -> str:
-    """Return the number at the end of a file without a final line end, if digits may be missing.
+    """Return the number at the end of a file that ends inside a line, if the number may lack
+    digits, else "".
 
     A number is complete if all others at the end of a line like it have the same number of
     decimals, at least one.
@@ -209,7 +210,7 @@ def _decode(content: bytes, file: str) -> str:
 
 
 def _as_windows(byte: bytes) -> str:
-    """Return which character a byte is in Windows-1252, as text for a message."""
+    """Return the Windows-1252 character of a ``byte`` as part of a message, or "" without one."""
     try:
         character = byte.decode("cp1252")
     except UnicodeDecodeError:

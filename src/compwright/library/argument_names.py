@@ -1,4 +1,4 @@
-"""Name the library's arguments in error messages in place of command-line options."""
+"""Replace command-line options by the library's argument names in error messages."""
 
 from __future__ import annotations
 
@@ -24,9 +24,10 @@ _NUMBER = re.compile(r"-?\d+(\.\d+)?")
 
 
 def in_argument_names(function: Callable[P, T]) -> Callable[P, T]:
-    """Return ``function`` with errors that name ``force=True`` instead of ``--force``.
+    """Return ``function`` wrapped so that its error messages name arguments (``force=True``)
+    instead of options (``--force``).
 
-    Options that it does not have, and whole commands, stay as they are.
+    Options without an argument of this name, and whole commands, stay as they are.
     """
 
     @wraps(function)

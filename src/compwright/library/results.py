@@ -211,7 +211,7 @@ class EstimatedError:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class LoadedJob:
-    """A job that was read and checked, and the folder for its results."""
+    """A job that was read and checked, with the folder ``out`` for its results."""
 
     path: Path
     out: Path

@@ -70,7 +70,9 @@ def redacted_lines(lines: Sequence[str], spans_of: SpansOf, cuts: Cuts) -> list[
 
 
 def _line(line: str, spans: Spans, cuts: Cuts) -> str:
-    """Return a line without private data. Outside its known parts only marks and blanks stay."""
+    """Return a line without private data. Text without a known meaning is replaced by a neutral
+    text.
+    """
     if spans and spans[0].meaning == "comment":
         return redacted_comment(line, cuts)
     made, end = [], 0

@@ -116,7 +116,9 @@ class Redacted:
 
     @property
     def answered(self) -> str:
-        """The profile as text, with a sign filled in to compare the copy with the original."""
+        """The profile as text, with an assumed sign, so that the redacted copy can be read for a
+        comparison with the original.
+        """
         return self.profile.replace(SIGN_TO_FILL_IN, f"sign: {SIGNS[0]}")
 
 
