@@ -89,9 +89,7 @@ class AxisPosterior:
 
     @property
     def hidden(self) -> HiddenPeriods:
-        """Periods that the error may have although the readings do not show them; found on first
-        use.
-        """
+        """Possible periods of the error that the readings cannot show; computed on first use."""
         return _hidden_in(self)
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
@@ -131,7 +129,7 @@ class AxisPosterior:
 
     @property
     def _held(self) -> NDArray[np.bool_]:
-        """A mask (n,) of the draws that have at most the median number of periods."""
+        """A mask (n,): which draws of the error have at most the median number of periods."""
         periods = np.repeat(
             [len(part.basis.periods) for part in self.parts],
             [part.draws.size for part in self.parts],
@@ -139,8 +137,8 @@ class AxisPosterior:
         return np.asarray(periods <= np.sort(periods)[(periods.size - 1) // 2])
 
     def _moments(self, where: FloatArray) -> tuple[list[FloatArray], list[FloatArray]]:
-        """Return the mean error of each draw (draws, g) and the average variance (g,) within a
-        draw, for both directions in units of the common scale of the readings.
+        """Return the mean error of each draw (draws, g), and the average variance (g,) of the error
+        within a draw, each by direction; in units of the common scale of the readings.
         """
         count = sum(part.draws.size for part in self.parts)
         means: list[list[FloatArray]] = [[], []]
@@ -213,7 +211,7 @@ class AxisPosterior:
         values: FloatArray,
         rng: np.random.Generator,
     ) -> FloatArray:
-        """Return random draws (count, m) of the part of the error that is independent per target.
+        """Return random draws (count, m) of the error part that is independent at each target.
 
         ``values`` (count, j): given weights of the functions. A normal mean with normal prior and
         known variance (Gelman et al. 2013, section 2.5).
@@ -232,8 +230,8 @@ class AxisPosterior:
         return drawn
 
     def _noise(self, variances: FloatArray, owner: NDArray[np.intp], test: int) -> NoiseDraws:
-        """Return the noise (count,) of a repetition of the test with index ``test``. Without
-        repeated readings it comes from the ``variances`` (count,) that were estimated with the
+        """Return draws of the noise (count,) in a repetition of the test with index ``test``. For a
+        test without repeated readings they follow from ``variances`` (count,), estimated with the
         error.
         """
         draw_index = np.concatenate([part.draws for part in self.parts])[owner]
@@ -336,8 +334,8 @@ def estimate_axis(
 
 
 def _cycle_draws(draw_index: NDArray[np.intp], each: int) -> NDArray[np.intp]:
-    """Return the row to use for each entry of ``draw_index`` (count,), which names a draw. A draw
-    has ``each`` rows; equal entries use these rows in turn.
+    """Return a row number for each entry of ``draw_index`` (count,), which is the number of a draw.
+    Each draw has ``each`` consecutive rows; entries with the same draw get its rows in turn.
     """
     order = np.argsort(draw_index, kind="stable")
     ordered = draw_index[order]

@@ -140,7 +140,7 @@ def build_cells(
 
 
 def _fresh_noise(noise: NoisePosterior, order: NDArray[np.intp]) -> NoiseDraws:
-    """Return the predicted noise of a repeated test for each of the noise draws ``order`` (n,)."""
+    """Return the noise of a repeated test, predicted from the noise draws ``order`` (indices)."""
     each = noise.fresh.count // noise.draws.count
     return noise.fresh.taken((order[:, np.newaxis] * each + np.arange(each)).ravel())
 
@@ -251,7 +251,7 @@ def _reversals(part: ObservedCells) -> FloatArray:
 
 
 def _rough_reversal(part: ObservedCells) -> float:
-    """Return the variance of a mean reading by irregular changes of the reversal, mm² or deg².
+    """Return the variance, mm² or deg², of a mean reading that irregular reversal errors cause.
 
     Only the part that noise does not explain, from the median of the second differences (Gasser,
     Sroka and Jennen-Steinmetz, Biometrika 73, 1986). Without it the smooth reversal of the estimate
@@ -267,10 +267,10 @@ def _rough_reversal(part: ObservedCells) -> float:
 
 @dataclass(frozen=True, slots=True)
 class _Sizes:
-    """The standard deviations of the readings about the straight line, by cause, mm or deg.
+    """Typical sizes, mm or deg: mean readings minus the straight line, and scatter of readings.
 
-    ``roughness``: their rms; ``spread``: standard deviation of the readings, with its degrees of
-    freedom; ``floor``: lower bound of both.
+    ``roughness``: rms of means minus the line; ``spread``: standard deviation of the readings, with
+    its degrees of freedom; ``floor``: lower bound of both.
     """
 
     roughness: float
@@ -280,7 +280,7 @@ class _Sizes:
 
 
 def _sizes(parts: Sequence[ObservedCells], left: Sequence[FloatArray], least: float) -> _Sizes:
-    """Return the standard deviations of the readings by cause.
+    """Return the typical sizes of mean readings minus the straight line, and of their scatter.
 
     ``left``: the mean readings minus the straight line. ``least``: noise that every instrument has,
     mm or deg.
@@ -370,8 +370,8 @@ def _stack_cells(
 
 
 def _blocks(columns: Sequence[FloatArray]) -> FloatArray:
-    """Return the columns (n, c, q) of several tests as one block matrix. A column of one test is
-    zero for all other tests.
+    """Return the columns (n, c, q) of several tests as one block-diagonal matrix. A column of one
+    test is zero for all other tests.
     """
     draws = columns[0].shape[0]
     together = np.zeros(

@@ -15,7 +15,7 @@ _SMALL: Final = 48
 
 
 def cholesky_factor(matrix: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return a symmetric ``matrix`` (n, n) and its lower Cholesky factor (n, n).
+    """Return a symmetric ``matrix`` (n, n), made positive definite, and its lower Cholesky factor.
 
     Where rounding has left it indefinite (readings without any scatter), a jitter as large as is
     needed is added to its diagonal first (Rasmussen and Williams, Gaussian Processes for Machine

@@ -154,7 +154,7 @@ def _fresh_runs(test: CircularTest, solution: Solution) -> tuple[FreshRun, ...]:
 def _fitted_runs(
     test: CircularTest, measured: CircleSamples, residual: FloatArray
 ) -> Iterator[FittedRun]:
-    """Yield the fitted deviations of each run at the commanded angles, those in ``measured``."""
+    """Yield the fitted deviations and residuals of each run at angles of ``measured`` samples."""
     for index, run in enumerate(test.runs):
         (mine,) = np.nonzero(measured.run == index)
         mine = mine[:: -(-mine.size // _MOST_FITTED)]
@@ -320,8 +320,8 @@ def _start_fit(samples: CircleSamples, grid: AngleGrid) -> tuple[_CircleStart, L
 
 
 def _likeliest(problem: CircleProblem, *starts: _CircleStart) -> _CircleStart:
-    """Return the most probable fit over several start values: levels of white noise, and the spike
-    shapes and noise of the fits ``starts``.
+    """Return the most probable of several fits of a circular test. They start from levels of white
+    noise, and from the spike shapes and the noise of each of the fits ``starts``.
 
     Shapes that are changed one at a time end in the nearest optimum. Noise may take the place of a
     spike, or a spike the place of noise.

@@ -90,8 +90,8 @@ def longest_pitch(samples: CircleSamples) -> float:
 def _screen(
     problem: CircleProblem, fitted: CircleFit, axis: str
 ) -> tuple[FloatArray, FloatArray, float]:
-    """Return candidate frequencies (f,), 1/mm, with the approximate improvement of the fit by each,
-    and the smallest information about an amplitude, 1/µm².
+    """Return candidate frequencies (f,), 1/mm, the approximate improvement of the fit by each, and
+    the least information (1 / variance), 1/µm², that the samples give about an amplitude.
     """
     samples, grid = problem.samples, problem.grid
     shared = fitted.rest[0] / fitted.spectra[0].density

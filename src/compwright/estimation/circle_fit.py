@@ -75,7 +75,7 @@ class Reversal:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleProblem:
-    """The equations of one circular test, transformed and split into two halves (`circle_noise`).
+    """The equations of a circular test: transforms of sum and difference of both directions.
 
     n samples, p columns that are always in the model, r ``reversals`` with m spike shapes each.
     ``slopes`` (n, p): mm per unit of each of the ``names`` (p,). ``widths`` (k,): prior standard
@@ -101,7 +101,7 @@ class CircleProblem:
     mixture: FloatArray
 
     def spiked(self, right: FloatArray) -> FloatArray:
-        """Return rows of all columns from rows that give spike shapes by a few common curves."""
+        """Return rows with columns of all spike shapes, from rows with columns of common curves."""
         count, (curves, shapes) = len(self.names), self.mixture.shape
         if not shapes:
             return right
@@ -109,7 +109,7 @@ class CircleProblem:
         return np.concatenate([right[..., :count], mixed.reshape(*right.shape[:-1], -1)], axis=-1)
 
     def rows_of(self, active: IndexArray) -> tuple[FloatArray, ...]:
-        """Return the rows (size, a) of the ``active`` columns for each half of the equations."""
+        """Return the rows (size, a) of the ``active`` columns for sum and difference."""
         count, (curves, shapes) = len(self.names), self.mixture.shape
         found = tuple(np.empty((half.shape[0], active.size)) for half in self.rows)
         for index, column in enumerate(active.tolist()):
@@ -214,7 +214,7 @@ def _common_curves(shapes: FloatArray) -> tuple[FloatArray, FloatArray]:
 def _linear(
     samples: CircleSamples, fixed: Sequence[CauseColumn]
 ) -> tuple[tuple[FloatArray, FloatArray], FloatArray, dict[str, float]]:
-    """Return the equations of the readings, linearised about a first fit.
+    """Return the equations of a circular test after linearisation about a first fit.
 
     Direction of the bar (x and y, each (n,)), linearised readings (n,) mm, and values of that fit.
     """
@@ -289,8 +289,8 @@ def _reversals(
 
 
 def _lasting(samples: CircleSamples, axis: str) -> list[int]:
-    """Return, for each reversal point of an axis, how many directions of motion enter the arc
-    shortly after it. In these directions a reversal spike may continue inside the arc.
+    """Return in how many directions the arc begins shortly after each reversal point of an axis, so
+    that a reversal spike may continue inside the arc.
     """
     if samples.arc[1] >= 2.0 * np.pi - 1e-9:
         return [0, 0]

@@ -97,7 +97,7 @@ def with_undetected_lag(samples: CircleSamples) -> CircleSamples:
 
 
 def _profile(samples: CircleSamples) -> tuple[float, FloatArray, FloatArray, int]:
-    """Return the inputs for testing possible delays of the axes.
+    """Return the data from which a delay of the axes is estimated.
 
     Angle between samples, windows at the reversal points, angles (a,) to try in rad, index of the
     angle zero.

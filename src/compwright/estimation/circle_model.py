@@ -1,8 +1,8 @@
-"""How each cause of a circular test moves the tool along the commanded circle.
+"""How each cause of circular deviations moves the tool along the commanded circle.
 
 Displacements, not radial deviations, because the bar measures |R u(θ) + displacement - ball|: with
 the ball 0.5 mm off the centre a displacement across the radius counts too. Each column is the
-displacement (x, y) in mm per unit of its parameter, in the units and signs of the contract; to
+displacement (x, y) in mm per unit of its parameter, in the units and signs of the output; to
 first order at the centre they are these radial deviations (d = +1 ccw, -1 cw; v path speed), whose
 shapes and signs ISO 230-4:1996, annex B draws (B.2.1 scale, B.2.2 squareness, B.2.3 cyclic, B.3.1
 lost motion and spikes, B.3.2 acceleration, B.3.3 unequal lag; see also Kakino, Ihara and Shinohara,
@@ -359,7 +359,8 @@ def cyclic_columns(
     amplitudes: tuple[float, float],
     late: float = 0.0,
 ) -> tuple[CauseColumn, ...]:
-    """Return the columns (n,) of a cyclic error of an axis at ``frequency`` 1/mm, and its changes.
+    """Return the columns for cosine and sine of an axis' cyclic error of ``frequency`` 1/mm, and
+    those for small changes of this error.
 
     ISO 230-4:1996, B.2.3. Cosine and sine: a cos(2πfx) - b sin(2πfx) at ``amplitudes`` (a, b) µm.
     Changes: of the frequency, per 1/mm; of a delay of the axis, per mm at full speed (``late``: in

@@ -43,9 +43,7 @@ _POOLED: Final = 36
 
 @dataclass(frozen=True, slots=True)
 class AngleGrid:
-    """Pairs of samples in both directions at the same ``size`` angles: by direction, the sample
-    indices (runs, size).
-    """
+    """Samples at ``size`` angles common to all runs: their indices (runs, size) by direction."""
 
     index: tuple[IndexArray, ...]
     size: int

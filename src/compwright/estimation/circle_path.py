@@ -1,4 +1,4 @@
-"""Causes of a circular test that cannot be separated on its path, whatever the noise is."""
+"""Causes of circular deviations that a test cannot separate, because of its arc or directions."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def undetermined_causes(test: CircularTest, samples: CircleSamples) -> dict[str,
 
 
 def absent_causes(test: CircularTest, given: Container[str]) -> dict[str, Sentence]:
-    """Return the reason why each documented cause that is not in ``given`` has no value."""
+    """Return the reason for each cause in the documentation that has no value in ``given``."""
     reasons = {"radius_change": say("undetermined.both_directions")}
     for axis, name in zip(AXES, test.axes, strict=True):
         reasons[f"offset_change_{axis}"] = say("undetermined.both_directions")

@@ -15,8 +15,8 @@ from compwright.records.axis import FloatArray
 
 
 def harmonic_regression(samples: CircleSamples) -> dict[str, float]:
-    """Return the causes of a circular test from a simple regression of harmonics and reversal
-    terms, in the units of the JSON.
+    """Return the causes of circular deviations, in units of the JSON output, from a simple
+    regression of harmonics and reversal terms.
 
     On a full circle in both directions: squareness, scale mismatch, servo mismatch, radius change,
     and for each axis lost motion (mean and both ends), lateral play and straightness. On an arc

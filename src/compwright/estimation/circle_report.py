@@ -1,5 +1,5 @@
-"""The causes of a circular test under the names and units of the JSON. Each has a standard error or
-the reason why it is missing.
+"""The causes of circular deviations with the names and units of the JSON output. Each has a
+standard error or the reason why it is missing.
 """
 
 from __future__ import annotations
@@ -208,7 +208,7 @@ def _causes(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause]:
 def _linear(
     solution: Solution, name: str, parts: Mapping[str, float], *, detail: bool = False
 ) -> _ReportedCause:
-    """Return a reported cause that is a weighted sum of columns of the fit."""
+    """Return a reported cause that is the sum of fitted causes, with the weights in ``parts``."""
     gradient = np.zeros(len(solution.problem.names))
     for part, weight in parts.items():
         gradient[solution.problem.names.index(part)] = weight
@@ -227,7 +227,7 @@ def _linear(
 
 
 def _unseen_end(samples: CircleSamples, axis: str) -> float:
-    """Return the extra variance, um², of the mean lost motion if the arc lacks a reversal."""
+    """Return the extra variance, um², of mean lost motion on an arc that lacks a reversal."""
     return 0.0 if all(samples.reversals(axis)) else _ENDS_DIFFER**2
 
 
@@ -426,7 +426,7 @@ def _stated(
     *,
     detail: bool,
 ) -> _ReportedCause:
-    """Return a cause with value and standard error ``found``, or with the ``reason`` for none."""
+    """Return a cause with value and standard error ``found``, else with the ``reason`` why not."""
     value, error = found or (0.0, 0.0)
     return _ReportedCause(
         name=name,

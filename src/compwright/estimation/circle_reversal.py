@@ -61,8 +61,8 @@ _PAIRS: Final = 6
 
 
 class SpikeShapes:
-    """Up to `SLOTS` spike shapes (slots) that add up at each reversal point: the index of each
-    shape (-1: none), and whether it differs between directions.
+    """The spike shapes in the model: up to `SLOTS` shapes at each reversal point, which add up.
+    Each has an index (-1: no shape), and may differ between directions.
     """
 
     def __init__(self, problem: CircleProblem) -> None:
@@ -89,7 +89,7 @@ class SpikeShapes:
         return self._columns[reversal, slot]
 
     def at(self, place: tuple[int, int] | str) -> tuple[object, ...]:
-        """Return the shape at ``place`` (reversal point, slot), or whether a rare cause exists."""
+        """Return columns and size of the shape at ``place`` (or whether this rare cause exists)."""
         if isinstance(place, str):
             return (self.present[place],)
         return *self._columns[place], self.size[place]
@@ -97,7 +97,7 @@ class SpikeShapes:
     def put(
         self, reversal: int, slot: int, place: int, *, unlike: bool = False, size: int = 0
     ) -> None:
-        """Set shape number ``slot`` at a reversal point to that with index ``place`` (-1: none)."""
+        """Replace shape number ``slot`` at a reversal point; ``place``: new index (-1: none)."""
         self.place[reversal, slot] = place
         if place >= 0:
             self.unlike[reversal, slot], self.size[reversal, slot] = unlike, size
@@ -112,7 +112,7 @@ class SpikeShapes:
         self.precision[found] = _SIZES[self.size[reversal, slot]] ** -2.0
 
     def chosen(self, but: tuple[int, int] | str | None = None) -> IndexArray:
-        """Return the columns of spikes and rare causes in the model, except those of ``but``."""
+        """Return the columns in the model of spikes and rare causes, except that named ``but``."""
         rare = [column for name, column in self.rare.items() if self.present[name] and name != but]
         found = [
             column
@@ -127,7 +127,7 @@ class SpikeShapes:
         return np.concatenate([self.always, self.chosen()])
 
     def options(self, reversal: int, slot: int) -> IndexArray:
-        """Return the indices of shapes possible as shape number ``slot`` at a reversal point."""
+        """Return the indices of possible shapes for number ``slot`` at a reversal point."""
         return self._kinds[reversal][slot >= _DECAYS]
 
     @property
@@ -185,7 +185,7 @@ def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
 
 
 def _set(shapes: SpikeShapes, reversal: int, slot: int, option: int) -> None:
-    """Make an ``option`` of `_Options` shape number ``slot`` at a reversal point."""
+    """Replace shape number ``slot`` at a reversal point by the possibility ``option``."""
     options = shapes.options(reversal, slot)
     if option == 0:
         shapes.put(reversal, slot, -1)
@@ -243,7 +243,7 @@ def _odds(marginal: MarginalEquations, shapes: SpikeShapes, name: str) -> tuple[
 
 
 class _Options:
-    """The shapes possible as one of the shapes at a reversal point, compared by evidence."""
+    """All possibilities for one of the shapes at a reversal point, compared by their evidence."""
 
     def __init__(
         self, marginal: MarginalEquations, shapes: SpikeShapes, reversal: int, slot: int
@@ -256,8 +256,8 @@ class _Options:
         self.cross = marginal.gram[alike, unlike] if self.both else np.empty(0)
 
     def evidence(self, marginal: MarginalEquations, shapes: SpikeShapes) -> FloatArray:
-        """Return the log probability of each possibility: no spike, equal in both directions, or
-        different.
+        """Return the log probability of each possibility: no shape, or a shape that is equal in
+        both directions or different.
 
         Nothing, each size and shape alike in both directions, each with a difference (1 + 2 s m,);
         with one direction (1 + s m,).

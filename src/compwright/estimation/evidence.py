@@ -41,7 +41,7 @@ _LOG_TURN: Final = np.log(2.0 * np.pi)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CellData:
-    """The mean readings of an axis minus their straight line, relative to ``scale`` (mm or deg).
+    """The mean readings of an axis minus a straight line, as multiples of ``scale`` (mm or deg).
 
     A cell is a target and direction of one test. Cells are sorted by target: ``target_index``
     (c,) is the index of each cell's target, ``starts`` (m,) the first cell of each target,
@@ -183,9 +183,7 @@ class Evidence:
         self.slopes[REVERSAL, self.waves.stop + 1 :] = 2.0
 
     def rows_under(self, draw: int) -> FloatArray:
-        """Return the matrix (c, j) that gives the mean readings from all weights, under one
-        ``draw`` of the noise.
-        """
+        """Return the matrix (c, j) from weights to mean readings, under one ``draw`` of noise."""
         if draw == self.typical:
             return self.typical_rows
         return np.hstack([self.rows, self.data.columns[draw]])
@@ -288,8 +286,9 @@ class Evidence:
     def _marginal(
         self, h: FloatArray, draw: int | None, *, derivatives: bool
     ) -> tuple[_Scaled, _Marginal, float]:
-        """Return the scaled model, the log density of the mean readings, and that density with
-        their scatter included. The smaller of two matrices is used where the noise is large enough.
+        """Return the scaled model, the log density of the mean readings, and the log density of all
+        readings (means and scatter). The smaller of two matrices is used where the noise is large
+        enough.
         """
         scaled = self._scaled(h, draw)
         cells, weights = scaled.rows.shape

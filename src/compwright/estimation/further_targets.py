@@ -141,7 +141,7 @@ class _Design:
         )
 
     def least(self) -> float:
-        """Return the smallest amplitude at which the targets chosen so far separate the periods.
+        """Return the smallest amplitude of a wave at which the chosen targets show its period.
 
         For most of the periods and whatever its phase.
         """
@@ -170,8 +170,8 @@ class _Design:
         return best
 
     def _information(self, gram: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the information (..., p, p + 1) by which each period is separated from each other
-        period, and from no period.
+        """Return the information on each period's wave, each (..., p, p + 1): about cosine, both,
+        sine. It separates the period from each other period, and in the last column from no period.
 
         ``gram`` (..., 2 p, 2 p) about each period (cosine, both, sine).
         """

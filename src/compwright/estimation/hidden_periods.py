@@ -101,7 +101,7 @@ class CurveColumns:
 
 @dataclass(frozen=True, slots=True)
 class WaveDraw:
-    """One possible periodic error: the distribution of its cosine and sine, and what targets show.
+    """One possible periodic error, and the long wave with the same values at the targets.
 
     Both are normal with ``mean`` (2,) and covariance ``root`` ``root``' (2, 2). The wave of
     ``period`` (mm or deg) is a ``share`` of it, plus an independent part of standard deviation
@@ -123,8 +123,8 @@ class WaveDraw:
 
 @dataclass(frozen=True, slots=True)
 class WaveHypotheses:
-    """Equally likely possible ``waves``. With ``probability`` one of them exists, otherwise the
-    error has only the ``curve``.
+    """Equally likely possible periodic errors (``waves``). With ``probability`` one of them exists;
+    else the error consists only of the functions ``curve``.
     """
 
     probability: float
@@ -156,8 +156,8 @@ class WaveHypotheses:
 
 @dataclass(frozen=True, slots=True)
 class HiddenPeriods:
-    """The possible periods that the readings of an axis cannot show. Known and found periods are
-    excluded.
+    """Possible periods of the error that the readings of an axis cannot show. Known and found
+    periods are excluded.
     """
 
     hypotheses: tuple[WaveHypotheses, ...]
@@ -338,8 +338,8 @@ def _hypotheses(
 def _gains(
     gram: Mapping[tuple[int, int], FloatArray], moment: Sequence[FloatArray], variance: FloatArray
 ) -> FloatArray:
-    """Return the log likelihood gain (a, n, p) of one harmonic with each ``variance`` (a, 1, p),
-    computed in blocks of the n grid points.
+    """Return the log likelihood gain (a, n, p) by a wave with one harmonic, for each ``variance``
+    (a, 1, p) of its amplitude and each of n grid points of the parameters.
     """
     step = max(1, CHUNK // variance.size)
     parts = [
@@ -369,7 +369,7 @@ def _long_waves(frequencies: FloatArray, targets: FloatArray) -> tuple[FloatArra
 
 @dataclass(frozen=True, slots=True)
 class _SmoothFit:
-    """A fit of the smooth error to the means at targets, at each grid point of the ``likelihood``.
+    """Fits of the smooth error to the means at targets, for each grid point of parameters.
 
     ``columns`` (m, k): offset, slope, known periods and smooth part.
     """

@@ -97,8 +97,8 @@ def _log_density(peak: Peak, away: FloatArray) -> FloatArray:
 
 
 def _log_posteriors(evidence: Evidence, peaks: Sequence[Peak], points: FloatArray) -> FloatArray:
-    """Return the log posterior density (n,) at the ``points`` (n, h), which are as many about each
-    of the ``peaks``.
+    """Return the log posterior density (n,) at the ``points`` (n, h), of which each of the
+    ``peaks`` has the same number.
 
     Each point is evaluated under one draw of the noise. How much more likely that draw makes the
     means at the peaks than the average draw does is subtracted: the means do not change the
@@ -126,7 +126,7 @@ def _log_posteriors(evidence: Evidence, peaks: Sequence[Peak], points: FloatArra
 
 def _level(evidence: Evidence, peaks: Sequence[Peak], draw: int) -> float:
     """Return the log probability of the mean readings under one draw of the noise, summed over
-    peaks.
+    peaks (Laplace's approximation).
     """
     heights = [
         evidence.log_posterior(peak.place, draw) + np.linalg.slogdet(peak.root)[1] for peak in peaks

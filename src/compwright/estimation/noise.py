@@ -149,7 +149,7 @@ def _noise(
     sigma: FloatArray,
     sizes: FloatArray,
 ) -> NoiseDraws:
-    """Return the noise record that contains the ``draws`` of the sampler.
+    """Return the ``draws`` of the sampler as one record `NoiseDraws`.
 
     ``sigma`` (count,): scales of the errors; ``members`` (count,): their distributions, as indices
     in `TAILS`; ``sizes`` (count, 2): offset and tilt of the traverses.

@@ -108,9 +108,7 @@ def means_of_all_runs(
 def cell_locations(
     tail: Tail, values: FloatArray, there: NDArray[np.bool_], scale: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return mean and variance (c,) of each target's value, computed in blocks of targets
-    (`_located`).
-    """
+    """Return mean and variance (c,) of the expected reading at each target, by `_located`."""
     at_once = max(1, _AT_ONCE // (min(_ABOUT, values.shape[1]) * _AWAY.size * values.shape[1]))
     parts = [
         _located(tail, values[part], there[part], scale[part])
@@ -122,7 +120,7 @@ def cell_locations(
 def _located(
     tail: Tail, values: FloatArray, there: NDArray[np.bool_], scale: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return mean and variance (c,) of each target's value from its readings ``values`` (c, n).
+    """Return mean and variance (c,) of the expected reading, from readings ``values`` (c, n).
 
     ``there`` (c, n): which readings exist. Their errors follow the distribution ``tail`` times
     ``scale`` (c,). Flat prior; integrated by the trapezoidal rule over positions around the
@@ -149,8 +147,8 @@ def _located(
 
 
 def _columns(draw: NoiseState) -> tuple[FloatArray, FloatArray]:
-    """Return columns (c, q) that approximate the covariance of the means, and the variances (c,)
-    that they leave.
+    """Return columns (c, q) that approximate the covariance of the means, and the rest of the
+    variances (c,), which the columns do not cover.
 
     Partial Cholesky factor with pivots at fixed cells of each direction (Golub and Van Loan, Matrix
     Computations, 4th ed. 2013, section 4.2.8).

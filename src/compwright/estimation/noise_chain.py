@@ -146,9 +146,7 @@ class GibbsChain:
         return max(scale, 0.3 * spread, self.floor), rest
 
     def sweep(self) -> NoiseState:
-        """Draw every part of the noise once, and return the state under which the means were
-        computed.
-        """
+        """Draw every part of the noise once, and return the state that belongs to the means."""
         rng, there = self.rng, self.readings.there
         scale = np.exp(self.spread @ self.shapes)[:, np.newaxis]
         weights = there * self.latent.weights / scale**2
@@ -204,8 +202,7 @@ class GibbsChain:
     def _as_read(
         self, data: ReducedReadings, weights: FloatArray, shift: FloatArray
     ) -> ReducedReadings:
-        """Return ``data`` with means of the displayed readings instead of the drawn unrounded
-        values, minus the ``shift`` (c, n) of outliers.
+        """Return ``data`` with means of the displayed readings, not of drawn unrounded values.
 
         The unrounded values are random draws and would change the mean of their target at random.
         """
@@ -215,8 +212,7 @@ class GibbsChain:
         return replace(data, means=np.sum(weights * (self.readings.values - shift), axis=1) / total)
 
     def _traverses(self, values: FloatArray, weights: FloatArray) -> ReducedTraverses:
-        """Return what readings ``values`` (c, n) with ``weights`` (c, n) state about shifts of
-        traverses.
+        """Return the sampler of traverse shifts, given readings ``values`` (c, n) with ``weights``.
 
         It is computed again only where they changed.
         """

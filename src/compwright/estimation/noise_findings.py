@@ -157,8 +157,8 @@ def _tails(
 
 
 def _at_places(test: PositioningTest, readings: CellReadings, cells: IndexArray) -> IndexArray:
-    """Return the numbers of the targets where the outliers in ``cells`` (k,) lie, if each has
-    several, else none. There must be three in all, or half of the readings of each.
+    """Return the numbers of the targets at which all outliers in ``cells`` (k,) are, or no numbers.
+    Each target must have several outliers: in all at least three, or half of its readings.
     """
     m = test.targets.size
     places, counts = np.unique(cells % m, return_counts=True)

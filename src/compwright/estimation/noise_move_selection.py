@@ -1,4 +1,4 @@
-"""Selection of the traverses, runs or time steps of a test that are shifted: all or only some.
+"""Which traverses, runs or time steps of a test shift the readings: all of them or only some.
 
 A creeping mounting shifts every traverse; a knock, a chip or an inaccurate reference run shifts one
 now and then. Existing shifts are normal, the others zero (Mitchell and Beauchamp, J. Am. Stat.
@@ -26,8 +26,8 @@ _HALF: Final = 0.5
 
 @dataclass(slots=True)
 class ScoreEvidence:
-    """Evidence of the ``scores`` (r,) about their covariance, which is ``matrix`` (r, r) times an
-    unknown variance.
+    """The ``scores`` (r,) of traverse shifts (`ReducedReadings`), as evidence of their covariance:
+    a known ``matrix`` (r, r) times an unknown variance.
 
     ``dof`` degrees of freedom and residual sum of squares ``rest``.
     """
@@ -39,7 +39,7 @@ class ScoreEvidence:
 
 
 def drawn_from_prior(count: int, rng: np.random.Generator) -> BoolArray:
-    """Draw from the prior alone which of ``count`` possible shifts of traverses exist."""
+    """Draw which of ``count`` possible shifts of traverses exist, regardless of the readings."""
     every, share, chances = rng.random() < _ALL, rng.beta(_HALF, _HALF), rng.random(count)
     return np.ones(count, dtype=np.bool_) if every else chances < share
 
@@ -95,8 +95,7 @@ def _log_priors(count: int) -> tuple[float, ...]:
 
 
 def _log_chance(there: int, count: int) -> float:
-    """Return the log prior probability that ``there`` certain shifts of ``count`` exist, and no
-    others (Jeffreys' prior).
+    """Return the log prior probability (Jeffreys) that exactly ``there`` given shifts exist.
 
     log B(k + 1/2, n - k + 1/2) - log B(1/2, 1/2), with k = ``there`` and n = ``count``.
     """

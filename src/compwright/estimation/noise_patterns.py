@@ -56,7 +56,7 @@ class Sizes:
 
     @property
     def pattern(self) -> int:
-        """The pattern of the traverse offsets, as a constant of the noise record."""
+        """The pattern of the traverse offsets by its number in `NoiseDraws`."""
         return min(self.form, WAVE)
 
     @property
@@ -111,8 +111,8 @@ class Patterns:
     def at_least(
         self, sizes: Sizes, effects: FloatArray, variance: float, share: float, made: BoolArray
     ) -> FloatArray:
-        """Return standard deviations (2,) of traverse offset and tilt, mm or deg, at least as large
-        as the existing offsets and tilts show.
+        """Return the standard deviations (2,) of traverse offset and tilt, mm or deg: the drawn
+        ones, or the rms of the existing offsets and tilts if that is larger.
 
         One is the present ``sizes`` times the standard deviation of a reading (root of
         ``variance``). The other is the rms of the ``effects`` (k,) of the existing traverses

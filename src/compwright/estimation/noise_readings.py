@@ -1,4 +1,4 @@
-"""The readings of a test minus their means, condensed to what they state about whole traverses.
+"""The readings of a test minus their means, reduced to their information about traverse shifts.
 
 A cell is a target approached in one direction. Its mean carries the error of the axis and is left
 free (flat prior), so that nothing here depends on the error curve; what remains are the contrasts
@@ -63,8 +63,7 @@ class CellReadings:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ReducedReadings:
-    """What the readings of a test state about the k shifts of its traverses, for a reading variance
-    of 1.
+    """The information of readings about the k shifts of the traverses, for a reading variance of 1.
 
     ``root`` (k, r): root @ root.T is the information matrix; ``scores`` (r,) = root.T @ shifts +
     unit noise; ``rest``: sum of squares that no shift explains. ``means``, ``weights`` (c,):

@@ -149,8 +149,8 @@ class ReducedTraverses:
         return total
 
     def _offset(self, sizes: Sizes) -> FloatArray:
-        """Return the covariance of the scores by unit traverse offsets, for each pattern (forms, r,
-        r).
+        """Return the covariance of the scores (`ReducedReadings`) by traverse offsets of unit size,
+        for each pattern (forms, r, r).
         """
         key = sizes.moved.tobytes()
         if self.offset is None or self.offset[0] != key:
@@ -171,8 +171,8 @@ class ReducedTraverses:
         sizes.moved = draw_moved(sizes.moved, size * self.moves[sizes.form], evidence, rng)
 
     def _drifting(self, sizes: Sizes) -> FloatArray:
-        """Return the covariance (r, r) of the scores by drift and tilt drift of the present size
-        and rate.
+        """Return the covariance (r, r) of the scores (`ReducedReadings`) by drift and tilt drift of
+        the present size and rate.
         """
         total: FloatArray = sizes.size[DRIFT] ** 2 * np.outer(
             self.drift[sizes.rate], self.drift[sizes.rate]
@@ -188,8 +188,7 @@ class ReducedTraverses:
         forms: FloatArray,
         rng: np.random.Generator,
     ) -> int:
-        """Draw size and pattern of one ``kind`` of traverse shift into ``sizes``, and return the
-        pattern.
+        """Draw size and pattern of one ``kind`` of traverse shift; return the pattern.
 
         The grid is shifted at random, so that sizes are continuous.
         """
@@ -266,8 +265,8 @@ class ReducedTraverses:
         )
 
     def _of_others(self, sizes: Sizes, kind: int) -> tuple[FloatArray, FloatArray]:
-        """Return two covariances of the scores for each pattern of ``kind`` (forms, r, r): by all
-        other causes, and by ``kind`` of unit size.
+        """Return two covariances of the scores (`ReducedReadings`) for each pattern of ``kind``
+        (forms, r, r): by all other causes, and by ``kind`` of unit size.
 
         All other causes with the noise of the readings; and ``kind`` of unit size. For a drift the
         second is its column (rates, r).
@@ -297,7 +296,7 @@ class ReducedTraverses:
 
 
 def _log_det(lower: FloatArray) -> FloatArray:
-    """Return the log determinants (forms,) of covariances from their roots (forms, r, r)."""
+    """Return the log determinants (forms,) of covariances with Cholesky factors ``lower``."""
     logs: FloatArray = 2.0 * np.log(np.diagonal(lower, axis1=1, axis2=2)).sum(axis=1)
     return logs
 

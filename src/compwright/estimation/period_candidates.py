@@ -135,7 +135,7 @@ def find_candidates(
     before: PeriodOdds,
 ) -> PeriodScan:
     """Return the possible periods among equally spaced ``frequencies`` (f,) and the ``expected``
-    periods. ``before``: their prior probabilities.
+    periods, given the prior probabilities ``before``.
     """
     targets = likelihood.targets
     resolution = 1.0 / float(np.ptp(targets))
@@ -175,7 +175,7 @@ def refine_candidate(
     expected: Sequence[UsualPeriod],
     before: PeriodOdds,
 ) -> PeriodCandidate | None:
-    """Return a possible period computed again under a ``likelihood`` that contains other periods.
+    """Return a possible period, computed again under a ``likelihood`` that contains other periods.
 
     Its aliases stay. None where it is a harmonic of one of these periods, or one of them is its
     harmonic. Arguments as in `find_candidates`.

@@ -78,7 +78,7 @@ class BidirectionalMeans:
 
 @dataclass(frozen=True, slots=True)
 class Nodes:
-    """Grid points of the model parameters that have the same ``length`` (in half ranges) and
+    """Grid points of the model parameters with the same ``length`` (1: half the range) and
     ``smoothness`` of the smooth error.
 
     ``smooth`` (n,): standard deviation of the smooth part; ``weights`` (n, r): precisions along its
@@ -236,7 +236,7 @@ class PeriodLikelihood:
         )
 
     def telling(self, frequencies: FloatArray) -> NodeChoice:
-        """Return the grid points that have noticeable probability, with or without a wave."""
+        """Return the grid points and wave amplitudes whose probability is not negligible."""
         choice = self.everything()
         log = self._log(choice)
         kept, amplitudes = log > np.max(log) - _MATTERS, np.zeros(AMPLITUDES.size, dtype=bool)
@@ -420,9 +420,7 @@ def _white_nodes(dof: float, spread: float, roughness: float) -> tuple[FloatArra
 
 
 def _independent(columns: FloatArray) -> FloatArray:
-    """Return an orthonormal basis (m, r) of the space of the columns (m, k), without directions
-    that are only rounding errors.
-    """
+    """Return an orthonormal basis (m, r) of the space of ``columns`` (m, k), without rounding."""
     if not columns.shape[1]:
         return columns
     left, sizes, _ = np.linalg.svd(columns, full_matrices=False)

@@ -110,12 +110,11 @@ class PeriodSet:
     log: float
 
     def extended(self, member: PeriodCandidate) -> PeriodSet:
-        """Return the set with one more period, which a search given the present ones found."""
+        """Return the set with one more period, found under the assumption of the set."""
         return PeriodSet((*self.members, member), self.log + member.log)
 
     def less_certain(self, rest: float) -> PeriodSet:
-        """Return the set with a lower probability, because periods other than the candidates are
-        possible.
+        """Return the set with its probability plus that of further periods that are no candidates.
 
         ``rest``: logarithm of their probability, relative to no additional period.
         """

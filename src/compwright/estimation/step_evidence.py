@@ -40,8 +40,8 @@ _ROUNDED: Final = 6  # decimals of logarithms that are compared
 
 @dataclass(frozen=True, slots=True)
 class FoundStep:
-    """A step of the error behind the target with index ``gap``: its ``size``, standard deviation
-    ``std``, and ``odds`` that it exists.
+    """A step of the error between the target with index ``gap`` and the next one: its ``size``,
+    standard deviation ``std``, and ``odds`` that it exists.
     """
 
     gap: int
@@ -102,9 +102,7 @@ class StepEvidence:
             best = tuple(one for one in best if one != weakest)
 
     def _odds(self, members: tuple[int, ...], one: int) -> float:
-        """Return the odds that the set ``members`` explains the means, against the best set without
-        ``one``.
-        """
+        """Return the odds of the set ``members`` against the best set that lacks ``one``."""
         others = np.arange(self.products.shape[1] - 1) != one
         without = tuple(each for each in members if each != one)
         rivals = (without, self._best((), others))
@@ -164,8 +162,8 @@ class StepEvidence:
     def _swept(
         self, members: tuple[int, ...], products: FloatArray
     ) -> tuple[FloatArray, FloatArray]:
-        """Return the log evidence of the steps ``members`` for each size and length of the smooth
-        error, and the ``products`` with these steps removed.
+        """Return the log evidence of the steps ``members``, and the scalar ``products`` after their
+        elimination, each for every size and length of the smooth error.
         """
         weights, left = self.plain, products
         for one in members:
@@ -176,7 +174,7 @@ class StepEvidence:
         return weights, left
 
     def _of(self, members: tuple[int, ...]) -> FloatArray:
-        """Return the scalar products among the means and the columns of the set ``members``."""
+        """Return the scalar products between the means and the columns of the set ``members``."""
         own = (0, *(1 + one for one in members))
         return self.products[:, own][:, :, own]
 
