@@ -1,1 +1,1 @@
-"""The commands, one module each. Only this package reads and writes files."""
+"""The commands and the steps that they consist of. Only this package reads and writes files."""

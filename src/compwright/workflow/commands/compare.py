@@ -49,7 +49,7 @@ class CompareOutcome:
 
 
 def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
-    """Compare files that were read back from the control with a plan.
+    """Return how files that were read back from the control differ from a plan.
 
     Raises UsageError for a plan without tables, InputError for files that cannot be read,
     contradict themselves or contain no data of an axis of the plan.
@@ -122,14 +122,14 @@ _NEW_IN_CONTROL = frozenset({"CW-S012", "CW-S081"})
 
 
 def _unread(planned: ComparedSide, back: ComparedSide) -> tuple[Finding, ...]:
-    """Return why axes in the plan's files cannot be read in the files read back."""
+    """Return findings on axes that are readable in the plan's files but not in those read back."""
     all_lost = back.state is None and planned.state is not None
     lost = all_lost or back.unread - planned.unread
     return tuple(one for one in back.findings if one.code == "CW-S080") if lost else ()
 
 
 def _new_doubts(found: Sequence[Finding], known: Collection[str]) -> Iterator[Finding]:
-    """Yield the doubts about the files read back that the plan (codes ``known``) does not have."""
+    """Yield the doubts about the files read back whose codes the plan (``known``) does not have."""
     for one in found:
         new_in_control = one.code in _NEW_IN_CONTROL and one.severity != "info"
         if (one.is_doubt or new_in_control) and one.code not in known:
@@ -139,7 +139,7 @@ def _new_doubts(found: Sequence[Finding], known: Collection[str]) -> Iterator[Fi
 def _found(
     control: Control, files: Sequence[ControlFile], axes: Sequence[Axis], loaded: Sequence[Path]
 ) -> tuple[dict[str, DecodedState | _Refused], _Refused | None]:
-    """Return the corrections read back from the control, by address, or why they are unreadable.
+    """Return for each axis address the correction read back, or the error that makes it unreadable.
 
     Where axes can be read alone, a fault of one hides no other. Raises InputError where the files
     contain no data of an axis.
@@ -208,7 +208,7 @@ def _compared(
     own: Mapping[str, Sequence[Difference]],
     partly: PartialLoad | None,
 ) -> ComparedAxis:
-    """Return the differences of one axis from the plan.
+    """Return how the correction and the values of one axis on the control differ from the plan.
 
     ``found`` an error: why the correction of the values read back is unknown. ``partly``: which
     files were loaded, where not all were.
@@ -239,7 +239,7 @@ def _compared(
 
 
 def _partly(load: PartialLoad) -> str:
-    """Return the next step for files that were not loaded."""
+    """Return a text that names the loaded files and the planned files that must be loaded too."""
     missing, loaded = " and ".join(load.missing), " and ".join(load.loaded)
     return f"only {loaded} was loaded: load {missing} too, before the axis moves"
 

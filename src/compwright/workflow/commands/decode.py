@@ -1,4 +1,4 @@
-"""``decode``: show what a control would do with given files."""
+"""``decode``: show the correction that a control would make with given files."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def decoded_files(
     axis: str | None = None,
     at: str | None = None,
 ) -> tuple[DecodedState, Kinds, dict[str, Any]]:
-    """Return the contents of the control files, the axes of unknown kind, and the JSON document.
+    """Return what the control files contain, which axes may be linear or rotary, and the JSON.
 
     ``axis`` restricts it to one address; the option ``active`` states whether the tables are
     active, and whether all values of a program were carried out. Raises UsageError (options, a bad

@@ -90,7 +90,7 @@ class _Clock:
         self._began = perf_counter()
 
     def step(self, what: str, folder: Path, files: Sequence[Path]) -> DemoStep:
-        """Return a finished step of the demo with its duration since the previous step."""
+        """Return a finished step of the demo, with the time (s) since the previous step ended."""
         now = perf_counter()
         seconds, self._began = now - self._began, now
         return DemoStep(what, folder, len(files), storage.size_of(files), seconds)

@@ -1,4 +1,4 @@
-"""``diff``: compare two backups of one machine, in the terms of its control."""
+"""``diff``: compare two backups of one machine, value by value, with the control's own names."""
 
 from __future__ import annotations
 

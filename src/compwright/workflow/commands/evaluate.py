@@ -68,7 +68,7 @@ Watch = Callable[[str, int, int], None]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EvaluationRun:
-    """The result of ``evaluate``. ``many``: too many tests for one report page each.
+    """The result of ``evaluate``. ``many``: whether it has too many tests for a report page each.
 
     ``exit_code`` is 0, 3 for a file that cannot be read, 2 where the standard asked for does not
     fit a test and all else is read, 70 where compwright itself failed at one.
@@ -464,7 +464,7 @@ def _with_circles(
 
 
 def _with_repeats(tests: Sequence[Evaluated]) -> list[dict[str, Any]]:
-    """Return the document's entries, with a finding for tests with the readings of another test."""
+    """Return the JSON entries of tests, with a finding on tests that repeat another's readings."""
     readings = [one.test for one in tests if one.test is not None]
     circles = [one.circle.test for one in tests if one.circle is not None]
     if max(len(readings), len(circles)) < 2:

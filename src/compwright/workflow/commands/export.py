@@ -1,4 +1,4 @@
-"""``export``: write the tables of a plan again, for this control or another one."""
+"""``export``: write the tables of a plan again, for the plan's control or for another control."""
 
 from __future__ import annotations
 
@@ -43,9 +43,7 @@ ADDRESS = "address."
 
 @dataclass(frozen=True, slots=True)
 class ExportOutcome:
-    """The result of ``export``: written files, assumptions, axes without a table, and limits of the
-    control.
-    """
+    """The result of ``export``: written files, assumptions, axes without a table, and findings."""
 
     files: tuple[Path, ...]
     assumed: tuple[Assumption, ...]
@@ -153,8 +151,7 @@ def _refitted(
 def _axes_here(
     plan: Plan, control: Control, addresses: Mapping[str, str], options: Mapping[str, object]
 ) -> tuple[dict[str, Axis], list[Assumption]]:
-    """Return the axes of the plan with their names on this control, and the assumptions about
-    names.
+    """Return a plan's axes by name, with their addresses on a control, and the assumed addresses.
 
     For the plan's own control all axes; for another one those that get a table or whose name is
     given. Options belong to one control: those of the plan's control do not apply to another;
@@ -177,7 +174,7 @@ def _axes_here(
 
 
 def _every(plan: Plan) -> dict[str, Axis]:
-    """Return all axes of a plan by name: first those with a test, then those without."""
+    """Return all axes of a plan by name, the axes with a test before those without."""
     return {name: entry.axis for name, entry in plan.axes.items()} | dict(plan.untested)
 
 
@@ -212,7 +209,7 @@ def _state(
     *,
     active: bool | None,
 ) -> DecodedState:
-    """Return the contents of the control, read from its files. ``axes``: those of this control."""
+    """Return the compensation in the control for the given ``axes``, read from control files."""
     if list(states) == ["none"]:
         return decode(control, (), axes)
     if "none" in states:

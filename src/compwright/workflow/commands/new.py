@@ -1,4 +1,4 @@
-"""``new``: make a job file from the control's own files, which two independent readers check."""
+"""``new``: make a job file from the control's own files, which two independent readers decode."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ def new_job(
 
 
 def _unknown_option(control: Control) -> UnansweredOption | None:
-    """Return the option that the files do not state and the user must give, or None."""
+    """Return the control's option that the user must give, or None if the files state its value."""
     open_option = control.format.unanswered_option
     if open_option is None or open_option.name not in control.definition.options:
         return None
@@ -103,7 +103,7 @@ def _unknown_option(control: Control) -> UnansweredOption | None:
 
 
 def _unanswered(unknown: UnansweredOption, drafts: Sequence[AxisDraft]) -> dict[str, Prefilled]:
-    """Return the option that the user must fill in for the control, if some axis lacks it."""
+    """Return the control's option to be filled in by the user; none if every axis has its own."""
     if all("options" in draft.values for draft in drafts):
         return {}
     return {unknown.name: Prefilled(None, f"{unknown.words}; nothing in the files says it")}

@@ -1,4 +1,4 @@
-"""``profile``: propose a mapping profile for a table from another program."""
+"""``profile``: propose a mapping profile, which describes another program's measurement table."""
 
 from __future__ import annotations
 
@@ -15,9 +15,7 @@ from compwright.workflow.results.single_files import refuse_other_kinds
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ProfileOutcome:
-    """The result of ``profile``: the file, three readings as text, and what the user must fill
-    in.
-    """
+    """The result of ``profile``: the file, example readings as text, notes, and keys to fill in."""
 
     path: Path
     worked: tuple[str, ...]

@@ -87,7 +87,7 @@ class RedactOutcome:
 
 @dataclass(slots=True)
 class _FileToCopy:
-    """One file to copy. ``name``: its name, after that of the archive if it is in one."""
+    """One file to copy. ``name``: its name; inside an archive, the archive's name comes first."""
 
     path: Path
     name: str
@@ -173,7 +173,7 @@ def _inner_folders(paths: Sequence[Path], out: Path) -> tuple[Path, ...]:
 def _read(
     session: Session, paths: Sequence[Path], names: Names, faults: list[Fault]
 ) -> list[_FileToCopy]:
-    """Return the files to copy, archives as their texts. Two files with one name are a fault.
+    """Return the files to copy. An archive gives the text files in it; equal names are a fault.
 
     A file that is given twice is copied once.
     """

@@ -71,7 +71,7 @@ class PlannedJob:
 
     @property
     def exit_code(self) -> int:
-        """The exit code: 0 if all limits are predicted to be met, 1 if not, 2 without a state."""
+        """Exit code: 0 if the limits are met, 1 if not, 2 if the control's contents are unknown."""
         return _exit_code(self.finished)
 
     def finding_documents(self) -> list[dict[str, Any]]:
@@ -213,7 +213,7 @@ def _answered_by_files(finished: Finished) -> dict[str, object]:
 
 
 def _gone(out: Path, outdated: Sequence[str]) -> Iterator[str]:
-    """Yield notes about the removed verification of another plan that was in the folder."""
+    """Yield notes that a verification in the folder was removed because it was of another plan."""
     if not outdated:
         return
     names = ", ".join(encoded(name).decode() for name in outdated)

@@ -86,7 +86,7 @@ def write_selftest(
     *,
     force: bool,
 ) -> list[Path]:
-    """Write the page to sign and the document, all or none. Returns the written paths.
+    """Write pages to be signed and JSON documents, all or none. Returns the written paths.
 
     Raises StorageError, and UsageError where the report extra is missing.
     """
@@ -154,7 +154,7 @@ def _fitted(content: bytes, name: str) -> Mapping[str, float]:
 
 
 def _controls(session: Session) -> Iterator[Check]:
-    """Yield the checks of each control's definition: both readers, and rewriting of its sample."""
+    """Yield checks of each control definition: sample files read by both readers, and rewritten."""
     definitions = list(checked_definitions(session, ()))
     if not definitions:
         yield _faults("controls", "definitions", 1, "none was found: install compwright again")

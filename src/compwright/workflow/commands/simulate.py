@@ -31,9 +31,7 @@ SIMULATED = {"simulated": "by compwright, not measured on a machine"}
 
 
 def load_machine(session: Session, path: Path) -> VirtualMachine:
-    """Read a machine file. Raises UsageError with every fault of it, InputError when it cannot be
-    read.
-    """
+    """Read the file of a virtual machine. Raises UsageError with all faults, else InputError."""
     return read_machine(storage.read_bytes(session, path, MACHINE), str(path))
 
 
@@ -101,7 +99,7 @@ def _file_of(
 
 
 def _bent(recording: CircleRecording, between: ActiveCorrections) -> CircleRecording:
-    """Return a circle's recording as it is when each axis position also shifts the other axis."""
+    """Return the recording of a circle, changed by the active corrections between its two axes."""
     plan = recording.plan
     step = plan.arc[1] / plan.samples
     whole = []

@@ -173,7 +173,7 @@ def verification_of(
     plan_file: Path,
     loaded: Sequence[Path],
 ) -> dict[str, Any]:
-    """Return the verification document without writing it. ``after`` may be tests in memory."""
+    """Return the verification document without writing it. ``after``: files, or tests in memory."""
     return _document(*_verified(session, job, after, plan_file, loaded))
 
 
@@ -250,8 +250,8 @@ def _verified(
 def _between(
     control: Control, plan: Plan, as_found: DecodedState, read_back: DecodedState | None
 ) -> Iterator[Finding]:
-    """Yield the tables between axes that differ from the plan in the files read back, or are not
-    among them.
+    """Yield a finding for each planned table between axes that the files read back lack or contain
+    with other values.
     """
     planned = [entry for entry in plan.cross if entry.written]
     if read_back is None or not planned:
@@ -299,7 +299,7 @@ def _stored(
     *,
     force: bool,
 ) -> tuple[Path, ...]:
-    """Write the verification and the next round, all files or none."""
+    """Write the verification and the files of the next round, all or none. Returns their paths."""
     below = {} if then is None else then.files
     page = files.get("verification.html")
     answer = answer_files(files[VERIFICATION], json_path, page, report)
@@ -331,7 +331,7 @@ def _left_over(out: Path, then: Round | None) -> tuple[str, ...]:
 def _planned(
     session: Session, job: Job, file: Path
 ) -> tuple[Plan, Control, Job, dict[str, DecodedState]]:
-    """Return plan, control, job with the control's axis names, and the contents of each state.
+    """Return plan, control, job with the control's axis names, and the control's contents by state.
 
     Raises InputError for the plan of another job.
     """
@@ -379,7 +379,7 @@ def _verdict(
     circles: Mapping[str, VerifiedCircle],
     general: Sequence[Finding],
 ) -> OverallVerdict:
-    """Return the verdict on the job; without positioning tests, squareness shows active tables."""
+    """Return the verdict on the job. Squareness decides if there are no positioning tests."""
     squareness = squareness_decisions(circles)
     tested: list[VerifiedAxis | VerifiedCircle] = [*axes.values(), *circles.values()]
     findings = [finding for one in tested for finding in one.findings]

@@ -63,7 +63,7 @@ def _entries(folder: ResultFolder) -> Iterator[HistoryEntry]:
 
 
 def _round(test: Mapping[str, Any]) -> tuple[bool, int]:
-    """Return a sort key: tests of earlier rounds first, in the order of the rounds."""
+    """Return a sort key that puts tests of earlier rounds of compensation first, in their order."""
     state = str(test.get("measured_in", ""))
     over = number_of_round(state) if test["taken"] == "before" else None
     return over is None, over or 0
@@ -113,7 +113,7 @@ def _errors(test: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
 
 
 def _of_axes(verification: Mapping[str, Any], test: Mapping[str, Any]) -> list[Mapping[str, Any]]:
-    """Return the verification of the axis of a test after loading, for a circle of all axes."""
+    """Return the verification of a test's axis, or of all axes if the test is circular."""
     axes = verification.get("axes", {})
     if test["kind"] == "circular":
         return list(axes.values())

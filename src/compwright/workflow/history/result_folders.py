@@ -30,7 +30,7 @@ _NO_RESULTS = frozenset({"inputs", "tables", "rollback", "card", "proven"})
 
 @dataclass(frozen=True, slots=True)
 class ResultFolder:
-    """A result folder: its record, notes, changed or missing files, and all checked names."""
+    """A result folder: its record, notes, changed or missing files, and names of all its files."""
 
     path: Path
     record: Mapping[str, Any]

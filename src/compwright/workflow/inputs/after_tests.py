@@ -31,7 +31,7 @@ from compwright.workflow.inputs.measurement_files import load_profile
 def read_again(
     session: Session, job: Job, entry: AxisJob, request: TestRequest
 ) -> PositioningTest | None:
-    """Return a test of the job, read again from its files, or None if it cannot be read."""
+    """Return a positioning test of the job, read again from its files, or None if that fails."""
     try:
         return read_test(session, entry, request, Path(job.file).parent)
     except CompwrightError:
@@ -175,7 +175,7 @@ def _without_temperature(
 
 
 def _unfit(plan: Plan, axes: Sequence[str]) -> Iterator[Fault]:
-    """Yield faults for an axis with two tests, and for axes without a test in the plan."""
+    """Yield faults if no test is given, if an axis has two tests, or is not in the plan."""
     for axis in dict.fromkeys(axes):
         if axes.count(axis) > 1:
             yield Fault(

@@ -59,7 +59,7 @@ def pairs_joined(tests: Sequence[T | CircularTest]) -> list[T | CircularTest]:
 
 
 def machines_of(circles: Sequence[CircularResult]) -> tuple[list[dict[str, Any]], list[Fault]]:
-    """Return the joint results of each machine with at least two circles, and the faults."""
+    """Return what all circles of a machine show together, for each machine, and the faults."""
     machines: dict[tuple[str | None, ...], list[CircularResult]] = {}
     seen: set[str] = set()
     for result in circles:

@@ -29,7 +29,7 @@ Entry = dict[str, Any]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EvaluationRequest:
-    """The settings for every evaluation: standards, formula for s, profile of foreign tables.
+    """The settings for all evaluations: standards, formula for the scatter s, mapping profile.
 
     ``whole``: whether entries carry targets and readings.
     """
@@ -108,7 +108,7 @@ class FilesEvaluator:
         )
 
     def _two_columns(self, given: FileToEvaluate) -> Callable[[FileToEvaluate], Entry] | None:
-        """Return the function that evaluates a drift test or lost motion, None for others."""
+        """Return the function that evaluates a file of drift or lost motion, else None."""
         from compwright.instruments.drift_csv import is_drift, is_lost_motion
 
         if self.request.profile is not None:
@@ -189,7 +189,7 @@ def _lost_motion(given: FileToEvaluate) -> Entry:
 
 
 def ready() -> None:
-    """Do nothing: a new process calls it, so that importing this module loads what it needs."""
+    """Do nothing. A new process calls this function, so that it imports the module in advance."""
 
 
 def _kept(entry: dict[str, Any], request: EvaluationRequest) -> dict[str, Any]:

@@ -78,7 +78,7 @@ def files_of_job(session: Session, job: Job, folder: Path, definition: Texts) ->
 
 
 def _text_of_definition(session: Session, path: Path, content: bytes) -> GivenFile:
-    """Return the text of a control definition as an input file of a command."""
+    """Return a control definition as an input file; its text may be from a plan, not a file."""
     there = storage.is_there(session, path) and storage.read_bytes(session, path) == content
     return GivenFile(
         role="definition", of="", name=path.name, path=path if there else None, content=content
@@ -132,14 +132,14 @@ def files_of_verify(
 def files_at(
     session: Session, role: InputRole, of: str, text: str, folder: Path
 ) -> Iterator[GivenFile]:
-    """Yield the file ``text``, or all files in the folder ``text``."""
+    """Yield the file at the path ``text``, or every file in the folder at that path."""
     start = storage.named_from(folder, text)
     for path in control_entries(session, start):
         yield _given(session, role, of, _named(text, path, start), path)
 
 
 def _named(text: str, path: Path, start: Path) -> str:
-    """Return the name of a file as the job states it, or as a file in a folder the job states."""
+    """Return a file's name in the job. ``text``: the job's path of the file or of its folder."""
     name = Path(text).as_posix()
     return name if path == start else f"{name}/{path.relative_to(start).as_posix()}"
 

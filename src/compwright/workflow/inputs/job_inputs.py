@@ -124,7 +124,7 @@ def read_measurement(
 
 
 def _without_unnamed(ours: PositioningTest, tests: Sequence[PositioningTest]) -> PositioningTest:
-    """Return the used test, with a warning if further tests in the file name no axis.
+    """Return the test ``ours``, with a warning if the file also contains tests that name no axis.
 
     A copied sheet may hold the newer measurement.
     """
@@ -239,7 +239,9 @@ def _check_axis(axis: Axis, test: PositioningTest) -> None:
 
 
 def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
-    """Yield faults where compensation other than tables differs between the states of a job."""
+    """Yield faults where states of the control differ in an axis's measuring system, or in
+    functions that are active in addition to its table.
+    """
     faults = []
     for name, entry in job.axes.items():
         facts_of = {
@@ -281,7 +283,7 @@ def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Faul
 
 
 def _differing(found: Mapping[str, str]) -> dict[str, str]:
-    """Return for each text those of its parts, separated by commas, that not all texts have."""
+    """Return each text reduced to its comma-separated parts that some of the other texts lack."""
     parts = {name: words.replace("; ", ", ").split(", ") for name, words in found.items()}
     alike = set.intersection(*map(set, parts.values()))
     return {
@@ -291,7 +293,7 @@ def _differing(found: Mapping[str, str]) -> dict[str, str]:
 
 
 def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
-    """Yield a fault where cross-axis tables differ between states and cannot be computed."""
+    """Yield a fault where cross-axis tables of unknown effect differ between the job's states."""
     now = states.get(AS_FOUND)
     measured = {request.measured_in for request in job.circles} | {
         request.measured_in for request in job.cross
@@ -333,7 +335,9 @@ def _misnamed(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
 def _unsaid_units(
     job: Job, control: Control, states: Mapping[str, DecodedState]
 ) -> Iterator[Fault]:
-    """Yield a fault if the unit is not given and a table's length suggests the other (inch, mm)."""
+    """Yield a fault if no file states mm or inch, and a table's length contradicts the assumed
+    unit.
+    """
     unanswered = length_unit(control.definition)
     if unanswered is None or unanswered[0].name in control.given:
         return

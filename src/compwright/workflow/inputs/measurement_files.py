@@ -22,7 +22,7 @@ OTHER_ENDINGS = frozenset(
 
 @dataclass(frozen=True, slots=True)
 class FoundMeasurements:
-    """The measurement files of a path by name, skipped other files, and inner ``folders``."""
+    """The measurement files of a path, the skipped other files, and the inner ``folders``."""
 
     files: tuple[Path, ...]
     skipped: tuple[Path, ...] = ()

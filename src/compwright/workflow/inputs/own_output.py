@@ -1,4 +1,4 @@
-"""Refuse a job whose existing table was made from the same test, as it would apply it twice.
+"""Refuse a job whose existing table was made from the same test, to correct no error twice.
 
 A fit adds the error that a test shows to the correction that was active in that test. A test that
 was taken before a table was loaded does not show the machine with it. If the state of that test is
@@ -156,7 +156,7 @@ def earlier_plans(contents: Iterable[tuple[Path, bytes]]) -> Iterator[_Earlier]:
 
 
 def made_for_the_control(plan: Plan) -> frozenset[str]:
-    """Return the hashes of the control files that a plan's run wrote, without those before it."""
+    """Return the hashes of the control files that a run made, except those it did not change."""
     before = {fingerprint(file.raw) for files in plan.states.values() for file in files}
     return frozenset(
         digest
@@ -271,7 +271,7 @@ def _is_own_table(
 
 
 def _bent(curves: Sequence[FloatArray], step: float) -> bool:
-    """Return whether a curve deviates from a constant at many positions by many ``step``."""
+    """Return whether a curve differs from its median by several ``step`` at many positions."""
     return any(
         float(np.quantile(np.abs(curve - np.median(curve)), _MANY)) > _SEEN * step
         for curve in curves
@@ -281,7 +281,7 @@ def _bent(curves: Sequence[FloatArray], step: float) -> bool:
 def _change(
     planned: PlannedAxis, test: PlannedTest, state: DecodedState, axis: Axis
 ) -> list[FloatArray]:
-    """Return the correction of a state minus the one active during ``test``, per direction.
+    """Return per direction the correction of a state minus the correction active during ``test``.
 
     Zero where the latter is unknown.
     """

@@ -52,7 +52,7 @@ def recorded_run(
     *,
     draft: Mapping[str, bytes] = MappingProxyType({}),
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
-    """Return a run's record, copies of its inputs, and outdated files of a verification.
+    """Return a run's record and copies of inputs, and the files of a verification to be removed.
 
     ``given``: the inputs (`files_of_job`); ``out``: the result folder; ``draft``: the job file that
     it leaves there, where it was made without one.
@@ -132,7 +132,7 @@ def _definition(control: Control) -> Any:
 
 
 def known_results(session: Session, folder: Path) -> storage.Known:
-    """Return a function that tells results of earlier commands from the user's or changed files."""
+    """Return a function that decides whether a file is an unchanged result of a command."""
     planned = listed_files(storage.earlier_bytes(session, folder / PLAN))
     listed = {**planned, **listed_in_record(storage.earlier_bytes(session, folder / RECORD))}
 
@@ -217,7 +217,7 @@ def _still_there(
 def _begun(
     session: Session, run: RunResult, out: Path, before: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """Return the record of the run, for another folder without the files that stay behind.
+    """Return the run's record. For another result folder, it lists none of the run's own files.
 
     A run of an older version has none: it is rebuilt from the plan as far as possible.
     """

@@ -80,7 +80,7 @@ def result_files(finished: Finished, each: Each = in_turn) -> Results:
 
 
 def _control_files(finished: Finished) -> dict[str, bytes]:
-    """Return tables and rollback files, with an empty place for the plan, which lists them."""
+    """Return the tables and rollback files by name, and empty contents for the later plan."""
     as_found, format_id = finished.measured.as_found, finished.fitted.control.id
     if as_found is None:
         return {}
@@ -163,7 +163,7 @@ def _report(
     prediction: Mapping[str, Any],
     each: Each,
 ) -> bytes:
-    """Return the report, which lists the files ``names``. Raises UsageError without the extra."""
+    """Return the report, which lists ``names``. Raises UsageError without the pip extra."""
     from compwright.reporting.run_report import run_report
 
     as_found = finished.measured.as_found

@@ -102,7 +102,7 @@ def kind_of(content: bytes) -> str:
 
 
 def _of_text(content: bytes) -> str:
-    """Return the kind of a text file, by the readers of all kinds."""
+    """Return the kind of a text file, or "" if none of the readers recognises its contents."""
     from compwright.instruments.circular_reading import is_circular
     from compwright.instruments.forms import PLAIN_CSV, form_of
     from compwright.instruments.own_forms import is_plain_csv

@@ -73,12 +73,12 @@ class Finished:
 
     @property
     def first(self) -> tuple[Finding, ...]:
-        """The findings shown first: doubts that are not acknowledged, and important results."""
+        """The findings that are shown first: unacknowledged doubts, and important results."""
         still = (one.finding for one in self.doubts.open)
         return doubts_of([*still, *(one for one in self.findings if one.code in RESULTS)])
 
     def decided(self) -> Finished:
-        """Return the job with undecided limits on axes and circles that have open doubts."""
+        """Return the results with each limit undecided whose axis or circle has an open doubt."""
         doubts = self.doubts
         axes = {
             name: replace(axis, accept=mark_undecided(axis.accept)) if doubts.about(name) else axis
@@ -152,7 +152,7 @@ class Finished:
         ]
 
     def _of_circles(self) -> list[ScopedFinding]:
-        """Return the findings about circles, with the axes that use results of circles."""
+        """Return the findings about circles, each with the axes that circular tests correct."""
         apply = self.measured.job.apply
         taking = {*apply.squareness.values(), *apply.scale}
         if apply.backlash_from == "circle":

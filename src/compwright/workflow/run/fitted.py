@@ -17,7 +17,7 @@ from compwright.workflow.run.wanted import Wanted
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fitted:
-    """The axes with fitted tables, those scaled by circles, and the control with its options."""
+    """The axes with their fitted tables, the scale corrections from circles, and the control."""
 
     control: Control
     works: Mapping[str, AxisWork]
@@ -30,7 +30,7 @@ class Fitted:
 
 
 def fitted(measured: Measured, wanted: Wanted, each: Each = in_turn) -> Fitted:
-    """Return the tables fitted within the control's limits; none if its contents are unknown.
+    """Return the tables fitted within the control's limits; no table if its contents are unknown.
 
     Raises UsageError where an option contradicts the control's files, CapacityError with the faults
     of all axes.

@@ -26,7 +26,7 @@ from compwright.workflow.run.written import Written, tables_of
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Predicted:
-    """Predicted tests of axes and circles. ``findings``: the effect on both axes of a gantry."""
+    """The predicted tests of axes and circles, and findings on gantries with two tables."""
 
     axes: Mapping[str, AxisPrediction]
     circles: Mapping[str, CirclePrediction]
@@ -59,7 +59,7 @@ def predicted(
 
 
 def _gain(test: TestPrediction) -> float:
-    """Return by how much the predicted table reduces the deciding parameter, mm or deg."""
+    """Return by how much (mm or deg) the new table reduces the main parameter, such as A or E."""
     name = judged_parameter(test.before)
     was = None if name is None else test.before.parameters[name]
     if name is None or was is None:
@@ -68,7 +68,7 @@ def _gain(test: TestPrediction) -> float:
 
 
 def after_loading(work: AxisWork, loaded: DecodedState | None) -> Correction:
-    """Return an axis's correction after loading: its table as read back, or the present one."""
+    """Return the correction of an axis after loading: of its new table, or the present one."""
     return (
         work.as_found
         if work.planned.fitted is None

@@ -24,7 +24,7 @@ from compwright.workflow.run.old_tables import with_old_tables
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wanted:
-    """The axes with their errors, circles with their causes, and ``checks`` between the two."""
+    """The axes with their errors, circles with their causes, and circles compared with axes."""
 
     works: Mapping[str, AxisWork]
     circles: tuple[CircleWork, ...]
@@ -74,7 +74,7 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
 
 
 def _not_twice(job: Job, work: AxisWork) -> AxisWork:
-    """Return an axis without a new table if its existing table was made from the same test.
+    """Return an axis, refused a new table if its existing table was made from the same test.
 
     Where tests in two states show what that table did, its shape is no further evidence.
     """

@@ -97,7 +97,7 @@ def written(
 def tables_of(
     works: Mapping[str, AxisWork], scales: Mapping[str, PlannedAxis]
 ) -> list[tuple[Axis, FittedTable]]:
-    """Return every axis that gets a table, first those from positioning tests, then circles."""
+    """Return each axis that gets a table, with its table; those from positioning tests first."""
     planned = (*(work.planned for work in works.values()), *scales.values())
     return [(entry.axis, entry.fitted) for entry in planned if entry.fitted is not None]
 
@@ -105,7 +105,7 @@ def tables_of(
 def _improving(
     works: Mapping[str, AxisWork], loaded: DecodedState, each: Each
 ) -> Mapping[str, AxisWork]:
-    """Return the axes without tables that do not improve their axis, and the reasons."""
+    """Return all axes; a table that does not improve its axis is left out, with the reason."""
     tasks = {
         name: (work, applied_correction(loaded, work.planned.axis))
         for name, work in works.items()

@@ -51,7 +51,7 @@ def judged_loading(
     *,
     read_back: bool,
 ) -> LoadingVerdict:
-    """Return how the table was loaded, by the ``test`` that repeats test number ``place``.
+    """Return the verdict on how the table was loaded, from a ``test`` after loading.
 
     ``observed``, ``posterior``: the tests before and the error estimated from them; ``stored``: the
     contents of the control before, its tables switched on; ``others``: the other axes of the plan;
@@ -124,7 +124,7 @@ def _view(
 
 
 def _motion(planned: PlannedAxis, place: int, targets: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the extra backlash correction that the repeated test's motion causes, for + and -."""
+    """Return the extra backlash, for + and -, that the motion of the repeated test causes."""
     more = with_motion(no_correction, planned.axis, planned.tests[place].backlash_more)
     return more(targets, Direction.POSITIVE), more(targets, Direction.NEGATIVE)
 
@@ -137,7 +137,7 @@ def _error_of(planned: PlannedAxis) -> MeasuredError:
 def _judged_against(
     planned: PlannedAxis, observed: Sequence[ObservedTest], posterior: MeasuredError
 ) -> MeasuredError:
-    """Return the error estimated again with the slopes of all tests relative to the first test.
+    """Return the error estimated again, with the slope of each test counted from the first test.
 
     The difference of slope between the first test and the one after loading is then one number.
     """

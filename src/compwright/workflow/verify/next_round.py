@@ -222,7 +222,7 @@ def _differs(name: str, compared: Mapping[str, Any] | str) -> str:
 
 
 def _looped(found: Verified, well: Sequence[AfterTest]) -> Looped:
-    """Return the results of this round that the next job needs as inputs."""
+    """Return the results of this round that the job of the next round needs as inputs."""
     axes = {test.axis: test for test in well}
     measured = {
         name: files
@@ -250,7 +250,7 @@ def _looped(found: Verified, well: Sequence[AfterTest]) -> Looped:
 
 
 def _active(found: Verified, files: Sequence[ControlFile], axes: Sequence[str]) -> bool | None:
-    """Return True if a test proved tables active that the files leave open, else None."""
+    """Return True if the files do not state whether compensation is active, else None."""
     working = [found.job.axes[name].axis for name in axes]
     try:
         decode(found.control, files, working, asking=True)
@@ -289,7 +289,7 @@ def _squareness(found: Verified, measured: Collection[str], axes: Collection[str
 def _worked(
     session: Session, inputs: Mapping[str, bytes], folder: Path, each: Each
 ) -> tuple[Finished, Mapping[str, bytes], tuple[str, ...]]:
-    """Return the next job after all stages, and the contents of its files."""
+    """Return the results of the next job after all stages of ``run``, its files, and notes."""
     next_session = session.with_pending(folder, inputs)
     job = read_job_file(next_session, folder / JOB)
     finished = run_stages(next_session, job, folder, folder, each=each)
@@ -388,7 +388,7 @@ def known_with_rounds(session: Session, out: Path, known: storage.Known) -> stor
 
 
 def _whole(session: Session, out: Path, inputs: Mapping[str, bytes], format_id: str) -> list[str]:
-    """Return the folders of the next round that may contain only the files it writes."""
+    """Return the folders of the next round in which no files of other origin may remain."""
     earlier = copied_by_record(storage.earlier_bytes(session, out / FOLDER / RECORD))
     folders = {str(PurePosixPath(name).parent) for name in (*inputs, *earlier)}
     sets = {f"{name}/{format_id}" for name in ("tables", "rollback")}

@@ -1,4 +1,4 @@
-"""Write what a good verification on a real machine proves, for the job and the definition.
+"""Write as job and definition keys what a good verification proves about a real machine.
 
 Nothing is written into either.
 """
@@ -26,7 +26,7 @@ _FILL_IN: Final = "fill in"
 def proven_files(
     found: Verified, document: Mapping[str, Any], results: Sequence[Path], loaded: Sequence[Path]
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
-    """Return the files that state what a verification proves, and messages about them.
+    """Return files that state which facts a verification proves, and messages for the user.
 
     No files where a good verification proves nothing about a machine, with the reason. ``results``:
     the folders of the run and of its verification; ``loaded``: files that were read back.

@@ -111,7 +111,7 @@ def verified_axis(
 
 
 def _change(planned: PlannedAxis, as_found: DecodedState, repeated: PlannedTest) -> Correction:
-    """Return how much loading should change the correction in a repetition of the test."""
+    """Return by how much loading changes the correction that is active in the repeated test."""
     active = no_correction if planned.active is None else planned.active.at
     table = (
         None
@@ -173,7 +173,7 @@ def _sentences(control: Control, planned: PlannedAxis) -> Mapping[LoadingName, t
 def _looks(
     loading: LoadingVerdict, sentences: Mapping[LoadingName, tuple[str, ...]], *, read_back: bool
 ) -> list[str]:
-    """Return what to check on the control for a verdict, or for all candidates if undecided.
+    """Return what to check on the control for a verdict, or for all possible verdicts if undecided.
 
     For a loaded table, only the checks that distinguish it from its equivalents; none where the
     values that were ``read_back`` (the plan's) have decided it.

@@ -195,7 +195,7 @@ def _verified(
 
 
 def _loaded(plan: Plan, axes: Sequence[str]) -> list[str]:
-    """Return those axes of a circle whose motion a table of the plan changes."""
+    """Return the axes of a circular test whose motion a loaded table of the plan changes."""
     bent = {cross.output for cross in plan.cross if cross.written and cross.input in axes}
     return [
         name
