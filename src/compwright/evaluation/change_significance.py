@@ -34,7 +34,7 @@ def score_of_ratio(ratio: float, dof: float, dof_below: float) -> float:
 
 
 def two_sided_probability(score: float) -> float:
-    """Return the probability that a standard normal value is as far from zero as ``score``."""
+    """Return the probability that a standard normal value is at least ``score`` away from zero."""
     return math.erfc(abs(score) / math.sqrt(2.0))
 
 
@@ -77,7 +77,7 @@ class Change:
         return two_sided_probability(self.score)
 
     def clear(self, comparisons: int = 1) -> bool:
-        """Return whether the difference is significant as one of ``comparisons`` that were made."""
+        """Return whether the difference is significant, if ``comparisons`` of them were tested."""
         return abs(self.score) > CLEAR and self.chance * comparisons < _OF_ALL
 
 

@@ -93,8 +93,8 @@ def _agreeing(runs: Sequence[_CandidateRun], fewest: int) -> Iterator[set[int]]:
 
 
 def _looked_at(grids: Sequence[_Numbers], fewest: int) -> list[set[bytes]]:
-    """Return for each list of targets the selections of targets at which its runs are compared: one
-    for its own runs, and one for each other list with enough common targets.
+    """Return for each list of targets the sets of targets at which its runs are compared: its own
+    targets, and those that it shares with each other list (at least ``fewest``).
     """
     having: dict[int, list[int]] = defaultdict(list)
     for index, places in enumerate(grids):
@@ -134,7 +134,7 @@ def _places(tests: Sequence[PositioningTest]) -> list[_Numbers]:
 
 
 def _numbered(several: Sequence[FloatArray]) -> list[_Numbers]:
-    """Return `_numbers` of several arrays, with the same number for equal values in all arrays."""
+    """Return a number for each value of several arrays; equal values have the same number."""
     if not several:
         return []
     ends = np.cumsum([values.size for values in several])[:-1]

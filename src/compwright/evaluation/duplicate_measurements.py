@@ -110,7 +110,7 @@ def share_a_run(one: PositioningTest, other: PositioningTest) -> bool:
 
 
 def _always_by_chance(ours: _Blocks, others: _Blocks) -> bool:
-    """Return whether runs over so few targets are likely to agree by chance.
+    """Return whether two tests have so few targets that their runs may agree by chance.
 
     One of m differences is the most frequent, so that p is at least 1/m. Only runs without a
     missing reading count.
@@ -128,7 +128,7 @@ def _always_by_chance(ours: _Blocks, others: _Blocks) -> bool:
 
 
 def _zeros(mine: FloatArray, theirs: FloatArray) -> list[float] | None:
-    """Return the constants by which equal runs of two blocks of readings differ. A run is a column.
+    """Return the constant difference of each pair of runs (columns) that otherwise agree.
 
     None where no two runs can be compared, as in `_gaps`.
     """
@@ -183,7 +183,7 @@ def _in_common(zeros: Sequence[Sequence[float]]) -> bool:
 
 
 def _most_alike(gaps: FloatArray) -> int:
-    """Return the number of equal values among the differences, for the most frequent value."""
+    """Return how often the most frequent value occurs among the differences ``gaps``."""
     ordered = np.sort(gaps)
     beyond = np.searchsorted(ordered, ordered + SAME_READING, side="right")
     return int(np.max(beyond - np.arange(gaps.size)))

@@ -220,7 +220,7 @@ def _index(environment: Environment, at: Mapping[str, FloatArray]) -> FloatArray
 
 
 def _counted(environment: Environment) -> float:
-    """Return the refractive index of air that the instrument itself used for its display."""
+    """Return the refractive index of air with which the instrument computed its readings."""
     air = environment.instrument_air
     if air is None:
         return 1.0
@@ -262,8 +262,7 @@ def _light_finding(
 def _untimed(
     environment: Environment, test: PositioningTest, thermal: Thermal | None
 ) -> Iterator[Finding]:
-    """Yield a finding about variations of the environment that tests without times cannot be
-    corrected for.
+    """Yield a finding if the environment varied, which cannot be corrected for without times.
 
     In µm over the targets; no finding where it is small. ``thermal``: the expansion whose
     temperature is that of the record.
@@ -283,8 +282,7 @@ def _untimed(
 def _changes(
     times: FloatArray, split: int, light: FloatArray, expansion: FloatArray, rest: FloatArray
 ) -> Iterator[Finding]:
-    """Yield a finding about the changes during the test, µm: by air, by expansion, and of the
-    remaining readings.
+    """Yield a finding about changes of readings in the test, µm: by air, by expansion, other.
 
     Each change is the slope of a straight line over time through the readings of each target and
     direction, times the duration. Air and expansion: at the target with the largest change. Others:

@@ -34,8 +34,7 @@ def disagreeing_test(
     names: tuple[str, str],
     unknown: Sequence[float] = (),
 ) -> Finding | None:
-    """Return a doubt (CW-T036) if ``test`` contradicts the error estimated from another test, else
-    None.
+    """Return the finding CW-T036 if ``test`` contradicts the error of another test, else None.
 
     ``expected``, ``std`` (m,) by direction: the error at the targets of ``test`` according to the
     other test, and ``noise`` of one reading of ``test``; mm or deg. ``names``: of the other test,

@@ -65,8 +65,8 @@ class ErrorCurve:
 
 
 def error_curve(parameter: str, entries: Sequence[HistoryEntry]) -> ErrorCurve | None:
-    """Return the average error curve of tests at the same targets. None where the ``parameter``
-    does not follow from the curve, or a test did not record its curve.
+    """Return the average error curve of tests at the same targets. None if the ``parameter`` cannot
+    be computed from such a curve, or if a test did not record its curve.
     """
     along, shapes = np.empty(0), []
     for entry in entries:
@@ -89,8 +89,8 @@ def reached(
     slope: FloatArray | None = None,
     reversal: FloatArray | None = None,
 ) -> Ahead:
-    """Return when a parameter exceeds ``limit``, scatter of single tests excluded. No date where it
-    does not grow.
+    """Return the years (early, median, late) until a parameter exceeds ``limit``, apart from the
+    scatter of single tests. Years are None if it does not grow, or if they are too many.
 
     ``rest``, ``slope``, ``reversal`` (2, n): draws of level now and rate per year; a limit that is
     exceeded is reached now.

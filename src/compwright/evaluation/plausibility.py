@@ -135,9 +135,7 @@ def _small(test: PositioningTest) -> list[Finding]:
 
 
 def _other_unit(test: PositioningTest) -> Finding | None:
-    """Return a finding with the odds if the readings are far more typical in another unit, else
-    None.
-    """
+    """Return the finding CW-T030 if readings are far more typical in another unit, else None."""
     if _positions_measured(test):  # in another unit they would not be near their targets
         return None
     factor, finer, coarser = _CONFUSED[test.kind]

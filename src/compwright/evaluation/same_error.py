@@ -31,7 +31,7 @@ _LENGTH: Final = 0.4
 
 
 def same_error_findings(tests: dict[str, list[PositioningTest]]) -> list[Finding]:
-    """Return a doubt (CW-T037) for each pair of axes that show the same error. ``tests`` are by
+    """Return the finding CW-T037 for each pair of axes that show the same error. ``tests`` are by
     axis name.
     """
     found = []

@@ -93,8 +93,8 @@ def _own_variance(
 
 
 def _populations() -> FloatArray:
-    """Return prior weights (h, t) over the tried variances of the axis' own scatter: a row for each
-    mean level and each spread between targets. The first row means no scatter at all.
+    """Return the prior weights (h, t) of t possible variances of the axis' own scatter. Each row is
+    for one mean level and one spread between targets; the first row means no scatter.
     """
     level = np.log(4.0) * np.arange(_TRIED.size)
     off = level[:, np.newaxis] - level

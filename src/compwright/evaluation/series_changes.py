@@ -163,9 +163,7 @@ class _ComparedTests:
         return np.array([entry.values.get(name, 0.0) for entry in self.entries])
 
     def trend(self, by_curve: FloatArray | None = None) -> Trend | None:
-        """Return the trend of the parameter, minus the values ``by_curve`` that the error curve
-        explains.
-        """
+        """Return the trend of the parameter minus ``by_curve``, explained by the error curve."""
         name = self.parameter
         of_temperature = [_stated(entry, name) for entry in self.entries]
         return trend_of(
@@ -178,7 +176,7 @@ class _ComparedTests:
         )
 
     def noted(self, jumps: Sequence[TrendJump]) -> tuple[NotedJump, ...]:
-        """Return the jumps of a trend with the places of their tests in the whole series."""
+        """Return the jumps of a trend, with the indices of their tests in the whole series."""
         return tuple(
             NotedJump(
                 before=self.places[jump.before],
@@ -277,8 +275,8 @@ def _noted(parameter: str, found: Mapping[str, _Course]) -> NotedTrend:
 
 
 def _stated(entry: HistoryEntry, parameter: str) -> float:
-    """Return the standard uncertainty of a parameter due to temperature. Without a declared value,
-    1 K of a steel axis is assumed.
+    """Return the standard uncertainty of a parameter due to temperature, as declared or else for 1
+    K of a steel axis.
     """
     if entry.kind == "circular" or parameter not in _OF_LENGTH:
         return 0.0
@@ -348,11 +346,11 @@ def _compared(
     parameter: str,
     scatter: tuple[float, float] = (0.0, math.inf),
 ) -> tuple[Change, bool]:
-    """Return the change of a parameter between two tests, and whether its uncertainty includes an
-    assumed slope.
+    """Return the change of a parameter between two tests, and whether a slope is assumed in its
+    uncertainty.
 
-    Because no uncertainty is declared. ``scatter``: its variance from test to test, with degrees of
-    freedom.
+    A slope is assumed if no uncertainty is declared. ``scatter``: variance from test to test, with
+    degrees of freedom.
     """
     before, after = _parameter_value(one, parameter), _parameter_value(other, parameter)
     if parameter == "s":

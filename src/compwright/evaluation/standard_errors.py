@@ -106,9 +106,9 @@ def _scatter(blocks: list[FloatArray]) -> tuple[float, StandardError] | None:
 
 
 def _between_runs(blocks: list[FloatArray]) -> list[float]:
-    """Return the relative variance of s² from differences between traverses, and between runs.
+    """Return the relative variance of s² as seen between traverses, and as seen between runs.
 
-    Needs three of them; each row of n readings loses one degree of freedom to its mean.
+    Each needs three of them; each row of n readings loses one degree of freedom to its mean.
     """
     residuals = [
         block - np.nanmean(block, axis=1, keepdims=True)
@@ -143,9 +143,9 @@ def _dof(cell: FloatArray) -> int:
 
 
 def _ends(blocks: list[FloatArray], coverage: float) -> tuple[FloatArray, FloatArray] | None:
-    """Return the readings at the targets of the highest mean + k s and the lowest mean - k s.
+    """Return the readings at two targets: of the highest mean + k s and of the lowest mean - k s.
 
-    The highest mean + k s and the lowest mean - k s. None without repeated readings.
+    None without repeated readings.
     """
     cells = [row for block in blocks for row in block if _dof(row) > 0]
     if not cells:
@@ -166,9 +166,7 @@ def _difference(one: FloatArray, other: FloatArray, s: float, dof: float) -> tup
 
 
 def _larger(pooled: float, dof: float, by_run: FloatArray) -> tuple[float, float]:
-    """Return the larger variance of a mean, with its degrees of freedom: ``pooled``, or that from
-    the values ``by_run``.
-    """
+    """Return the larger variance of a mean, ``pooled`` or by runs, with its degrees of freedom."""
     found = by_run[np.isfinite(by_run)]
     if found.size > 2:
         shown = float(np.var(found, ddof=1)) / found.size

@@ -374,9 +374,7 @@ def _why(
 def _located(
     test: PositioningTest, columns: TargetColumns, given: Mapping[str, float | None]
 ) -> dict[str, float]:
-    """Return the target at which each parameter has its extreme value, the first if there are
-    several.
-    """
+    """Return the target at which each parameter has its extreme value (the first of equal ones)."""
     sources = {
         "R": columns.repeatability,
         "R_positive": columns.repeatability_positive,
@@ -470,8 +468,8 @@ def _comparison(
     standard: Standard,
     spread: str,
 ) -> Sentence | None:
-    """Return a text such as "A 5.00 µm with it, 4.00 µm without" for the readings that ``other``
-    lacks, or None if s is missing.
+    """Return a text that compares parameters with and without the readings that ``other`` lacks,
+    such as "A 5.00 µm with it, 4.00 µm without". None if s is missing.
     """
     try:
         columns = _columns(other, standard, spread)

@@ -88,7 +88,7 @@ class Trend:
         return abs(self.rate) > self.threshold * self.std_error
 
     def lines(self, random: np.random.Generator, ahead: float = 0.0) -> FloatArray:
-        """Return random draws (2, n) of level, ``ahead`` years after the last test, and rate.
+        """Return random draws (2, n): level at ``ahead`` years after the last test, and rate.
 
         A rate that is not clear is zero.
         """
@@ -180,7 +180,7 @@ class _Tests:
 
 @dataclass(frozen=True, slots=True)
 class _Solution:
-    """A linear model of the trend, solved for each tried standard deviation between tests (s).
+    """A linear model of a trend, solved for each of s possible standard deviations between tests.
 
     Coefficients (s, p), covariance (s, p, p), logarithm of the evidence (s,) and what each further
     jump adds to it (s, n - 1).
@@ -228,8 +228,8 @@ def _further(solution: _Solution, size: float) -> tuple[FloatArray, FloatArray]:
 def _variants(
     tests: _Tests, jumps: Sequence[int], certain: frozenset[int]
 ) -> list[tuple[float, float, _Solution]]:
-    """Return the models with these jumps, each with the prior size of uncertain jumps, its log
-    prior, and its solution.
+    """Return the models with these ``jumps``: for each, the prior size of uncertain jumps, the log
+    prior of the model, and its solution.
     """
     found = []
     free = [place for place in jumps if place not in certain]
@@ -249,7 +249,7 @@ def _variants(
 def _found_jumps(
     tests: _Tests, certain: Sequence[int], start: Sequence[int]
 ) -> tuple[list[int], float]:
-    """Return the jumps whose probability exceeds one half, and the log evidence.
+    """Return the jumps whose probability exceeds one half, and the log evidence with these jumps.
 
     Starting from ``start``, the best change (one jump more or less) is made first.
     """
@@ -410,7 +410,7 @@ def _moved(
     ends: tuple[FloatArray, ...],
     others: Sequence[int],
 ) -> tuple[FloatArray, ...]:
-    """Return the result of `_ends` with one more jump, for each of the ``others`` as the jump."""
+    """Return the values of `_ends` with one more jump, for each of the ``others`` as this jump."""
     functional = _functional(jumps, solution.coefficients.shape[1])
     change = np.array([1.0, 0.0]) - solution.loading[:, others] @ functional
     size = (solution.residual / precision)[:, others]

@@ -209,9 +209,7 @@ def expanded_uncertainties(
 
 
 def _expanded(off: FloatArray) -> float:
-    """Return the half width that contains 95.45 % of the draws ``off``, as ± 2 standard deviations
-    do.
-    """
+    """Return the half width that contains 95.45 % of the draws ``off`` (changes of a parameter)."""
     scores = np.sort(np.abs(_normal_scores(off.size)))
     held = np.interp(COVERAGE, scores, np.arange(off.size)) / (off.size - 1)
     return round(float(np.quantile(np.abs(off), held)), _DIGITS)
