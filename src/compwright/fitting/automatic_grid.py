@@ -85,7 +85,7 @@ def choose_candidate(
 
 
 def _others(capacity: Capacity) -> str:
-    """Return a hint that other axes use up the table points that are missing, or an empty text."""
+    """Return the hint that other axes use the missing table points, or an empty text."""
     if capacity.shared_points is None:
         return ""
     return "; the axes of the control share its points: a wider spacing of other axes leaves more"

@@ -60,8 +60,8 @@ class CurveChain:
 
     @property
     def left(self) -> float:
-        """The second derivative of the objective by the constant (reversal value), if the table
-        values are optimal for each constant.
+        """The second derivative of the objective with respect to the constant (reversal value), if
+        the table values are optimal for each constant.
         """
         return self.stiffness - float(self.coupling @ self.solve(self.coupling))
 
@@ -284,8 +284,8 @@ class LimitMultipliers:
     close: float = 0.0
 
     def force(self, chain: CurveChain) -> FloatArray:
-        """Return A'y (m,), the derivative by the table values of the limits' term in the Lagrange
-        function. It is 0 at fixed values.
+        """Return A'y (m,): how the limits' term of the Lagrange function changes with each table
+        value. It is 0 at fixed values.
         """
         force = self.bound.copy()
         force[1:] += self.climb

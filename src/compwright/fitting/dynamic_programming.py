@@ -105,12 +105,12 @@ def _arrive(
     here: FloatArray,
     targets: FloatArray,
 ) -> tuple[FloatArray, IntArray]:
-    """Return the smallest cost (n, w) for each value at ``node``, and the increment from the point
-    before that gives it.
+    """Return the smallest cost (n, w) of each value at the point ``node``, and the increment from
+    the previous point that leads to it.
 
-    ``window``: first value at the node before, first value here, their number w. With e the
-    deviation from the target here and d the increment, the deviation at the node before is e +
-    target here - target before - d: the coupling term is linear in d.
+    ``window``: first value at the previous point, first value here, their number w. With e the
+    deviation from the target here and d the increment, the deviation at the previous point is e +
+    target here - target there - d: the coupling term is linear in d.
     """
     before, now, count = window
     span = int(chain.span[node - 1])

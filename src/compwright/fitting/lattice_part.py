@@ -114,7 +114,7 @@ class LatticeValues:
 
 
 def continuous_bound(part: LatticePart, relaxation: Relaxation) -> float:
-    """Return the lower bound for real-number values, at the best reversal value."""
+    """Return the lower bound of the objective over real values, at the best reversal value."""
     return float(relaxation.bound(np.array([_best_distance(part, relaxation)]))[0])
 
 

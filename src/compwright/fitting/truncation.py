@@ -53,8 +53,8 @@ def truncation_faults(
 
 
 def range_faults(wanted: WantedCorrection, capacity: Capacity) -> Iterator[Fault]:
-    """Yield a fault if most of ``wanted`` is outside the control's value range, so that no table is
-    worth searching.
+    """Yield a fault if ``wanted`` exceeds the control's value range by far, so that a fit would be
+    useless.
     """
     if capacity.line is not None:
         return

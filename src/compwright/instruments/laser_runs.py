@@ -351,7 +351,9 @@ def _directions(
 
 
 def _other_version(sections: FileSections) -> list[str]:
-    """Return an assumption as text if the file states a version with a possibly other layout."""
+    """Return the assumed layout as text if the file states another version than the known one, else
+    nothing.
+    """
     version = sections.value("HEADER", "Version no")[0]
     if version.startswith(_KNOWN_VERSION) or not version:
         return []

@@ -52,7 +52,7 @@ def proposed_profile(content: bytes, file: str) -> Proposed:
 
 
 def _of_workbook(content: bytes, file: str) -> Proposed:
-    """Return the profile for the first sheet of a workbook with a table that needs one."""
+    """Return the profile for the first sheet of a workbook with a table that is not plain CSV."""
     sheets = sheets_of(content, file)
     plain = ", ".join(sheet.name for sheet in sheets if is_plain_csv(sheet.lines))
     for sheet in sheets:

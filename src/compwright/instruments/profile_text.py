@@ -130,7 +130,9 @@ def _as_written(proposal: Proposal) -> list[str]:
 
 
 def _filled(proposal: Proposal) -> list[tuple[str, Proposal]]:
-    """Return the proposal if complete, or with each of the two signs if only the sign is open."""
+    """Return the proposal if it is complete, or one proposal for each sign if only the sign is
+    unknown. Else the list is empty.
+    """
     if not proposal.why:
         return [("", proposal)]
     if set(proposal.why) != {"sign"}:

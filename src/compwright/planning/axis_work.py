@@ -340,8 +340,8 @@ def _offered(
 
 
 def why_no_gain(work: AxisWork, new: Correction) -> Sentence | None:
-    """Return why the table ``new``, as read back, would not improve the axis enough, or None if it
-    would.
+    """Return the reason why the correction ``new``, read back from the written files, would not
+    improve the axis enough, or None if it would.
 
     It is compared with the present correction of the control and with the gain that the job
     requires. Outlying readings, which no table changes, and traverses that were not made do not

@@ -24,8 +24,8 @@ _UM, _PPM = 1e3, 1e6
 
 @dataclass(frozen=True, slots=True)
 class LaserValues:
-    """Lost motion and scale of an axis over the diameter of a circle, from its positioning test,
-    under the corrections that were active during the circle.
+    """The lost motion and scale error that an axis has over the diameter of a circle, computed from
+    the positioning test of the axis.
     """
 
     lost_motion: ValueWithError
@@ -91,8 +91,8 @@ class CircleChecks:
         self.states = states
 
     def laser(self, work: CircleWork, index: int) -> LaserValues | None:
-        """Return lost motion and scale of one axis of a circle from its positioning test, or None
-        without a positioning test in both directions.
+        """Return the lost motion and scale error of one axis of a circle from its positioning test,
+        or None without a positioning test in both directions.
         """
         axis = self.works.get(work.planned.test.axes[index])
         if axis is None or not axis.results[0].test.bidirectional:

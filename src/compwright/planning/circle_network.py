@@ -50,8 +50,8 @@ Unknown = tuple[str, str]
 
 @dataclass(frozen=True, slots=True)
 class Observation:
-    """One value measured by a circle as an equation: the ``kind`` of value, and the coefficients of
-    the unknown machine errors.
+    """An equation from one circle: a measured value ``found`` is the sum of unknown machine errors
+    times their coefficients.
     """
 
     kind: str
@@ -96,7 +96,9 @@ class CircleNetwork:
         }
 
     def position_loops(self) -> dict[str, ValueWithError]:
-        """Return the lag of the position loop of each axis, ms, where the circles determine it."""
+        """Return the servo lag (time constant of the position loop, ms) of each axis for which the
+        circles determine it.
+        """
         loops = {}
         for name, value in self.values_of("shrinking").items():
             if value.value > SIGNIFICANT * value.std_error:
@@ -202,7 +204,7 @@ def _mean_scale(
 
 
 def network_findings(circles: Sequence[CircleWork]) -> Iterator[Finding]:
-    """Yield the common machine errors of circles in one state of the control, and contradictions.
+    """Yield the findings about the machine errors from circles in the same state of the control.
 
     What ``run`` says of the squareness of a plane is in `planning.cross`.
     """
@@ -216,7 +218,9 @@ def network_findings(circles: Sequence[CircleWork]) -> Iterator[Finding]:
 
 
 def machine_findings(network: CircleNetwork) -> Iterator[Finding]:
-    """Yield the machine errors from all circles, and contradictions other than of squareness."""
+    """Yield a finding with the machine errors from all circles, and one for each contradiction
+    other than of squareness.
+    """
     circles, machine = list(network.circles), list(_machine(network))
     yield Finding.of("CW-P135", "info", circles=circles, machine=machine)
     for (kind, _), seen in network.contradictions.items():

@@ -66,8 +66,8 @@ def effect_of(result: CircularResult, name: str) -> CircularEffect | None:
 
 
 def as_shown_at_feed(effect: CircularEffect) -> CircularEffect:
-    """Return a scale error or mismatch as measured at the feed of the circle, with the effect of
-    servo lag left in.
+    """Return a scale error or mismatch as measured at the feed of the circle: with the effect of
+    servo lag, which the diagnosis subtracts.
 
     The standard error is that of the fit alone.
     """

@@ -87,8 +87,8 @@ def select_consistent(
     axis: Axis,
     active: AxisCompensation | None,
 ) -> tuple[tuple[PlannedTest, ...], MeasuredError, tuple[Finding, ...]]:
-    """Return the tests with contradicting ones marked as unused, the error estimated from the
-    others, and the doubts.
+    """Return the tests, those that contradict the first one marked as unused; the error estimated
+    from the tests in use; and the doubts.
 
     ``observed``: the same tests with the active correction subtracted; ``active``: the correction
     during the first.

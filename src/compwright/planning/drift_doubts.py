@@ -66,8 +66,8 @@ def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
 
 
 def drift_of_one_test(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Finding]:
-    """Yield the finding CW-P165 if a second test is needed to show whether the drift of the first
-    one repeats.
+    """Yield the finding CW-P165 if only a second test can show whether the drift of the first test
+    is repeated.
     """
     noise, name = fresh.draws.noise, judged_parameter(work.results[0])
     certain = float(np.mean(noise.drift != 0.0)) >= _CERTAIN

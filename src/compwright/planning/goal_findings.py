@@ -23,10 +23,10 @@ _REPORTED: Final = (
 
 
 def goal_findings(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Finding]:
-    """Yield the finding CW-P152: A, E and M of simulated tests with the table ``new`` and with the
-    alternative that was rejected.
+    """Yield the finding CW-P152: A, E and M of simulated tests with the table ``new``, and with the
+    other fitted table, which was not used.
 
-    ``fresh`` tests at new targets. Only where the job has another goal than the least
+    ``fresh``: simulated tests at new targets. Only if the job has a goal other than the least
     expected square.
     """
     planned, goal = work.planned, work.entry.table.goal

@@ -1,8 +1,7 @@
-"""Separate table for a short period that the points of the main table cannot hold, if the control
-has a repeating table.
+"""A second table, repeated over the axis, for a period too short for the points of the main table.
 
-The sections of the period take whole increments whose sum is zero; their aim is the residual of the
-main table, folded over the period.
+The second table has whole increments whose sum over a period is zero. Its values approximate the
+error that the main table leaves, averaged over all periods.
 """
 
 from __future__ import annotations

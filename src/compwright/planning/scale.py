@@ -230,8 +230,8 @@ def _two_feeds(
 
 
 def _seen(work: CircleWork, name: str) -> ValueWithError | None:
-    """Return the scale error as measured at the feed of a circle, with servo lag left in, and the
-    standard error of the fit alone.
+    """Return the scale error as measured at the feed of a circle, with the effect of servo lag and
+    the standard error of the fit alone, or None if it is unknown.
     """
     effect = effect_of(work.result, f"scale_error_{ENDS[_index(work, name)]}")
     if effect is None:
@@ -249,7 +249,9 @@ def _index(work: CircleWork, name: str) -> int:
 def _now(
     stated: ValueWithError, work: CircleWork, name: str, checks: CircleChecks
 ) -> ValueWithError:
-    """Return a scale error from a circle, converted to the present corrections."""
+    """Return the scale error of an axis from a circle, converted from the corrections during the
+    circle to the present ones.
+    """
     radius, middle = work.planned.test.nominal_radius, work.planned.centre[_index(work, name)]
     during = checks.states.get(work.planned.measured_in, NO_CORRECTIONS)
     now = checks.states.get(AS_FOUND, NO_CORRECTIONS)

@@ -84,8 +84,8 @@ def fit_keeping_grid(
     request: TableRequest,
     axis: Axis,
 ) -> FittedTable:
-    """Return the result of ``fit`` on the existing table points, or on new points with a warning if
-    these are not suitable.
+    """Return the result of ``fit`` on the existing table points. If no table on these points is
+    possible, use new points and add a warning.
 
     Raises CapacityError as ``fit`` does, for the new grid where there is one.
     """
@@ -120,8 +120,8 @@ def free_grid_table(
     table: FittedTable,
     axis: Axis,
 ) -> FittedTable | None:
-    """Return a table on freely chosen points if ``table`` loses too much on the existing points,
-    else None.
+    """Return a table on freely chosen points if the existing points of ``table`` leave too large an
+    interpolation error, else None.
     """
     held = table.compensation
     own = without_kept_tables(wanted, held.others)

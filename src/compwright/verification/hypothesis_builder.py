@@ -64,7 +64,7 @@ class HypothesisBuilder:
     def made(
         self, name: LoadingName, change: Curve, weight: float, detail: str = "", **more: Any
     ) -> Hypothesis:
-        """Return the hypothesis ``name`` with a ``change`` of the correction (2, m). ``more``:
+        """Return the hypothesis ``name`` with a ``change`` of the correction (2, m), and with
         further fields of the record.
         """
         return Hypothesis(

@@ -221,10 +221,10 @@ def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
 
 
 def proof_findings(after: PositioningTest, first: PositioningTest) -> list[Finding]:
-    """Return the findings that make the test after loading a weak proof: missing targets (CW-V020),
-    or implausible noise (CW-V021).
+    """Return the findings that the test after loading proves little: missing targets (CW-V020), or
+    implausible noise (CW-V021).
 
-    Relative to the ``first`` test.
+    Both are relative to the ``first`` test.
     """
     return [*_coverage(after, first), *_noise(after, first)]
 
