@@ -47,7 +47,7 @@ class CardStep:
 def card_steps(
     definition: Definition, axis: Axis, values: Mapping[str, str]
 ) -> tuple[CardStep, ...]:
-    """Return the steps for one axis; see `card_steps_of_all`."""
+    """Return the commissioning card's steps for one axis; see `card_steps_of_all`."""
     return card_steps_of_all(definition, [(axis, values)])
 
 
@@ -56,7 +56,7 @@ def card_steps_of_all(
     axes: Sequence[tuple[Axis, Mapping[str, str]]],
     rules: Sequence[CardRule] | None = None,
 ) -> tuple[CardStep, ...]:
-    """Return the card's steps for several axes, in the order of the definition's ``rules``.
+    """Return the commissioning card's steps for several axes, in the order of the card rules.
 
     The values of each axis fill the fields of the text (see `AxisCard`); a missing one reads "(not
     known)"; a step without any text is left out. A text that is the same for all axes is printed
@@ -85,7 +85,7 @@ def card_steps_of_all(
 def _for_all(
     forms: Sequence[str], known: Sequence[Mapping[str, str]]
 ) -> tuple[str, tuple[str, ...], tuple[tuple[str, ...], ...]]:
-    """Return a card step's text for all axes, with a table of the values that differ."""
+    """Return a card step's text for all axes; for values that differ, column heads and rows."""
     filled = [
         {name: of.get(name, UNKNOWN) for name in field_names(form)}
         for form, of in zip(forms, known, strict=True)
@@ -165,7 +165,7 @@ def gantry_words(axis: Axis) -> str:
 
 
 def _used(form: str, values: Mapping[str, str]) -> dict[str, str]:
-    """Return those of the values that appear as ``{name}`` fields in the text ``form``."""
+    """Return the values that the text ``form`` uses as ``{name}`` fields."""
     return {name: values[name] for name in field_names(form)}
 
 
@@ -187,7 +187,7 @@ def points_needed(control: ResolvedDefinition, table: AxisCompensation) -> int |
 def look_at(
     control: Family, axis: Axis, compensation: AxisCompensation
 ) -> Mapping[LoadingName, tuple[str, ...]]:
-    """Return for each verdict on the loading what the user has to check at the control.
+    """Return by verdict (how the table was loaded) what the user has to check at the control.
 
     ``compensation``: the table that was to be loaded, which decides between texts for one and for
     two curves. A sentence that no manual confirms says so. ``loaded``: the check that the planned

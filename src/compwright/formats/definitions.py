@@ -78,7 +78,7 @@ def definition_in(text: DefinitionText, own: Texts = ()) -> Definition:
 
 
 def definitions_from(files: Iterable[tuple[str, bytes]]) -> dict[str, Definition]:
-    """Return the definitions in ``files`` (name, bytes) by id, without those that are only a base.
+    """Return the definitions in ``files`` (name, bytes) by id, except files made to be extended.
 
     Raises InputError with the faults of all files, and when two files give the same id.
     """

@@ -1,4 +1,4 @@
-"""Check a definition: its sample can be read, its hand-worked examples and its limits hold.
+"""Check a definition: read its sample, compare its hand-worked examples, and try its limits.
 
 Written files are read back, and the writer refuses a table beyond each limit.
 """
@@ -71,8 +71,8 @@ def disagreements(
 ) -> Iterator[Fault]:
     """Yield a fault for each hand-worked correction that differs from the computed ``correction``.
 
-    ``correction``: mm or deg, at positions approached in a direction. ``says``: the sentence, {}
-    its place.
+    ``correction``: mm or deg, at positions approached in a direction. ``says``: the message, with
+    {} in place of position and direction.
     """
     expectation = definition.expect[index]
     for row, direction, expected, found in _worked_by_hand(expectation, correction):

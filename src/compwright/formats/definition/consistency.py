@@ -66,7 +66,7 @@ _ID = re.compile(r"(?!(?:con|prn|aux|nul|com\d|lpt\d)$)[a-z0-9][a-z0-9_-]{0,63}"
 
 
 def curves(definition: Definition) -> tuple[str, ...]:
-    """Return the names of the table's value columns: one, or one for + and one for - approaches."""
+    """Return the quantities of a table's values: one, or one each for + and - approach."""
     return (
         ("value",) if definition.layout.pairing == "none" else ("value_positive", "value_negative")
     )

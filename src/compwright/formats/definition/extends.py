@@ -100,7 +100,7 @@ def texts_of(content: bytes, file: str, find: Find) -> Texts:
 
 
 def merged(texts: Texts) -> DefinitionText:
-    """Merge a definition with those it extends. Raises InputError for faults in ``without``."""
+    """Merge a definition with those it extends. A wrong removal (``without``) raises InputError."""
     return reduce(_over, [_text(*each) for each in reversed(texts)])
 
 

@@ -1,4 +1,4 @@
-"""Schemas of YAML forms of a definition that differ from the fields of its records."""
+"""Schemas of the parts of a definition whose YAML differs from the fields of their records."""
 
 from __future__ import annotations
 
@@ -56,12 +56,12 @@ _PLAIN: Final[Mapping[Any, cs.CoreSchema]] = {
 
 
 def _word(*words: str, gives: Callable[[str], Any] = str) -> cs.CoreSchema:
-    """Return the schema of a word that must be in ``words``; ``gives`` converts it to its value."""
+    """Return the schema of a text that is one of ``words``; ``gives`` converts it to its value."""
     return cs.no_info_after_validator_function(gives, cs.literal_schema(list(words)))
 
 
 def _or_mapping(other: Any, whole: Any) -> cs.CoreSchema:
-    """Return a schema that accepts a mapping (by ``whole``) or another value (by ``other``)."""
+    """Return a schema that checks a mapping by ``whole``, and any other value by ``other``."""
     return cs.tagged_union_schema(
         {"a mapping": whole, "no mapping": other},
         lambda value: "a mapping" if isinstance(value, dict) else "no mapping",
@@ -100,7 +100,7 @@ def _range(bounds: Any) -> tuple[float, float]:
 
 
 def _sign() -> cs.CoreSchema:
-    """Return the schema of a sign: a word such as "correction", an option, or a word per choice."""
+    """Return the schema of a sign: a word, an option's name, or a word per value of a choice."""
     sign = cs.literal_schema(list(get_args(Sign)))
     by_choice = cs.dict_schema(
         cs.any_schema(), cs.dict_schema(values_schema=sign, strict=True), strict=True
@@ -132,7 +132,7 @@ def _sign() -> cs.CoreSchema:
 
 
 def _by_curves() -> cs.CoreSchema:
-    """Return the schema of a text, or of two: for one table, and for one table per direction."""
+    """Return the schema of one text, or of two: for a single table, and for one per direction."""
     both = {"one_curve": _TEXT, "two_curves": _TEXT}
     same = cs.no_info_after_validator_function(lambda text: (text, text), _TEXT)
     return _or_mapping(same, mapping(both, lambda texts: tuple(texts[name] for name in both)))
@@ -162,9 +162,7 @@ def _at_least_three(points: tuple[Expected, ...]) -> tuple[Expected, ...]:
 
 
 def _with_sample(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Replace the word ``sample`` in the expected corrections by the files of the definition's
-    sample.
-    """
+    """Replace the word ``sample`` in hand-worked examples by the definition's sample files."""
     files = values["sample_files"]
     expect = (
         replace(one, files=files) if one.files == _SAMPLE else one for one in values["expect"]

@@ -19,7 +19,7 @@ _T = TypeVar("_T")
 
 
 class Required(dict[str, _T]):
-    """A definition's section; looking up a missing entry raises InputError with its key path."""
+    """A section of a definition; looking up an entry that it lacks raises InputError."""
 
     def __init__(
         self,
@@ -112,7 +112,7 @@ def axis_options(
     *,
     unit_needed: bool = True,
 ) -> Mapping[str, object]:
-    """Return the options of one axis: those of the controller, overridden by those of the axis.
+    """Return the options of one axis: its own, and the controller's where it has none of its own.
 
     ``axis`` None: an axis without a job. ``unit_needed``: False while files that may hold a
     required value are not read yet. Raises UsageError with every fault: unknown option, wrong

@@ -62,9 +62,7 @@ class OptionValue:
 
 @dataclass(frozen=True, slots=True)
 class Addresses:
-    """How the control names its axes. ``letters``: axis letters whose index is the assumed axis
-    number.
-    """
+    """How the control names its axes. ``letters``: axis letters by assumed axis number, from 0."""
 
     type: AddressType
     case: Case
@@ -182,12 +180,12 @@ class Choice(Binding):
     writes: str | OptionValue
 
     def written(self, options: Mapping[str, object]) -> str:
-        """Return the text to write when these options are set."""
+        """Return the text to write for this choice: fixed, or the value of an option."""
         writes = self.writes
         return str(options[writes.option]) if isinstance(writes, OptionValue) else writes
 
     def text(self, word: str) -> str:
-        """Return the word in the control's files for a value given by its general name."""
+        """Return the text in the control's files for a meaning, such as "1" for "yes"."""
         return next(text for text, meant in self.values.items() if meant == word)
 
 
@@ -231,7 +229,7 @@ class BetweenAxes:
 
 @dataclass(frozen=True, slots=True)
 class DiameterRule:
-    """Whether tables of an axis programmed in diameter count in radius; the card's text for it.
+    """Whether tables of an axis programmed in diameter are in radius, and the card's text on it.
 
     ``tables``: they count in radius whatever programs count in, or this is unknown. ``card``: the
     card's text for such an axis (``{name}``).
@@ -244,7 +242,7 @@ class DiameterRule:
 
 @dataclass(frozen=True, slots=True)
 class ParameterRule:
-    """The meaning on this control of a parameter that its family reads in addition to the table."""
+    """Whether a parameter that the family of controls reads has its usual meaning on this one."""
 
     here: Here
     evidence: EvidenceNote
@@ -386,7 +384,7 @@ class Definition:
 
     @property
     def carried(self) -> Texts:
-        """The YAML texts of a user's own definition, by file name without folder, for a plan."""
+        """The YAML texts of a user's own definition, by file name without folder, for its plan."""
         return tuple((PurePath(name).name, text) for name, text in self.own)
 
     @property
@@ -396,7 +394,7 @@ class Definition:
 
     @property
     def worked_for(self) -> str:
-        """The file from which a definition inherits its hand-worked example; empty if none."""
+        """The file from which the hand-worked example is inherited; empty for an own example."""
         file, _ = self.text.places["expect",]
         return "" if file == self.text.file else PurePath(file).name
 

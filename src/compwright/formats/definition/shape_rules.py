@@ -1,4 +1,4 @@
-"""The rules that a definition must follow, by the shape of its tables, and lines without names."""
+"""The rules for definitions by the shape of their tables, and the lines that `redact` may keep."""
 
 from __future__ import annotations
 
@@ -31,9 +31,7 @@ class KeptLines:
         return _compiled(self.whole).fullmatch(line) is not None
 
     def holds_names(self, line: str) -> bool:
-        """Return whether a line contains only numbers and marks apart from names, which have to be
-        removed.
-        """
+        """Return whether a line contains nothing but numbers, marks, and names to be removed."""
         return _compiled((self.naming,)).fullmatch(line) is not None
 
     def begins(self, content: bytes) -> bool:

@@ -1,1 +1,1 @@
-"""The shapes of compensation tables: a folder for each family of controls, one interface."""
+"""Families of controls by the shape of their tables: a folder for each, one common interface."""

@@ -1,8 +1,8 @@
-"""Decide whether tables were active during a test if the files deactivate or do not mention them.
+"""Decide whether tables were active during a test, where the control's files leave it open.
 
-The job's answer (`active`) holds only for what the files leave open. A table that the files end
-with switched on was active. A cross-axis table that they switch off was not active if the
-leadscrew table of its axis was on: one answer never covers two mechanisms.
+The job's answer (`active`) holds only for what the files leave open. A table was active
+if the last value in the files activates it. A cross-axis table that they deactivate was not
+active if the leadscrew table of its axis was: one answer never covers two mechanisms.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ IDLE_TEST: Final = (
 
 @dataclass(frozen=True, slots=True)
 class Activity:
-    """What the job states on whether the tables were active (``stated``; None: it states nothing).
+    """The job's statement whether the tables were active (``stated``; None: the job has none).
 
     ``asking``: the answer is required, because measurements depend on it. ``carried_out``: all
     values of programs count, by the answer or because it was checked before.
@@ -37,10 +37,9 @@ class Activity:
     def was_active(
         self, label: str, switches: str, word: str | None, place: FoundValue | None, notes: Notes
     ) -> bool | None:
-        """Return whether a table with values other than zero was active during the test; None if
-        unknown.
+        """Return whether a table with values other than zero was active during the test, or None.
 
-        Neither the files nor the job state it, and the answer is not required.
+        None: neither the files nor the job state it, and the answer is not required.
 
         ``word``: the last value of ``switches`` in the files (``yes``, ``no``, None: not in them),
         at ``place``.

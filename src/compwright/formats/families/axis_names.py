@@ -22,7 +22,7 @@ _PLACE = re.compile(r"AX([0-9]{1,2})")
 def axis_names(
     definition: Definition, texts: Iterable[ReadText], wanted: Sequence[str] = ()
 ) -> AxisNames:
-    """Return the names that the files give to the same machine axis, such as AX1, X1 and X.
+    """Return the names of each machine axis in the files, such as AX1, X1 and X for one axis.
 
     ``wanted``: the addresses in a job or on the command line.
 

@@ -109,9 +109,9 @@ def table_values(
 
 
 def sign_check(compensation: AxisCompensation, where: FloatArray) -> dict[str, str]:
-    """Return two of the positions ``where``: the table changes the distance between them most.
+    """Return the card's values for a sign check: the two positions whose distance changes most.
 
-    The table changes their distance most.
+    ``where``: the positions from which the two are chosen.
     """
     if compensation.positions.size < 2:
         return {}
@@ -160,7 +160,7 @@ def and_joined(names: Sequence[str]) -> str:
 
 
 def _new_names(control: ResolvedDefinition, axis: Axis) -> set[str]:
-    """Return every file name that the definition gives to the axes of the job and of the files."""
+    """Return every name that the definition gives to files of this axis or of axes in the files."""
     return {
         name
         for address in (control.address(axis)[0], *control.state.axes)

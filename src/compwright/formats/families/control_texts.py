@@ -1,4 +1,4 @@
-"""The texts of a control's files, archives unpacked; values of separate files replace theirs."""
+"""The texts of a control's files: archives unpacked, their values replaced by separate files."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ def _texts_of(
 def under_new_entries(
     definition: Definition, own: Sequence[ControlFile], new: Sequence[ControlFile]
 ) -> tuple[ControlFile, ...]:
-    """Return the ``own`` files with blanks in place of lines whose values ``new`` files state.
+    """Return the ``own`` files with those lines blanked out whose values ``new`` files replace.
 
     Unchanged where a file is unreadable: its reader reports it.
     """
@@ -176,7 +176,7 @@ def _without_unknown(
 
 
 class _Over:
-    """Values in separate files, which replace the same values in an archive."""
+    """Blanks out the values in an archive that separate files replace."""
 
     def __init__(self, definition: Definition, names: AxisNames, texts: Iterable[ReadText]) -> None:
         self.definition = definition

@@ -45,8 +45,7 @@ def tables_with_axes(
     compensations: Sequence[AxisCompensation],
     axes: Sequence[tuple[str, Axis]],
 ) -> list[AxisTable]:
-    """Return each table as (address in the files, axis of the job, table), in the order of the
-    tables.
+    """Return (address in the files, axis of the job, table) for each table, in given order.
 
     Raises UsageError for every table without an axis, and for two of one axis.
     """
@@ -149,7 +148,7 @@ class Listing:
 
 
 class Family(ResolvedDefinition, ABC):
-    """Interface of all controls: reads, limits and writes the compensation, and fills the card."""
+    """Interface of all families of controls: read, check and write tables, and fill the card."""
 
     listing: ClassVar[Listing] = Listing()
     #: The number without which tables cannot be read, where their control has one.
@@ -192,7 +191,7 @@ class Family(ResolvedDefinition, ABC):
 
     @abstractmethod
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """Return the limits of one axis' table, such as its number of points, lengths in mm or deg.
+        """Return the limits of an axis' table, such as point count and spacing, in mm or deg.
 
         ``one_curve``: the job requires one table and a backlash value, even if the control could
         hold a pair. Options answered by the control's own files count. Raises UsageError for an
@@ -259,7 +258,7 @@ def in_patched_files(
     axes: Sequence[Axis],
     files: Sequence[ControlFile],
 ) -> F:
-    """Return a copy of the control with the limits that are stated in the ``files`` to be changed.
+    """Return a copy of the control that knows the contents of the ``files`` to be changed.
 
     Raises UsageError for a table without an axis, InputError for the files.
     """
@@ -322,7 +321,7 @@ def check_tables(
 def _broken(
     control: Family, axis: Axis, compensation: AxisCompensation, own_limits: OwnLimits
 ) -> tuple[Fault, ...]:
-    """Return a fault for each limit of the control that a compensation breaks, rounding left out.
+    """Return a fault for each limit of the control that the table of an axis breaks.
 
     Each names the limit, the excess and what would help.
     """

@@ -65,9 +65,7 @@ def size(
 
 
 def curves(capacity: Capacity, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Return a fault if the control cannot store a table per direction or a backlash that is
-    needed.
-    """
+    """Return a fault if a table needs two curves, or a backlash, that the control cannot store."""
     faults = []
     if capacity.curves == 1 and not np.array_equal(compensation.positive, compensation.negative):
         faults.append(
@@ -174,7 +172,7 @@ def spacing(capacity: Capacity, compensation: AxisCompensation, label: str) -> I
 
 
 def ends(definition: Definition, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Return a fault for each end beyond which the control's table continues unlike the plan's."""
+    """Return a fault for each end beyond which the control continues the table unlike planned."""
     faults: list[Fault] = []
     if not compensation.positions.size:
         return faults

@@ -33,7 +33,7 @@ class ResolvedDefinition:
         self.options = resolve_options(definition, given, state, strict=strict)
 
     def in_state(self, state: ControlState | None, *, strict: bool = False) -> Self:
-        """Return the control with the options that are answered by its own files.
+        """Return the control with its options completed from its own files (``state``).
 
         ``strict``: every option was given by the user, not by default. Raises UsageError where a
         given option contradicts the files.

@@ -101,9 +101,7 @@ class AxisNames:
         return self.requested.get(place, place)
 
     def known(self, name: str) -> bool:
-        """Return whether a name belongs to a machine axis; true for any name if the files list
-        none.
-        """
+        """Return whether a name is that of a machine axis; True for any if no file lists axes."""
         return not self.places or name in self.places or self._is_place(name)
 
     def forms(self, address: str) -> set[str]:
@@ -116,10 +114,9 @@ class AxisNames:
         }
 
     def unplaced(self, address: str, spoken_of: Iterable[str]) -> list[str]:
-        """Return those of the names ``spoken_of`` that may mean the axis, because no list decides
-        it.
+        """Return which of the names ``spoken_of`` may mean the axis: the files do not assign them.
 
-        The files give one as a place without a name, the other as names without a place.
+        The files give an axis index (AX1) without a name, or names without an index.
         """
         place = self.places.get(address, address)
         named = {one for name, one in self.places.items() if not self._is_place(name)}

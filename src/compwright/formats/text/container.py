@@ -112,9 +112,7 @@ def unknown_container(content: bytes) -> str:
 
 @lru_cache(maxsize=_KEPT)
 def programs_setting(file: ControlFile, words: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the programs in an archive that set a variable whose name contains one of
-    ``words``.
-    """
+    """Return the archived programs that set a variable with one of ``words`` in its name."""
     container = opened(file)[0] if words else None
     named = "|".join(map(re.escape, words))
     sets = re.compile(rf"^[^;\n]*(?:{named})[^;=\n]*=(?!=)".encode(), re.IGNORECASE | re.MULTILINE)

@@ -1,6 +1,4 @@
-"""Compare two sets of control files, entry by entry: old value, new value, number of unchanged
-lines.
-"""
+"""Compare two sets of control files: each changed entry, and the number of unchanged lines."""
 
 from __future__ import annotations
 
@@ -54,7 +52,7 @@ class FileDiff:
 
 @dataclass(frozen=True, slots=True)
 class DiffEntry:
-    """One value of a statement, as text, with its axis.
+    """One value in the control's files, as text, with its axis, for comparing two sets of files.
 
     ``label`` returns the control's text up to the value; a function, because few labels of a whole
     backup are needed.

@@ -83,9 +83,7 @@ class Gathered:
         )
 
     def found(self, quantity: str, address: str, system: str | None) -> list[FoundValue]:
-        """Return the values of a quantity: of the measuring system, else the axis, else the
-        machine.
-        """
+        """Return a quantity's values: of the measuring system, else the axis, else machine-wide."""
         for key in ((address, system), (address, None), (None, None)):
             places = self.singles.get(key, {}).get(quantity)
             if places:

@@ -58,13 +58,13 @@ class Notes:
             self.assume(note.fact, note.value, note.evidence)
 
     def ask_contradicted(self) -> None:
-        """Ask about each answer of the job that the files contradict, if no table needs one."""
+        """Ask about the job's answer if the files contradict it and no table depends on it."""
         if not self.open_answers:
             for fault in self.contradictions:
                 self.ask(fault)
 
     def ask(self, question: Fault) -> None:
-        """Add a question, if it is not there yet."""
+        """Add a question for the user, unless it is in the list already."""
         if question not in self.questions:
             self.questions.append(question)
 

@@ -39,9 +39,9 @@ class TablePlaces:
 
 
 class OwnFiles(Patches):
-    """The changes to a control's own files, by quantity.
+    """Records the changes of values in a control's own files.
 
-    ``gathered``: the contents of the files.
+    ``gathered``: the values in the files.
     """
 
     def __init__(

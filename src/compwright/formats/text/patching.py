@@ -27,7 +27,7 @@ class BytesChange:
 
 @dataclass(frozen=True, slots=True)
 class BytesPlace:
-    """The bytes of a line: its text from ``start`` to ``end``, the next line from ``next`` on."""
+    """The byte range of a line, from ``start`` to ``end``; the next line begins at ``next``."""
 
     start: int
     end: int
@@ -79,7 +79,7 @@ class Patches:
         self._inserted: dict[int, list[BytesChange]] = {}
 
     def replace(self, number: int, *changes: BytesChange) -> None:
-        """Replace bytes in the file with the index ``number``."""
+        """Record the replacement of bytes in one file, given by its index ``number``."""
         replaced = self._replaced.setdefault(number, {})
         replaced.update({(change.start, change.end): change for change in changes})
 

@@ -201,7 +201,7 @@ def _path(text: str) -> tuple[str, str, str]:
 
 
 def same_statements(old: ReadText, new: ReadText, renamed: dict[str, str]) -> bool:
-    """Return whether two texts have the same statements in the same order, apart from new names."""
+    """Return whether two texts have the same statements in order, if names are ``renamed``."""
     return _comparable(old, renamed) == _comparable(new, {})
 
 

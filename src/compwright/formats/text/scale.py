@@ -74,7 +74,7 @@ class NumberScale:
         return (-high, -low) if self.sign(quantity) == "error" else (low, high)
 
     def sign(self, quantity: str) -> Sign:
-        """Return what a number in the text means, such as a correction or an error."""
+        """Return what the numbers of a quantity mean, such as a correction or a position."""
         binding = self.definition.measure(quantity)
         if binding.sign_option is not None:
             return cast("Sign", self.options[binding.sign_option])

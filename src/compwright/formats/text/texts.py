@@ -117,7 +117,7 @@ class TextReader:
         self.concerning = {kind.name: self._concerning(kind) for kind in definition.texts.values()}
 
     def of(self, kind: TextKind) -> list[Matcher]:
-        """Return the compiled statements of a kind of file, without the one for section headers."""
+        """Return the compiled statements of one kind of file, except that for section headers."""
         return [
             m
             for m in self.matchers.values()
@@ -316,7 +316,7 @@ class _KindReader:
         return matcher.section is None or matcher.section.fullmatch(self.section) is not None
 
     def _ours(self, piece: str) -> bool:
-        """Return whether a piece of a line would be a valid statement if it stood alone."""
+        """Return whether a part of a line would be a valid statement on a line of its own."""
         return line_number(piece) in self.kind.claims_at_start or any(
             form.fullmatch(piece) for matcher in self.matchers for form in matcher.forms
         )

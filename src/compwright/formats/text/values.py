@@ -40,12 +40,12 @@ class Values:
     def one(
         self, quantity: str, places: Sequence[FoundValue], *, quiet: bool = False
     ) -> FoundValue | None:
-        """Return the line whose value of a quantity is in effect; different files must agree.
+        """Return the line with the value of a quantity that is in effect; files must agree on it.
 
         Within a file the first, the last, or any if all have to be the same, as the binding states.
 
-        None if there is none, and if they contradict, which is a fault at file and line of the
-        second. Unless ``quiet``, repetitions are noted.
+        None if there is none, or if values contradict each other, which is a fault at file and
+        line of the second. Unless ``quiet``, repetitions are noted.
         """
         if len(places) < 2:
             return places[0] if places else None
@@ -82,7 +82,7 @@ class Values:
         return same_value(one, other)
 
     def word(self, quantity: str, found: FoundValue | None) -> str | None:
-        """Return the meaning of a choice in the files, such as "no"; None if no file states it.
+        """Return the meaning, such as "no", of a choice's value in the files; None if not known.
 
         A text that the definition does not know is a fault at its line.
         """

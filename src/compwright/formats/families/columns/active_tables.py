@@ -16,7 +16,7 @@ from compwright.records.axis import Axis
 def activate(
     sources: Sources, tables: Sequence[UserTable], axes: Sequence[Axis], faults: list[Fault]
 ) -> None:
-    """Enter each active table in ``sources`` under the axis whose motion it follows.
+    """Enter each active table in ``sources``, by the axis whose motion it follows.
 
     The active line of the .CMA file states it, or the names of the tables if there is no such file.
     """

@@ -1,4 +1,4 @@
-"""Read one axis: its entry sheet, its parameters, and its column in the table by its position."""
+"""Read the compensation of one axis from its entry sheet, its parameters and its table column."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from compwright.words.sentences import control_text
 
 
 class ColumnAxisReader:
-    """Reads an axis: its entry sheet, parameters, and column in the table by its own position."""
+    """Reads an axis: entry sheet, parameters, and the column that corrects it by its position."""
 
     def __init__(
         self, values: TableValues, address: str, wanted: Sequence[str], activity: Activity
@@ -328,9 +328,9 @@ class ColumnAxisReader:
         return self.parameters.name("enabled") if known else "the active line of the .CMA"
 
     def _answer(self, word: str | None, found: FoundValue | None) -> bool:
-        """Return whether the table is active by the value ``word`` in the files, else by the job.
+        """Return whether the table is active: by the parameter's value ``word``, else by the job.
 
-        The assumption is listed if neither states it.
+        If neither states it, the table is assumed to be active.
         """
         place = found if found is not None and found.occurrence.tokens else None
         active = self.activity.was_active(self.label, self._switch, word, place, self.notes)
@@ -340,7 +340,7 @@ class ColumnAxisReader:
         return active is not False
 
     def _column_elsewhere(self) -> bool:
-        """Return whether a table by another axis' position has a column that corrects this axis."""
+        """Return whether a table that follows another axis has a column that corrects this axis."""
         column = self.sources.column_of(self.address)
         return any(
             moving != self.address and table.column(column) is not None
@@ -348,7 +348,7 @@ class ColumnAxisReader:
         )
 
     def _other_columns_active(self) -> bool:
-        """Return whether a table by another axis' position corrects this axis (values not zero)."""
+        """Return whether this axis is wanted and a table that follows another axis corrects it."""
         column = self.sources.column_of(self.address)
         cells = [
             row.cells[column].text

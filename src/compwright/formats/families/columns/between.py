@@ -131,12 +131,12 @@ def _typed(family: Family, request: BetweenRequest, entry: PlannedCross, why: st
 
 
 def _form(family: Family, request: BetweenRequest, entry: PlannedCross) -> str:
-    """Return whether the numbers in the moving axis' table are errors or corrections."""
+    """Return the meaning of the numbers in the moving axis' table: "error" or "correction"."""
     return str(family.options_of(request.axes.get(entry.input))["table_values"])
 
 
 def _selected(family: Family, entry: PlannedCross) -> str:
-    """Return the card's sentence on the bit that activates tables for the corrected axis."""
+    """Return the card's sentence that tables are active only while a parameter bit is 1."""
     select = _parameter(family, "enabled")
     if not select:
         return ""

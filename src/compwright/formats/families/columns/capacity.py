@@ -1,4 +1,4 @@
-"""Limits of an axis on a control with user-made tables (HEIDENHAIN), tables that break them."""
+"""Limits of an axis on a control with user-made tables (HEIDENHAIN), and faults beyond them."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def by_line(options: Mapping[str, object]) -> bool:
 
 
 def columns_capacity(control: Family, axis: Axis) -> Capacity:
-    """Return the limits of one axis' table, such as its number of points, lengths in mm or deg.
+    """Return the limits of an axis' table, such as point count and spacing, in mm or deg.
 
     Raises UsageError for a wrong option of the axis, CapacityError if the control has no such table
     or parameter.
@@ -275,7 +275,7 @@ _NO_NUMBER = control_text("(see the axis list of the machine)")
 
 
 def card_values(control: Family, axis: Axis, compensation: AxisCompensation) -> dict[str, str]:
-    """Return the card values of this family alone: axis number, parameter bit, table text."""
+    """Return the card values that only this family has: axis number, parameter bit, table text."""
     own = control.options_of(axis)
     address, _ = control.address(axis)
     number = AxisNumbers(control.definition, [axis]).number(address)

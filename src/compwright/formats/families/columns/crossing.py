@@ -55,7 +55,7 @@ class CrossFiller(Patches):
         self.values = TableValues(family, self.sources, self.by_address, notes)
 
     def fill(self, entry: PlannedCross) -> Filled:
-        """Record the changes to the table for one correction.
+        """Record the table cells that a correction changes; return the correction as written.
 
         Raises NotHeld, with the reason, if the user's files have no place for it.
         """

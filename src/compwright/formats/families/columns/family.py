@@ -120,9 +120,9 @@ class ColumnsFamily(Family):
         return AxisCard(values | card_values(self, axis, table) | files | load)
 
     def _loading(self, request: CardRequest, names: Mapping[str, str]) -> str:
-        """Return the card's text on loading the table: as a file, or typed from the entry sheet.
+        """Return the card's text on how to load the table: as a file, or by typing an entry sheet.
 
-        A control has one .COM file by motion, so one that it names for another axis is not free.
+        A control has one .COM file for each moving axis; that of another axis must stay.
         """
         if not request.table.positions.size:
             return ""

@@ -88,7 +88,7 @@ class ColumnEntry:
         }
 
     def parameter_rows(self, left: Mapping[str, str]) -> list[SheetRow]:
-        """Return the entry sheet's rows for the parameters ``left``, which no file contains."""
+        """Return entry sheet rows for those parameters (``left``) that are in none of the files."""
         units = {"backlash": self.axis.kind.unit, "slope": "mm/m", "enabled": ""}
         return [
             SheetRow(name_of(self.definition, name), "", text, units[name])
@@ -137,7 +137,7 @@ class TableFiller:
         self.number = [file.name for file in patches.files].index(self.table.file)
 
     def fill(self) -> None:
-        """Record all changes to the table. Raises NotHeld and CapacityError for misfits."""
+        """Record all changes to the table. NotHeld or CapacityError: it cannot be written."""
         self._suits()
         positions = self._positions()
         others = self.table.others(self.column, POSITION, SECOND)
@@ -187,9 +187,7 @@ class TableFiller:
         return [float(position) for position in positions or ()]
 
     def _on_the_grid(self, positions: Sequence[float], others: Sequence[str]) -> np.ndarray:
-        """Return for each row the index of the point whose value it gets, without moving the
-        table's rows.
-        """
+        """Return per row the index of the point whose value it gets; row positions must stay."""
         nodes = self.entry.nodes
         slack = EXACTNESS * self.entry.scale.quantum("node_position")
         first = int(np.argmin(np.abs(np.array(positions) - nodes[0])))

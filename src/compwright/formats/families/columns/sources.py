@@ -53,7 +53,7 @@ class AxisNumbers:
         return self.by_number.get(number, str(number))
 
     def follower(self, number: int, known: Collection[str]) -> str:
-        """Return the name of the axis with this number, which follows another axis.
+        """Return the address of the axis with this number, which moves with another axis.
 
         AX and its number if the axis is unknown, or if its letter is that of a rotary axis which
         the job does not name.
@@ -109,7 +109,7 @@ class Sources:
 
     @property
     def numbered(self) -> bool:
-        """Whether columns are named by axis numbers, with equal spacing, not by axis names."""
+        """Whether tables name columns by axis number (with equal spacing), not by axis name."""
         return "datum" in self.definition.statements[VALUES].fields
 
     @property
@@ -131,7 +131,7 @@ class Sources:
         return self.numbers.address(int(match[1])) if match else column
 
     def own_column(self, address: str) -> str | None:
-        """Return the name of an axis' column in the table by its own position; None without one."""
+        """Return the name of an axis' column in the table that follows that axis; None if none."""
         table = self.tables.get(address)
         name = self.column_of(address)
         return name if table is not None and table.column(name) is not None else None

@@ -1,4 +1,4 @@
-"""A table as a control exports it: columns, rows and cells of fixed width, with their places."""
+"""A table as a control exports it: columns, rows and cells, with their places in the file."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Kind = Literal["values", "assignments"]
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One row of a table.
+    """One row of an exported table: its cells by column, and its place in the file.
 
     ``line`` counts from 1; ``start`` and ``end`` are the bytes of its text.
     """
@@ -106,7 +106,7 @@ class TableColumn:
 
 @dataclass(frozen=True, slots=True)
 class UserTable:
-    """A table as written in a file.
+    """A table as written in a file: of compensation values, or of the tables assigned to axes.
 
     ``head``: the fields of its first line, with ``name`` and ``unit``.
     """
@@ -119,7 +119,7 @@ class UserTable:
 
     @property
     def name(self) -> str:
-        """The table's name in its first line, without the ending."""
+        """The name of the table in its first line, without the file ending."""
         return self.head["name"].text
 
     def column(self, name: str) -> TableColumn | None:
@@ -127,9 +127,7 @@ class UserTable:
         return next((column for column in self.columns if column.name == name), None)
 
     def others(self, *names: str) -> tuple[str, ...]:
-        """Return the columns that have values other than zero, except row numbers and those in
-        ``names``.
-        """
+        """Return the names of columns with nonzero values, except row numbers and ``names``."""
         return tuple(
             column.name
             for column in self.columns
@@ -204,5 +202,5 @@ def cell_changes(
 
 
 def with_sign(old: str, new: str) -> str:
-    """Return a number with a plus sign where the old one has one."""
+    """Return the new number, with a plus sign if the old number has one."""
     return f"+{new}" if old.startswith("+") and not new.startswith("-") else new

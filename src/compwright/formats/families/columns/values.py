@@ -148,7 +148,7 @@ class TableValues:
             )
 
     def _listed(self, table: UserTable, scale: NumberScale) -> list[Decimal] | None:
-        """Return the positions listed in the rows, in the unit of the table."""
+        """Return the positions that a table's rows list, in its unit; None if a row has none."""
         positions = []
         for row in table.rows:
             cell = row.cells.get(POSITION)

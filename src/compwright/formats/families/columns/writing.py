@@ -1,4 +1,4 @@
-"""Write compensations into the user's tables and parameters; entry sheets hold what has no place.
+"""Write compensations into the user's tables and parameters, or else into entry sheets.
 
 No manual shows the text of these files, so none is invented: only cells of the axis' own column
 change, rows are added in the table's own style, and one bit of a mask that was read. Everything
@@ -30,7 +30,7 @@ from compwright.records.correction import AxisCompensation, ControlFile
 def write_columns(
     control: Family, pairs: Sequence[AxisTable], files: Sequence[ControlFile]
 ) -> tuple[ControlFile, ...]:
-    """Return the files that load the compensations ``pairs`` (address, axis, table).
+    """Return the files that load the tables of ``pairs`` (address, axis, table) into the control.
 
     All the user's own ``files`` come back patched, except old entry sheets, so that the set is
     complete; one entry sheet per axis holds what they have no place for. Raises InputError for
@@ -104,9 +104,7 @@ class _OwnTables(Patches):
         self.values = TableValues(control, self.sources, axes, notes)
 
     def put(self, address: str, axis: Axis, compensation: AxisCompensation) -> ControlFile | None:
-        """Record one axis' changes; return an entry sheet for what no file has a place for, None if
-        nothing.
-        """
+        """Record one axis' changes; return an entry sheet of values that no file can take."""
         entry = ColumnEntry(self.control, axis, compensation)
         points: list[SheetRow] = []
         if not entry.line:

@@ -37,10 +37,10 @@ _DECIMALS = 6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisSource:
-    """One axis in the control's files, with its axis of the job (``axis``; None without a job).
+    """One axis in the control's files, with the matching axis of the job (``axis``), if any.
 
-    ``rows``: those of its table if they do not name their axis; None if the text does.
-    ``elsewhere``: other tables of the control correct it, so that it needs none of its own.
+    ``rows``: its table rows if they do not name their axis; None if they do.
+    ``elsewhere``: tables of another kind correct it, so that it needs none of this kind.
     """
 
     address: str
@@ -142,7 +142,7 @@ class GridAxisReader:
         return self.axis.reference_return
 
     def _stated_values(self) -> dict[str, Fact]:
-        """Return values in the files that replace options or appear on the card."""
+        """Return values in the files that override options or are printed on the card."""
         unit = self._unit()
         stated: dict[str, Fact] = {} if unit is None else {"length_unit": unit}
         for quantity in ("max_points", "gantry_type"):
@@ -370,9 +370,9 @@ class GridAxisReader:
         return () if table is None else tuple(float(node) for node in table.positions)
 
     def _backlash(self, scale: NumberScale, *, has_table: bool) -> tuple[float, float]:
-        """Return the backlash, and (without a table) half of it as constant correction; mm or deg.
+        """Return (backlash, 0), or (0, half the backlash as a constant correction); mm or deg.
 
-        One of the two is 0.
+        The second form if the control shifts each direction by half; (0, 0) if it has a table.
         """
         if "backlash" not in self.definition.bindings:
             return 0.0, 0.0
@@ -410,9 +410,7 @@ class GridAxisReader:
         return Decimal(1) if found is None else Decimal(found.text)
 
     def _constant(self, half: float) -> GridTable:
-        """Return a table with one point (the reference), for a constant correction; empty if it is
-        0.
-        """
+        """Return a constant correction as a table with one point; without points if it is 0."""
         if half == 0.0:
             return GridTable(np.empty(0), np.empty(0), np.empty(0))
         reference = self.axis.reference if self.axis else float(str(self.options[REFERENCE]))

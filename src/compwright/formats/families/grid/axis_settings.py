@@ -33,11 +33,9 @@ class AxisSettingsReader:
         self.notes = notes
 
     def facts(self, own: AxisFacts, axis: Axis | None, partners: Mapping[str, str]) -> AxisFacts:
-        """Return the facts of an axis from its settings; other active functions are added to the
-        notes.
+        """Return the facts ``own``, completed by the axis' settings; note other active functions.
 
-        Its ``own`` and those of the axis as a whole. ``partners``: synchronised axis by leading
-        axis.
+        ``partners``: the synchronised axis by leading axis.
         """
         turn = self._turn()
         limits = own.limits if turn is None else (turn.start, turn.start + turn.length)

@@ -31,7 +31,7 @@ class GridLimits:
         self.shape = shape_of(self.definition)
 
     def capacity(self) -> Capacity:
-        """Return all limits of the table, such as its number of points, lengths in mm or deg."""
+        """Return the limits of an axis' table, such as point count and spacing, in mm or deg."""
         definition, scale = self.definition, self.control.scale_of(self.axis)
         assumed = [self.assumption] if self.assumption is not None else []
         assumed += self._turn_unknown()
@@ -76,9 +76,7 @@ class GridLimits:
         return self.axis.modulo if self.axis.kind is AxisKind.ROTARY else None
 
     def _turn_unknown(self) -> list[Assumption]:
-        """Return assumptions on an endless axis: that the control has turns, and where they
-        begin.
-        """
+        """Return the assumptions made for an endless axis whose turn is in no file."""
         turn = self.facts.turn
         if (
             self._period() is None
@@ -100,9 +98,7 @@ class GridLimits:
         ]
 
     def _spacings(self, quantum: float) -> tuple[float, ...] | None:
-        """Return the point spacings that an endless axis' range and reference allow; None: any
-        spacing.
-        """
+        """Return the spacings that the reference and turn of an endless axis allow; None: any."""
         period, turn = self._period(), self.facts.turn
         if period is None or RANGE_QUANTITY not in self.definition.bindings:
             return None

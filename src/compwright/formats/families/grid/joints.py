@@ -55,7 +55,7 @@ def joined_joints(files: Sequence[ControlFile]) -> Iterator[Coupling]:
 
 
 def joint_letters(kinematics: str, order: str, count: str) -> str:
-    """Return the axis letter of each joint in one word (XYYZ); empty if the default order applies.
+    """Return the axis letter of each joint in one word (XYYZ); empty: LinuxCNC's default order.
 
     ``kinematics``: its name with its arguments (``coordinates=XYYZ`` has priority); ``order``: the
     machine's axes, used for kinematics with letters of its own (XYZBC) if there are as many as
@@ -93,7 +93,7 @@ Homing = Literal["", "relative", "absolute"]
 def homing_of(
     values: GridAxisValues, factor: float
 ) -> tuple[Homing, tuple[float, Direction] | None]:
-    """Return how homing shifts the correction, and where (position, direction) it is then zero.
+    """Return how homing shifts the correction; position and direction where it is then zero.
 
     ``factor``: mm or deg per unit of the files.
 
@@ -134,10 +134,9 @@ def _is_true(values: GridAxisValues, name: str, *, others: bool = False) -> bool
 
 
 def unapplied_steps(values: GridAxisValues, factor: float) -> tuple[float, float] | None:
-    """Return two sizes (mm or deg) between which a correction step is never applied; None if
-    unknown.
+    """Return the range of correction steps (mm or deg) that are never applied; None if unknown.
 
-    Above the first number, up to the second.
+    Never applied: a step above the first number, up to the second.
 
     From rest the ramp takes a step up to ``least`` at once; it starts for a step above ``most``
     (control.c, ``compute_screw_comp``).

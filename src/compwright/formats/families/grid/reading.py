@@ -168,7 +168,7 @@ class GridReader:
         return tuple(joined_joints(self.files)) if _JOINTS in self.definition.statements else ()
 
     def elsewhere(self, address: str) -> bool:
-        """Return whether tables of another kind correct an axis, so that it needs no table here."""
+        """Return whether tables of another kind correct an axis, so that it may have none here."""
         del address
         return False
 
@@ -295,7 +295,7 @@ class GridReader:
         return [file for file in files if file.name not in aside]
 
     def _refuse_unknown(self, files: Sequence[ControlFile]) -> None:
-        """Refuse files that cannot be opened or read as text, with what to give instead."""
+        """Refuse files that cannot be opened or read as text; say which export to give instead."""
         for file in files:
             what = "" if is_container(file) else unknown_container(file.content)
             if len(_COLUMNS.findall(file.content)) > _FEW:
@@ -384,7 +384,7 @@ class GridReader:
         )
 
     def _note_files(self) -> None:
-        """Report findings about whole files, and what is assumed in place of a job's statements."""
+        """Report findings on whole files, and the options assumed for axes outside a job."""
         self.tables.note_idle(self.wanted)
         for text in self.texts:
             variants = [occurrence.line for occurrence in text.occurrences if occurrence.variant]

@@ -83,7 +83,7 @@ class SystemChoice:
             )
 
     def found(self, *, asking: bool) -> str:
-        """Return the measuring system in use by the files.
+        """Return the measuring system that is in use, by the contents of the files.
 
         ``asking``: if they do not show it, add a question.
         """

@@ -50,7 +50,7 @@ _HIDDEN_PIN = re.compile(
 
 
 class TableFiles:
-    """The files that contain only table rows without an axis name; there may be none."""
+    """The table files whose rows do not name their axis."""
 
     def __init__(self, gathered: Gathered, texts: Sequence[ReadText], notes: Notes) -> None:
         self.gathered = gathered
@@ -230,7 +230,7 @@ def changed_at_run_time(files: Sequence[ControlFile]) -> Iterator[Fault]:
 
 
 def _letters_of(file: ControlFile) -> ControlFile:
-    """Return a file without the bytes that cannot belong to a text."""
+    """Return a copy of a file without the bytes that cannot belong to a text."""
     return replace(file, content=BINARY.sub(b"", file.content))
 
 

@@ -227,9 +227,7 @@ def _steps(source: TableSource, values: Mapping[int, FoundValue]) -> _Grid | Non
 
 
 def _alike(source: TableSource, values: Mapping[int, FoundValue], inside: int) -> bool:
-    """Return whether the last point and the first point beyond the end have the same value, or all
-    points are zero.
-    """
+    """Return whether the last point's value is repeated after the end, or all values are zero."""
     held = [
         [Decimal(row.occurrence.tokens[name].text) for name in source.value_fields]
         for row in values.values()

@@ -1,8 +1,8 @@
-"""One table of one axis: its lines in the files, its values, and its text.
+"""The table of one axis: its lines in the files, its values, and its text for writing.
 
-A shape (`shapes`) combines these. A control whose files hold a table in another way gets a shape of
-its own: a `TableShape` in a module next to `by_index`, a name in the schema's ``Shape`` and an
-entry in `shapes`. No other code depends on the form of positions and values in a file.
+A shape (`table_shapes`) combines these. A control whose files hold a table in another way gets a
+`TableShape` of its own, with an entry in ``SHAPES``. No other code depends on the form of positions
+and values in a file.
 """
 
 from __future__ import annotations
@@ -89,7 +89,7 @@ class TableSource:
         )
 
     def position(self, quantity: str, found: FoundValue) -> Decimal | None:
-        """Return a position, mm or deg; None (with a fault) if it is outside the possible range."""
+        """Return a position, mm or deg; None, with a fault, if it is beyond the plausible range."""
         measure = self.scale.definition.measure(quantity)
         text = found.occurrence.tokens[measure.field].text
         value = self.scale.read(quantity, text)
@@ -125,7 +125,7 @@ class TableSource:
 
 @dataclass(frozen=True, slots=True)
 class TableText:
-    """The numbers of one table as text.
+    """Converts the numbers of one table to text.
 
     Numbers that the text cannot represent exactly are added to ``faults``.
 

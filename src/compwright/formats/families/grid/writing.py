@@ -93,7 +93,7 @@ class NewFile:
         return [print_form(form, {**self.text.named, **row}) for row in self.text.rows]
 
     def _occurrences(self, skeleton: ControlFile) -> tuple[Occurrence, ...]:
-        """Return the lines for single values, such as the spacing, in the empty file template."""
+        """Return the lines for single values, such as the spacing, in a file without table rows."""
         faults: list[Fault] = []
         read = text_reader(self.definition).read(skeleton, faults)
         raise_all(InputError, faults)
@@ -117,9 +117,9 @@ class NewFile:
 
 @dataclass(frozen=True, slots=True)
 class AxisToWrite:
-    """One axis to be written, with its options.
+    """One axis whose table is to be written, with its options and the faults found.
 
-    ``options``: its own over those of the controller; ``faults``: values that text cannot
+    ``options``: the controller's, overridden by its own; ``faults``: values that text cannot
     represent.
     """
 
@@ -159,9 +159,7 @@ class GridWriter:
         return (*self._own_files([address for address, _, _ in tables]), *fresh)
 
     def axis(self, work: AxisToWrite) -> list[ControlFile]:
-        """Write one axis into the control's files; return new files for values without a line
-        there.
-        """
+        """Write one axis into existing lines of the files; return new files for other values."""
         text = self._text(work)
         self.make_room(work)
         return self.new_files(self.files_for("one_curve"), text, self._put(text, work), (), work)
@@ -271,7 +269,7 @@ class GridWriter:
         return AxisText(work.address, named, table.rows, singles)
 
     def files_for(self, when: When) -> list[WrittenFile]:
-        """Return the definition's files for the case ``when``."""
+        """Return the files that the definition writes always or in the case ``when``."""
         return [
             file
             for file in self.definition.writing
@@ -297,9 +295,7 @@ class GridWriter:
         return [file for file in made if file is not None]
 
     def put_backlash(self, text: AxisText) -> set[str]:
-        """Write the backlash and its factor 1 into the control's files; return the quantities
-        written.
-        """
+        """Write the backlash, and 1 as its factor, into the files; return what was written."""
         if self.own is None or "backlash" not in text.singles:
             return set()
         own_values, whole = self.own_values(text), self.own_values(text, whole=True)
