@@ -49,7 +49,7 @@ class Request:
     def is_active(self, switches: Sequence[float | None]) -> bool:
         """Return whether a table is active by the values of its activation parameters.
 
-        None: not in the files, counts as on unless `active` states otherwise.
+        None: not in the files; on, unless `active` of the job states otherwise.
         """
         if self.active is not None and any(switch is None or switch == 0.0 for switch in switches):
             return self.active

@@ -125,7 +125,7 @@ def _numbering(numbered: NumberedSections | None) -> dict[str, Any] | None:
 def _backlash(table: AxisCompensation | None, held: DecodedState, axis: Axis) -> float:
     """Return an axis' backlash in mm or deg, including backlash that its table values contain.
 
-    Also where the control's own parameter is counted in the curve of one direction.
+    They contain it if the control's parameter is evaluated in the curve of one direction.
     """
     in_curves = held.state.facts_of(axis.address).stated.get("backlash_in_curves")
     own = 0.0 if table is None else table.backlash

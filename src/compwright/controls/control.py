@@ -268,9 +268,9 @@ def decode(
     """Read control files with both readers and compare their results.
 
     ``axes``: those of a job; ``address``: the one axis wanted. Either names the axis of a table
-    that does not. ``written``: compwright has just written these files. ``active``: the job's
-    answer whether the tables were active, if the files do not state it; ``asking``: that answer is
-    required (UsageError without it). ``carried_out``: all values of the state's programs are known
+    that does not. ``written``: compwright has just written these files. ``active``: whether
+    the tables were active by the job, if the files do not state it; ``asking``: the job has to
+    state it (else UsageError). ``carried_out``: all values of the state's programs are known
     to have been executed. ``drafting``: a job is drafted from the files, and tables that no job
     changes exclude no axis. Raises InputError when the files cannot be read, contradict themselves
     or can be read in two ways: two different readings are not a state to build on. In files written

@@ -284,7 +284,7 @@ def _ways_to_read(
 
 
 def _options(definition: Definition) -> Iterator[dict[str, object]]:
-    """Yield trial options that answer what a control's files leave open, to make them readable."""
+    """Yield trial values of the options that a control's files may need to be readable."""
     rules = definition.options
     required: dict[str, object] = {
         name: _ANY_UNIT for name, rule in rules.items() if rule.asked is not None

@@ -31,7 +31,7 @@ def is_path(name: str) -> bool:
 
 
 def definition_named(session: Session, name: str, folder: Path) -> Definition:
-    """Return a supplied definition by its id, or that of a user's file if it passes its checks.
+    """Return the supplied definition with an id, or a user's own if it passes its checks.
 
     ``folder``: what its path is relative to.
 
@@ -120,8 +120,8 @@ def files_of_definition(texts: Texts) -> dict[str, bytes]:
 
 
 def definitions_at(session: Session, path: Path) -> list[tuple[str, bytes, Find]]:
-    """Return the definitions in a file or folder. Raises InputError for unreadable ones, and for a
-    base alone.
+    """Return the definitions in a file or folder. Raises InputError for unreadable files, and if
+    ``path`` is a base for other definitions.
     """
     if is_base(path):
         raise InputError(

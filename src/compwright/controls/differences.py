@@ -63,7 +63,7 @@ def read_axis_by_axis(
 
 
 def _together(one: ControlState, other: ControlState) -> ControlState:
-    """Return one state with the axes of two readings of the same files."""
+    """Return the axes from two readings of the same files together, as one state."""
     axes, facts = {**one.axes, **other.axes}, {**one.facts, **other.facts}
     return replace(one, axes=axes, facts=facts)
 

@@ -89,8 +89,8 @@ def loadable_files(
 ) -> Delivery:
     """Return those of the written ``files`` that have to be loaded into the control.
 
-    Raises UsageError for a form of files that these have not, and CompwrightError (a fault of our
-    own) where small files do something else than the whole ``image``, which they stand for.
+    Raises UsageError if the files cannot be had in the requested form, and CompwrightError (a fault
+    of our own) if small files have another effect than the whole ``image`` that they replace.
     """
     try:
         delivery = control.format.delivered(files, as_found.files, axes)

@@ -266,8 +266,8 @@ def _changed(
 ) -> FittedTable:
     """Return a gantry slave's new table: its old one plus the change of its master's table.
 
-    Over the travel. Node by node where that is good enough, else the one of two that moves the axes
-    apart the least: node by node, or fitted.
+    Over the travel. Point by point if that is good enough; else point by point or fitted, whichever
+    moves the axes apart the least.
     """
     old, own = _both(axis, as_found.state)
     new, capacity = table.compensation, control.format.capacity(partner)
@@ -331,8 +331,8 @@ def _by_node(
 
     From ``old`` to ``new``.
 
-    Steps count as the lines between their nodes: a step at another place would move the axes apart
-    by the whole step. Beyond the nodes around the travel the change stays what it is there.
+    Steps are treated as lines between their points: a step at another place would move the axes
+    apart by the whole step. Beyond the points around the travel the change is constant.
     """
     grid = _grid(own, idle)
     if capacity.there and own.period is None:
@@ -367,7 +367,7 @@ def _by_node(
 
 
 def _rounded(table: AxisCompensation, capacity: Capacity) -> AxisCompensation | None:
-    """Return a table as the control can store it (one curve and backlash, or two); else None."""
+    """Return a table as the control can store it (one or two curves, and backlash), else None."""
     quantum, step = capacity.quantum, capacity.backlash_quantum
     lost = 0.0 if step is None else round(table.backlash / step) * step
     single = replace(table, backlash=lost)

@@ -35,9 +35,9 @@ def named_axes(
 ) -> tuple[Job, tuple[Assumption, ...]]:
     """Return the job with the control's addresses of its axes, and the assumptions made for that.
 
-    ``by_name``: the addresses that the control's own files give to names of axes, and what says so;
-    asked only where a job's address is none that the control can have. Raises UsageError for such
-    an address that they do not tell, and for two axes at one address.
+    ``by_name``: the addresses of axis names in the control's own files, each with its evidence;
+    called only if the control cannot have an address of the job. Raises UsageError if the files do
+    not give such an address, and for two axes at one address.
     """
     axes: dict[str, AxisJob] = {}
     assumed: list[Assumption] = []

@@ -96,7 +96,7 @@ def _worse(work: AxisWork, new: Correction) -> str:
 def partial_load(before: FileValues, planned: FileValues, back: FileValues) -> PartialLoad | None:
     """Return which planned files were loaded and which were not; None if nothing shows that.
 
-    By what the control's files held ``before``, what is ``planned`` and what was read ``back``.
+    From the values in the control's files ``before``, the ``planned`` and the read ``back`` ones.
     None: all were, none was, something else is wrong, or a value belongs to no file by its name.
     """
     new_in: dict[str, None] = {}

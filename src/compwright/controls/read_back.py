@@ -129,7 +129,7 @@ def _compared(placed: Placed, known: set[str]) -> bool:
 
 
 def _between_axes(placed: Placed, read: set[str]) -> bool:
-    """Return whether a value missing in a file that was read back corrects one axis by another."""
+    """Return whether a value missing in a file that was read back concerns more than one axis."""
     old = placed.change.old
     return len(set(placed.axes)) > 1 and old is not None and old.file in read
 

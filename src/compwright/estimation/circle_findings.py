@@ -44,8 +44,8 @@ def _separation(
     effects: Mapping[str, CircularEffect],
     correlation: FloatArray,
 ) -> Iterator[Finding]:
-    """Yield findings about causes that this test cannot separate: one direction, an arc, or a
-    missing reversal point.
+    """Yield findings about causes that the test cannot separate, because it has one direction only,
+    an arc, or no reversal point of an axis.
     """
     samples, names = solution.problem.samples, solution.problem.names
     order, poor = list(effects), []

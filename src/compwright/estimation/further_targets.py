@@ -170,8 +170,9 @@ class _Design:
         return best
 
     def _information(self, gram: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the information on each period's wave, each (..., p, p + 1): about cosine, both,
-        sine. It separates the period from each other period, and in the last column from no period.
+        """Return the information about cosine, both and sine of each period's wave, each (..., p, p
+        + 1). It separates the period from each other period and, in the last column, from no
+        period.
 
         ``gram`` (..., 2 p, 2 p) about each period (cosine, both, sine).
         """

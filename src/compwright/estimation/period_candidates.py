@@ -1,7 +1,7 @@
 """Possible periods of the error that a search of the readings finds, with their probabilities.
 
-Prior, likelihood, and those that the targets cannot tell apart (probability of frequencies:
-Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapter 3).
+From prior and likelihood, including periods that look equal at the targets (probability of
+frequencies: Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapter 3).
 """
 
 from __future__ import annotations

@@ -193,8 +193,8 @@ class PeriodLikelihood:
         """Return the log likelihood ratios (f,) of a wave against no wave at each of the
         ``frequencies`` (1 / mm or 1 / deg), first with one harmonic, then with two.
 
-        ``choice``: fewer nodes of the grid, of both hypotheses; ``harmonics``: 1 for those with one
-        harmonic alone.
+        ``choice``: only these grid points, with and without a wave; ``harmonics``: 1 for the ratios
+        with one harmonic alone.
         """
         choice = choice or self.everything()
         log = self._log(choice)

@@ -205,8 +205,8 @@ class _PeriodSearch:
         return PeriodSet(tuple(members), log)
 
     def different(self, sets: Sequence[PeriodSet]) -> list[PeriodSet]:
-        """Return the sets without those with the same periods in another order, the most probable
-        first.
+        """Return the sets of periods without repetitions (equal periods in another order), the most
+        probable first.
 
         The less probable of two equal sets is dropped: its later periods were searched with an
         earlier one at a wrong place.

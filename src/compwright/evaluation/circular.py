@@ -1,4 +1,4 @@
-"""Evaluation of a circular test to ISO 230-4: G, F, H and their successors of 2005.
+"""Evaluation of a circular test to ISO 230-4: parameters G, F, H, and those of the 2005 edition.
 
 The text of 1996 (DIN ISO 230-4:1999) was at hand. That of 2005 was not: the bidirectional circular
 deviation, the mean bidirectional radial deviation and the absence of H rest on its published scope

@@ -89,8 +89,8 @@ def reached(
     slope: FloatArray | None = None,
     reversal: FloatArray | None = None,
 ) -> Ahead:
-    """Return the years (early, median, late) until a parameter exceeds ``limit``, apart from the
-    scatter of single tests. Years are None if it does not grow, or if they are too many.
+    """Return the years until a parameter exceeds ``limit`` (early, median, late), apart from the
+    scatter of single tests. None: it does not grow, or the time is too long.
 
     ``rest``, ``slope``, ``reversal`` (2, n): draws of level now and rate per year; a limit that is
     exceeded is reached now.

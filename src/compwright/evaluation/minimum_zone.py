@@ -59,7 +59,7 @@ def minimum_zone(
 
     Raises InputError for fewer than three different points, for points on a straight line, and for
     points whose distances from the least-squares centre spread over more than a quarter of the
-    radius; CapacityError when the zone does not stand still.
+    radius; CapacityError if the iteration does not converge.
     """
     start, radius = least_squares or least_squares_circle(points)
     x, y = _around(points[:, 0] - start[0], points[:, 1] - start[1])

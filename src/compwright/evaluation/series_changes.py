@@ -48,7 +48,7 @@ def noted_changes(
     """Return the changes between the tests of one axis or plane that exceed the uncertainty.
 
     Each test is compared with the last comparable test before it. ``entries``: in order of time;
-    ``trends``: theirs (`noted_trends`). Differences between the other comparisons beyond their
+    ``trends``: by `noted_trends`. Differences between the other comparisons beyond their
     standard errors are scatter from test to test. The threshold allows for the number of
     comparisons, except between the tests of a jump.
     """
@@ -149,7 +149,7 @@ def noted_trends(entries: Sequence[HistoryEntry]) -> Iterator[NotedTrend]:
 class _ComparedTests:
     """The tests of one parameter that were made in the same way as the last one.
 
-    ``places``: theirs in the series; ``odds``: of a jump after each.
+    ``places``: their indices in the series; ``odds``: of a jump after each test.
     """
 
     parameter: str

@@ -175,7 +175,7 @@ def refusing(machine: Machine, axis: int) -> Iterator[Fault]:
 
 
 def left_out(machine: Machine, axis: int, counted: frozenset[str]) -> Iterator[str]:
-    """Yield a note for each function that is active on an axis but not included here."""
+    """Yield a note for each active function of an axis that is not in ``counted`` (evaluated)."""
     by_axis = {
         "inclination": ("inclination compensation", _INCLINED),
         "cyclic": ("the second (cyclic) pitch error table", CYCLIC[1:]),

@@ -279,7 +279,7 @@ def read_backlash(
 ) -> float:
     """Return the backlash compensation of an axis, mm or deg, not negative.
 
-    The vendor does not state its direction: counted as nothing in the direction of referencing. A
+    The vendor does not state its direction: assumed 0 in the direction of referencing. A
     negative value (play before the measuring system) is refused where it is active. So is any value
     in addition to a table with two columns, which replaces it.
     """

@@ -75,8 +75,7 @@ class LinuxCncControl:
     """LinuxCNC with loaded files and all joints homed; interface
     ``controllers.virtual.VirtualControl``.
 
-    Addresses are joint numbers as text. Where a table holds a number that is not finite the answer
-    is NaN.
+    Addresses are joint numbers as text. The correction is NaN if a number in a table is not finite.
     """
 
     joints: dict[str, _Joint]

@@ -34,7 +34,7 @@ PER_COUNT = 16.0
 
 @dataclass(frozen=True, slots=True)
 class MotorScale:
-    """The encoder counts of a motor per mm or deg of its axis, negative if it counts against it.
+    """The encoder counts of a motor per mm or deg of its axis, negative if the two run opposite.
 
     ``zero``: machine coordinate of motor zero, mm or deg.
     """

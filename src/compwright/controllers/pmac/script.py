@@ -106,7 +106,7 @@ class VariableSetting:
 
 @dataclass(slots=True)
 class Card:
-    """The state of the card after all scripts.
+    """The state of the PMAC card after all scripts.
 
     ``later``: assignments that programs make when they run; ``left_out``: commands that may not
     have been sent, by motor (0: all motors); ``not_both``: commands that were certainly not sent

@@ -119,7 +119,7 @@ def _conflict(short: Sequence[Line], ways: Sequence[int]) -> tuple[int, int] | N
 
 
 def inevitable(lines: Sequence[Line], among: Collection[int]) -> list[int]:
-    """Return those of the line numbers ``among`` of which every run executes at least one.
+    """Return line numbers of ``among``, at least one of which is executed in every run.
 
     Empty if a run may do without them.
     """

@@ -270,7 +270,7 @@ def read_file(file: ControlFile) -> ProgramContent:
 def _note_flow(code: str, number: int, found: ProgramContent, whole: str, *, counted: bool) -> None:
     """Record how a line affects the order of execution of its program.
 
-    ``counted``: it holds a statement that counts; ``whole``: the line with its strings.
+    ``counted``: it contains compensation data; ``whole``: the line with its strings.
     """
     if counted:
         found.blocks[-1].assigned(code, number)
