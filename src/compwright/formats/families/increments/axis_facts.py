@@ -93,7 +93,7 @@ def name_of(values: IncrementAxisValues) -> str | None:
 def with_neighbours(
     facts: AxisFacts, own: AxisParameters, options: Mapping[str, object]
 ) -> AxisFacts:
-    """Return the facts, with the axis' other active functions, which stay unchanged."""
+    """Return ``facts`` with the axis' other active functions, which new tables leave unchanged."""
     every = tuple(functions(own))
     alone = left_alone(every, options)
     by_option = {OPTION_OF.get(each.words): each.description for each in every}

@@ -95,9 +95,7 @@ class IncrementReader:
     def _with_counted(
         self, kind: AxisKind, sections: IncrementSections | None, table: AxisCompensation
     ) -> AxisCompensation:
-        """Return the table's compensation with that of inclination and cyclic tables, if options
-        say so.
-        """
+        """Return the table, to which inclination and cyclic table are added if options say so."""
         functions = counted(self.values, kind, self.options, self._increments)
         unit = float(self._unit(kind)) * self._sign("pitch_sign")
         nodes = table.positions

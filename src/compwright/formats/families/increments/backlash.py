@@ -72,11 +72,11 @@ def covers(backlash: int | None, stage: int) -> bool:
 
 
 def active_backlash(values: IncrementAxisValues, feed: int) -> int:
-    """Return the backlash, in detection units, that is active at the motion of the axis' test.
+    """Return the backlash, in detection units, at the motion (feed or rapid) of the axis' test.
 
     ``feed``: the value of 1851.
 
-    If the files leave it open, that is a fault; if the two differ, a finding.
+    If the files leave it open, that is a fault; if 1851 and 1852 differ, a finding.
     """
     rapid, separate = values.integer("backlash_rapid"), values.separate_rapid()
     at_rapid = values.axis is not None and values.axis.motion == "rapid"
@@ -124,10 +124,10 @@ def active_backlash(values: IncrementAxisValues, feed: int) -> int:
 
 
 def both_backlashes(axis: Axis, facts: IncrementFacts, count: int) -> dict[str, int]:
-    """Return the values to write into 1851 and, where it may be active, 1852.
+    """Return the values of 1851 and, if it may be active, 1852, for a backlash of ``count``.
 
-    Whose backlash is ``count`` detection units at the motion of the axis' test. The difference of
-    the two stays as in ``facts``.
+    ``count``: detection units at the motion of the axis' test. The difference of the two parameters
+    stays as in ``facts``.
     """
     rapid, feed = facts.backlash_rapid, facts.backlash or 0
     if rapid is None or facts.separate_rapid is False:

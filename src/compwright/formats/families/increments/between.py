@@ -35,9 +35,7 @@ from compwright.words.sentences import SentenceText, control_text, say
 
 
 def straightness_between(family: Family, request: BetweenRequest) -> Between:
-    """Answer a request by a straight line in straightness compensation, if the job says it is
-    available.
-    """
+    """Answer a request with a straight line in straightness compensation, if the options allow."""
     if family.options.get("straightness") != "available":
         return alternative_answer(family.definition, request.planned)
     (entry, *others) = request.planned

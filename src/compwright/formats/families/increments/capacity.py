@@ -24,7 +24,7 @@ MIN_SECTIONS = 2
 
 
 class IncrementLimits:
-    """The limits of one axis' table.
+    """The limits of one axis' table on a FANUC control.
 
     ``assumed``: their assumptions; ``shares``: other axes use some of its point numbers too.
     """
@@ -46,7 +46,7 @@ class IncrementLimits:
         self.assumed = [assumption] if assumption is not None else []
 
     def capacity(self) -> Capacity:
-        """Return all limits of the table, such as its number of points, lengths in mm or deg.
+        """Return the limits of an axis' table, such as point count and spacing, in mm or deg.
 
         Raises UsageError for a wrong option of the axis, or if its detection unit or the free
         numbers are unknown.
@@ -139,7 +139,7 @@ class IncrementLimits:
         return self.options.get("inclination") == "available" and not self.facts.inclined
 
     def _free_numbers(self) -> int:
-        """Return how many successive point numbers are free, without those of unknown contents.
+        """Return how many successive point numbers are free; those not in files do not count.
 
         Raises UsageError if too few are left for a table.
         """

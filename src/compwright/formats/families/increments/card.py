@@ -34,7 +34,7 @@ _PARAMETERS = {
 def increment_values(
     family: Family, axis: Axis, compensation: AxisCompensation, facts: AxisFacts
 ) -> dict[str, str]:
-    """Return the card's values of one axis.
+    """Return the commissioning card's values of one axis, such as point numbers and backlash.
 
     ``facts``: facts of the axis in the written files.
     """
@@ -260,9 +260,7 @@ def _words(
 
 
 def _owning(parameter: str, section: Section, unit: str) -> dict[str, str]:
-    """Return the texts for the drawing: a parameter, its point number, and the section it belongs
-    to.
-    """
+    """Return the texts of a table section for the drawing: parameter, point number and range."""
     low, high = f"{section.low:.10g}", f"{section.high:.10g}"
     owns = control_text("owns {low} to {high} {unit}", low=low, high=high, unit=unit)
     return {"parameter": parameter, "number": str(section.number), "owns": owns}

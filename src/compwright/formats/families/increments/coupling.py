@@ -73,9 +73,7 @@ def _mastered(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
 def _every(
     addresses: Sequence[str], value: ParameterValue, unlike: str, *, switched: bool = False
 ) -> Iterator[Coupling]:
-    """Yield a possible coupling of each axis, for a parameter that does not name the axes it
-    couples.
-    """
+    """Yield a possible coupling for each axis, as the parameter does not name the axes."""
     for each in addresses:
         yield _parameter(value).coupling((), each, switched=switched, unlike=unlike)
 

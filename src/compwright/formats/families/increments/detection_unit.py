@@ -1,4 +1,4 @@
-"""The detection unit of an axis by the files and by the job, which must agree."""
+"""The detection unit of an axis from the control's files and from the job, which must agree."""
 
 from __future__ import annotations
 
@@ -134,9 +134,10 @@ def resolved_options(
 
 
 def _silent(values: IncrementAxisValues, kind: AxisKind) -> bool:
-    """Return whether an unknown detection unit can be ignored. Raises UsageError if it cannot.
+    """Return whether an unknown detection unit needs no message of its own.
 
-    Nothing is active on the axis, or its files are contradictory, which is reported first.
+    That is: nothing is active on the axis, or its files contain faults, which are reported first.
+    Raises UsageError for a parameter value from which the unit does not follow.
     """
     if values.axis is None:
         return not values.does_anything()

@@ -121,9 +121,9 @@ def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, .
 
 
 def _first_point(family: Family, tables: Sequence[AxisTable]) -> int:
-    """Return the lowest point number to use: by the controller's option, else by those of the axes.
+    """Return the lowest point number to use, from the options of the controller or the axes.
 
-    One axis' is enough: the others follow on from it.
+    The option of one axis is enough: the numbers of the other axes follow.
 
     Raises UsageError if neither the control's files nor the job state which numbers are free.
     """
@@ -136,7 +136,7 @@ def _first_point(family: Family, tables: Sequence[AxisTable]) -> int:
 
 
 def free_numbers_question(definition: Definition) -> Fault:
-    """Return the question which point numbers are free, to be answered by the user."""
+    """Return the question to the user which point numbers are free."""
     return Fault(
         message=(
             f"{definition.id}: the free point numbers are unknown. All axes share one "
@@ -184,7 +184,7 @@ class _WholeNumbers:
         self.others = 0 if existing is None else len(existing.others)
 
     def entries(self, used: Sequence[range], start: int) -> Entries:
-        """Return the values to enter.
+        """Return the parameters and increments to enter for the table of the axis.
 
         ``start``: the lowest number for an axis that has no point numbers.
 
@@ -398,9 +398,7 @@ class _WholeNumbers:
     def _points(
         self, counts: FloatArray, steps: FloatArray, place: NumberPlace, magnification: int
     ) -> dict[int, int]:
-        """Return the increments by point number; a second set is counted with the numbers of the
-        first.
-        """
+        """Return the increments by point number (of a second set: by the numbers of the first)."""
         reference = place.reference
         sign = -1 if self.options.get("pitch_sign") == "-" else 1
         increments = (np.diff(counts) / magnification).astype(np.int64) * sign
@@ -469,6 +467,6 @@ def length_step(scale: NumberScale, facts: IncrementFacts) -> Decimal:
 
 
 def first_point(options: Mapping[str, object]) -> int:
-    """Return the option for the lowest usable point number; 0 if it is not given."""
+    """Return the lowest point number that the options allow; 0 without the option."""
     given = options.get("first_point")
     return 0 if given is None else int(str(given))

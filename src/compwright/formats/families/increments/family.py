@@ -68,7 +68,7 @@ def _idle(state: ControlState, address: str) -> bool:
 
 
 def _shown(control: Family) -> Family:
-    """Return the control, for displays, with inclination and cyclic tables assumed available."""
+    """Return the control for displaying files, with inclination and cyclic tables available."""
     both = {"inclination", "cyclic"} & control.definition.options.keys()
     options = {**control.options, **dict.fromkeys(both, "available")}
     return type(control)(control.definition, options)
@@ -106,7 +106,7 @@ class IncrementsFamily(Family):
         return StateReader(self, files, axes, address).read()
 
     def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
-        """Yield the questions that the files leave open for an axis; see `Family.questions`.
+        """Yield questions about an axis that no file answers; see `Family.questions`.
 
         Also the first free point number, which one axis gives for all, and the position from which
         points are counted.

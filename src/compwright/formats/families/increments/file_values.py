@@ -62,11 +62,10 @@ _WORDS = {
 
 @dataclass(frozen=True, slots=True)
 class _Known:
-    """The meaning of a parameter as text.
+    """The meaning of a parameter in words, and whether a correction depends on it.
 
-    ``relevant``: the correction of an axis depends on it.
-
-    It corrects an axis, refers to the shared numbers, or decides a unit, a kind or the zero.
+    ``relevant``: it corrects an axis, refers to the shared numbers, or decides a unit, a kind or
+    the zero.
     """
 
     words: str

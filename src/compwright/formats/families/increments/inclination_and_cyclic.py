@@ -1,4 +1,4 @@
-"""Inclination compensation and second (cyclic) table of a FANUC axis, if an option includes them.
+"""Inclination compensation and second (cyclic) table of a FANUC axis, on controls with both.
 
 Inclination: three straight lines through four point numbers, in detection units, put out at the
 points and added to the pitch data (FANUC B-63522EN/02 page 222); zero at the reference, held
@@ -44,7 +44,7 @@ _EVIDENCE = {
 
 
 class _NotCountedError(Exception):
-    """Raised if a parameter prevents the reading of a function; says what would help."""
+    """Raised if a parameter makes a function unreadable; ``expected``: the value that would do."""
 
     def __init__(self, value: ParameterValue, how: str, expected: str) -> None:
         super().__init__(how)
@@ -59,7 +59,7 @@ def counted(
     options: Mapping[str, object],
     increments: Increments,
 ) -> Counted:
-    """Return those functions of an axis (inclination, cyclic table) that the options include."""
+    """Return inclination and cyclic table of an axis, as far as the options include them."""
     wanted = [
         (OPTION_OF[each.words], each)
         for each in functions(values.own)
@@ -89,8 +89,7 @@ class Counted:
     def curves(
         self, sections: IncrementSections | None, nodes: FloatArray, zero: float, scale: float
     ) -> Iterator[Curve]:
-        """Yield the corrections that inclination and cyclic table add to that of the pitch error
-        table.
+        """Yield the corrections by inclination and cyclic table, to be added to that of the table.
 
         ``nodes``: those of the table, mm or deg; ``zero``: the reference position; ``scale``: mm or
         deg per detection unit, with that sign. A function that cannot be counted is a fault.

@@ -25,7 +25,7 @@ _HELP = (
 def moved_numbers(
     axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: float, magnification: int
 ) -> tuple[tuple[PointNumber, int], ...]:
-    """Return the new point number for each one by which other functions refer to the table.
+    """Return the references of other functions to points that get a new number, with that number.
 
     Empty if no position gets a new number.
 

@@ -67,7 +67,7 @@ def functions(own: AxisParameters) -> Iterator[Function]:
 
 
 def left_alone(every: Iterable[Function], options: Mapping[str, object]) -> list[Function]:
-    """Return the functions that compwright neither reads nor writes, by the options."""
+    """Return the functions that stay unread and unchanged, because no option includes them."""
     return [
         function
         for function in every
@@ -78,7 +78,7 @@ def left_alone(every: Iterable[Function], options: Mapping[str, object]) -> list
 def functions_on_points(
     own: AxisParameters, every: Iterable[Function]
 ) -> tuple[FunctionOnPoints, ...]:
-    """Return the functions that refer to the axis' point numbers, with the place of each number.
+    """Return the functions that refer to the axis' point numbers, and where each number is.
 
     ``every``: the axis' functions.
     """

@@ -38,11 +38,9 @@ def pointed_numbers(parameters: Parameters) -> frozenset[int]:
 
 
 def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
-    """Yield a fault if another table uses the axis' own point ``numbers``.
+    """Yield a fault if a second (cyclic) table uses the axis' own point ``numbers``.
 
-    Both would use the same data.
-
-    Inclination and straightness only name sections there.
+    Both would use the same data. Inclination and straightness only refer to sections there.
     """
     users = (
         value for value, others in own.all.second_tables if not set(numbers).isdisjoint(others)

@@ -302,9 +302,7 @@ class AxisParameters:
         return next((values[whose] for whose in self._owners if whose in values), None)
 
     def another(self, number: int) -> ParameterValue | None:
-        """Return the axis' value of a number that is a different parameter on this series of
-        controls.
-        """
+        """Return the axis' value of a number that means a different parameter on this control."""
         values = {value.whose: value for value in self.all.another if value.number == number}
         return next((values[whose] for whose in self._owners if whose in values), None)
 
@@ -320,9 +318,7 @@ class AxisParameters:
                 yield value.fault(f"contradicts {known.file}, line {known.line}", known.label)
 
     def rivals(self, number: int, bits: Sequence[int]) -> list[ParameterValue]:
-        """Return a parameter's values in several paths, if ``bits`` differ and the axis' path is
-        unknown.
-        """
+        """Return a parameter's values by path, if the axis' path is unknown and ``bits`` differ."""
         values = self.all.of([number])
         if self.path is not None or any(value.whose == ("A", self.index) for value in values):
             return []

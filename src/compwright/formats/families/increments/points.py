@@ -47,11 +47,9 @@ def point_rows(
 
 
 def _unmarked(file: ControlFile, *, with_parameters: bool) -> bool:
-    """Return whether a file without Q addresses can be pitch error data throughout.
+    """Return whether every line of a file without Q addresses can be pitch error data.
 
     ``with_parameters``: it may also contain parameters.
-
-    It holds nothing else, or (``with_parameters``) also parameters.
     """
     found = False
     for line in file.content.decode("latin-1").replace("\r", "\n").split("\n"):

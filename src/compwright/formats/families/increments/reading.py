@@ -251,8 +251,7 @@ class StateReader:
         return frozenset(number for number, text in texts.items() if text.strip("-0"))
 
     def _unknown(self) -> frozenset[int]:
-        """Return the point numbers below the user's first free number whose contents are in no
-        file.
+        """Return the point numbers below the user's ``first_point`` that are in no file.
 
         A pitch file that was cut, or not given, does not make numbers free.
         """
@@ -414,7 +413,7 @@ def read_texts(
 
 
 def _as_lines(file: ControlFile, format_id: str) -> ControlFile:
-    """Return an entry sheet as a file of parameter lines; any other file as it is."""
+    """Return an entry sheet converted to parameter lines, or any other file unchanged."""
     if not is_entry_sheet(file):
         return file
     return ControlFile(file.name, parameter_lines(file, format_id, []))

@@ -180,7 +180,7 @@ def _checked(values: IncrementAxisValues, kind: AxisKind) -> IncrementSections |
 def _next_to_reference(
     values: IncrementAxisValues, kind: AxisKind, sections: IncrementSections
 ) -> IncrementSections | None:
-    """Return one turn of sections that begins at the number after the reference, with a warning.
+    """Return sections of one turn whose first number follows the reference's, with a warning.
 
     Real controls accept it, the manual has 3621 = 3620.
 

@@ -1,4 +1,4 @@
-"""Straightness compensation, by which the position of one axis corrects another, if options say so.
+"""Straightness compensation: the position of one axis corrects another, if options include it.
 
 Three pairs of axes (5711 to 5713 moving, 5721 to 5723 compensated), each with four numbers of the
 moving axis' points (5731, 5741, 5751 and on) and four amounts in detection units of the compensated
@@ -41,7 +41,7 @@ _UNKNOWN = (
 
 @dataclass(frozen=True, slots=True)
 class Pair:
-    """A moving axis and the axis it corrects, with four point numbers and their ``amounts``.
+    """A moving axis, the axis that it corrects, and the correction ``amounts`` at four points.
 
     ``place``: its parameter for messages.
     """
@@ -61,7 +61,7 @@ class Pair:
 
 
 def row_of(pair: int, *, amounts: bool = False) -> range:
-    """Return the four parameter numbers of an axis pair (from 0): its points or its amounts."""
+    """Return the four parameter numbers of axis pair 0, 1 or 2: its points, or its ``amounts``."""
     rows = known.STRAIGHTNESS_AMOUNTS if amounts else known.STRAIGHTNESS_POINTS
     first = rows[0] + 10 * pair
     return range(first, first + known.STRAIGHTNESS_USED)

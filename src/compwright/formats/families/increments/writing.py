@@ -200,7 +200,7 @@ class _OwnFiles(Patches):
 
 
 def _fresh(definition: Definition, left: Entries, taken: Collection[str]) -> Iterator[ControlFile]:
-    """Yield new small files for values without a line in the user's files.
+    """Yield new small files with the values that have no line in the user's files.
 
     ``taken``: file names not to be used.
     """
@@ -253,9 +253,7 @@ def _point_lines(definition: Definition, entry: Entries) -> Iterator[str]:
 
 
 def write_programs(definition: Definition, entries: Sequence[Entries]) -> tuple[ControlFile, ...]:
-    """Return one program (G10) per axis that enters the same values. The definition names these
-    optional files.
-    """
+    """Return a G10 program per axis that enters its values, if the definition has programs."""
     return tuple(
         _file(definition, file, entry, list(_program(definition, file, entry)))
         for file in definition.writing
