@@ -109,9 +109,9 @@ def write_planned(
 def _wrong(
     planned: Sequence[PlannedCross], before: DecodedState, after: DecodedState, quantum: float
 ) -> list[Fault]:
-    """Return a fault for each axis pair whose written correction is not the old plus the planned.
+    """Return a fault for each axis pair whose written correction is not the intended sum.
 
-    Rounding by half a ``quantum`` is allowed.
+    The sum: its old plus its planned correction. Rounding by half a ``quantum`` is allowed.
     """
     old, new = (
         {(entry.input, entry.output): [entry] for entry in judged_cross(decoded)}

@@ -1,4 +1,4 @@
-"""Describe a control as text: its form, quantities, limits and options, each with its evidence."""
+"""Describe a control as text: the form of its files, quantities, limits, options, with evidence."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def listing(definitions: Iterable[Definition]) -> Iterator[str]:
 
 
 def description(definition: Definition) -> Iterator[str]:
-    """Yield the lines that describe a control: form, quantities, limits, options, with evidence."""
+    """Yield the lines that describe a control: file form, quantities, limits, options, evidence."""
     for heading, section in (
         ("The table", _table(definition)),
         ("Quantities and their places in the files", _quantities(definition)),

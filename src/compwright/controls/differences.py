@@ -172,7 +172,7 @@ def compared_side(
 def _in_part(
     control: Control, unread: ComparedSide, name: str, error: InputError | UsageError
 ) -> ComparedSide:
-    """Return a set of files of which only some axes can be read, with these axes."""
+    """Return one compared set of files with those axes that can be read, if not all can be read."""
     named = {entry.axis for entry in unread.entries.values() if entry.relevant}
     seen: list[Finding] = []
 

@@ -131,7 +131,7 @@ def completed_by_files(job: Job, states: Mapping[str, DecodedState], as_found: s
 
 
 def completed_axis(axis: Axis, states: Sequence[ControlState], given: Mapping[str, object]) -> Axis:
-    """Return an axis with the options, lead and ignored steps that the control's files state.
+    """Return an axis with options, lead and steps not applied by the control, as the files state.
 
     ``given``: the options of the whole control, which take precedence.
     """

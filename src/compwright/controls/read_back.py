@@ -41,7 +41,7 @@ class ReadBackDifferences:
 
 
 def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
-    """Yield a warning for each path in the folder that `run` wrote, not read from the control."""
+    """Yield a warning for each path in the folder of `run`: it was not read from the control."""
     own = storage.resolved(plan_file.parent / "tables")
     for path in loaded:
         if own in (there := storage.resolved(path), *there.parents):

@@ -95,7 +95,7 @@ def _log_priors(count: int) -> tuple[float, ...]:
 
 
 def _log_chance(there: int, count: int) -> float:
-    """Return the log prior probability (Jeffreys) that exactly ``there`` given shifts exist.
+    """Return the log prior probability (Jeffreys) that only a given set of ``there`` shifts exists.
 
     log B(k + 1/2, n - k + 1/2) - log B(1/2, 1/2), with k = ``there`` and n = ``count``.
     """

@@ -77,7 +77,7 @@ class Change:
         return two_sided_probability(self.score)
 
     def clear(self, comparisons: int = 1) -> bool:
-        """Return whether the difference is significant, if ``comparisons`` of them were tested."""
+        """Return whether the difference is significant among ``comparisons`` differences."""
         return abs(self.score) > CLEAR and self.chance * comparisons < _OF_ALL
 
 

@@ -163,7 +163,7 @@ class _ComparedTests:
         return np.array([entry.values.get(name, 0.0) for entry in self.entries])
 
     def trend(self, by_curve: FloatArray | None = None) -> Trend | None:
-        """Return the trend of the parameter minus ``by_curve``, explained by the error curve."""
+        """Return the trend of the parameter, without its part ``by_curve`` (by the error curve)."""
         name = self.parameter
         of_temperature = [_stated(entry, name) for entry in self.entries]
         return trend_of(

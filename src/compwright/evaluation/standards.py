@@ -120,8 +120,8 @@ _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
 def by_id(name: str, standards: Mapping[str, Entry], kind: str) -> Entry:
-    """Return the standard with the id ``name``; ``kind`` names the standards in errors. Raises
-    UsageError for an unknown id.
+    """Return the standard with the id ``name``. Raises UsageError for an unknown id; ``kind``: what
+    the message calls the standards.
     """
     if name not in standards:
         raise UsageError(

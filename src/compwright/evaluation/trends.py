@@ -333,7 +333,7 @@ class _Mixture:
         return float(ends[0]), float(ends[1])
 
     def lines(self, random: np.random.Generator, *, grows: bool) -> tuple[FloatArray, FloatArray]:
-        """Return random draws of the level and of the rate. The rate is 0 unless it ``grows``."""
+        """Return random draws of the level and of the rate (0 unless ``grows`` is True)."""
         which = random.choice(len(self.weight), size=_DRAWS, p=self.weight)
         by_rate, own = random.standard_normal((2, _DRAWS))
         deviation = np.sqrt(self.rate_variance[which])

@@ -325,7 +325,7 @@ def _normal_scores(count: int) -> FloatArray:
 
 
 def _propagation(test: PositioningTest, budget: UncertaintyBudget) -> Finding:
-    """Return the finding CW-T020: how U was computed, and which effect of a misaligned beam it
+    """Return the finding CW-T020: how U was computed, and which effect of a misaligned beam U
     lacks.
     """
     length = float(test.targets[-1] - test.targets[0]) / 1000.0

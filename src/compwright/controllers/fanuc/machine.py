@@ -153,7 +153,7 @@ class Machine:
         return next((found[owner] for owner in owners if owner in found), None)
 
     def either(self, number: int, axis: int, bit: int | None = None) -> Fault | None:
-        """Return a fault if a parameter or bit differs between paths and the axis' is unknown."""
+        """Return a fault if the axis' path is unknown and a value differs between paths."""
         found = self.entries.get(number, {})
         if self.path(axis) is not None or ("A", axis) in found:
             return None

@@ -160,7 +160,7 @@ def ways_by_values(
     forks: Mapping[int, Fork | Cases],
     assigned: Sequence[Mapping[str, Words | None]],
 ) -> list[int]:
-    """Return the possible next lines (a bit for each) of each line, by the values of variables.
+    """Return each line's possible next lines (a bit for each), by values of variables before it.
 
     ``every``: the next lines regardless of values. Each line collects the values that a variable
     may have before it, None among them if any value may be; lines that no run reaches stay as they
