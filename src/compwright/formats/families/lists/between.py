@@ -57,7 +57,7 @@ def _values(family: Family, request: BetweenRequest, entry: PlannedCross) -> obj
 
 
 def _sign(family: Family, request: BetweenRequest, entry: PlannedCross) -> int:
-    """Return the factor (1 or -1) by which a correction becomes a table value in the list."""
+    """Return 1 or -1, by which a correction is multiplied to get the list's table value."""
     meaning = _values(family, request, entry)
     if meaning is None:
         raise UsageError(

@@ -87,7 +87,7 @@ class ListsFamily(Family):
         return ListStateReader(self, axes, address, activity).read(files)
 
     def unit_of(self, axis: Axis) -> str:
-        """Return the word for the unit of an axis' list, such as "tenths" (in new lists)."""
+        """Return the word for the unit of the numbers in an axis' list; "tenths" in new lists."""
         address, _ = self.address(axis)
         return str(self.state.facts_of(address).stated.get("table_form", "tenths"))
 

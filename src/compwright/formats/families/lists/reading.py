@@ -206,7 +206,7 @@ class ListStateReader:
         )
 
     def _axis(self, lists: ListsByAxis, address: str, axis: Axis | None) -> None:
-        """Read the compensation of an axis of the job."""
+        """Read and store the compensation and the facts of one axis."""
         reader = self._reader(lists, address, axis, self.notes, self.activity)
         own = read_axis(reader)
         self.compensations[address] = own.compensation

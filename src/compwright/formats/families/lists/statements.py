@@ -106,7 +106,7 @@ class AxisStatements:
         return places[0] if places else None
 
     def needed(self, statement: str, given: FoundValue | None) -> FoundValue | None:
-        """Return the value of a statement that must be in the lists because ``given`` is."""
+        """Return the value of a statement; it is a fault if only ``given`` is in the lists."""
         found = self.one(statement)
         if found is None and not self.lists.places(self.address, statement):
             name = self.lists.name(statement)

@@ -33,7 +33,7 @@ COLUMNS = ("setpoint", "positive", "negative")
 def counted(
     definition_scale: NumberScale, options: Mapping[str, object], increment: float
 ) -> NumberScale:
-    """Return the conversion of whole numbers that count ``increment`` (mm or deg) each."""
+    """Return the scale of whole numbers that count multiples of ``increment`` (mm or deg)."""
     return NumberScale(
         definition_scale.definition,
         definition_scale.kind,
@@ -103,7 +103,7 @@ class TableReader:
         self.of.room("max_points", 0)
 
     def _needed_word(self, quantity: str, given: FoundValue | None) -> str | None:
-        """Return the meaning of a choice that must be in the list because ``given`` is."""
+        """Return the meaning of a choice; it is a fault if only ``given`` is in the list."""
         statement = self.of.definition.bindings[quantity].statement
         return None if self.of.needed(statement, given) is None else self.of.word(quantity)
 
@@ -184,7 +184,7 @@ class TableReader:
         interval: FoundValue | None,
         place: FoundValue | None,
     ) -> list[Decimal]:
-        """Return the positions of the entries in the list's counts, checked to ascend."""
+        """Return the entries' positions in the list's unit; a position out of order is a fault."""
         if interval is None:
             return []
         step = Decimal(interval.text)

@@ -85,9 +85,7 @@ class ListsWriter:
             self._put(self.lists.places(address, "backlash"), "0")
 
     def _words(self, address: str) -> dict[str, str]:
-        """Return the list's words for its unit (for a new list, the definition's) and for two
-        columns.
-        """
+        """Return the texts for unit and number of columns; an existing list keeps its unit."""
         bindings = self.definition
         unit = self.lists.places(address, "unit")
         return {
@@ -273,7 +271,7 @@ def _start(found: FoundValue) -> int:
 def _texts(
     scale: NumberScale, quantity: str, values: FloatArray, label: str, faults: list[Fault]
 ) -> list[str]:
-    """Return numbers as text in whole counts; others are added to ``faults``."""
+    """Return numbers as texts of whole counts; numbers that do not fit are added to ``faults``."""
     texts = []
     for value in values:
         try:

@@ -93,9 +93,7 @@ def write_cross(
 
 
 def _put(writer: CecWriter, entry: CrossCompensation, faults: list[Fault]) -> list[PairEntry]:
-    """Write the one or two tables of a correction between axes; return those without lines in
-    files.
-    """
+    """Write a correction between axes as one or two tables; return those that are in no file."""
     tables = writer.tables
     pair = tables.axis(entry.input), tables.axis(entry.output)
     both = np.array_equal(entry.positive, entry.negative)

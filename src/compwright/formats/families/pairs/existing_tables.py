@@ -71,7 +71,7 @@ class ExistingTables:
         return self.places.get(index, {}).get(quantity, ())
 
     def unnamed(self, index: int, quantity: str) -> list[FoundValue]:
-        """Return the values of a table in lines that have ``()`` in place of the axis."""
+        """Return a table's values from lines that have empty brackets, ``()``, for the axis."""
         statements, bindings = self.definition.statements, self.definition.bindings
         own = name_in_form(statements[bindings[quantity].statement].form)
         before = statements[bindings["cross_other"].statement].form.partition("{")[0]
@@ -140,7 +140,7 @@ class ExistingTables:
         return first
 
     def check_protected(self, index: int, output: str, faults: list[Fault]) -> None:
-        """Refuse a file that activates a table before its values, which would not load."""
+        """Refuse a file that activates a table before its values: the control would reject them."""
         for switches in (
             self.places_of(index, "cross_table_enabled"),
             self.axis_places(output, "cross_axis_enabled"),

@@ -51,9 +51,7 @@ from compwright.words.sentences import control_text, unconfirmed
 
 
 def with_sign_unknown(state: ControlState) -> ControlState:
-    """Return a state with the note that its cross-axis tables were read as corrections, sign
-    unknown.
-    """
+    """Return the state; if it has cross-axis tables, with the note that their sign is assumed."""
     if not state.tables.used:
         return state
     assumption = Assumption(
@@ -89,7 +87,7 @@ def _shown(control: Family) -> Family:
 
 
 def _drafted(control: Family) -> Family:
-    """Return the control for drafting a job file from its files."""
+    """Return the control for reading files from which a job file is drafted."""
     shown = _shown(control)
     draft = PairsFamily(control.definition, shown.options)
     draft.sign_assumed, draft.drafting = shown is not control, True
@@ -97,7 +95,7 @@ def _drafted(control: Family) -> Family:
 
 
 def _alone(control: Family, files: Sequence[ControlFile]) -> Sequence[str]:
-    """Return the addresses of all axes, because each axis can be read without the others."""
+    """Return the addresses of all axes in the files: each axis can be read without the others."""
     return PairsReader(_shown(control), files, (), None, Activity()).named()
 
 
@@ -167,11 +165,11 @@ class PairsFamily(GridFamily):
         return bool(own) and (form == "small" or any(map(self._holds_others, own)))
 
     def _holds_others(self, file: ControlFile) -> bool:
-        """Return whether a file contains tables that need different activation parameters.
+        """Return whether a file has tables with different activation parameters.
 
-        Loaded whole, it would assign again tables that are on, which the control protects. Tables
-        between axes, such as one for each direction, share the switch of the axis that they
-        correct.
+        Loaded as a whole, it would assign values to active tables, which the control protects.
+        Tables between axes, such as one for each direction, share the activation parameter of the
+        axis that they correct.
         """
         own, output = self._statements_of("value"), self._statements_of("cross_output")
         between = self._statements_of("cross_value")

@@ -57,7 +57,7 @@ class SingleValues:
         self.notes = notes
 
     def values(self, label: str) -> Values:
-        """Return the reader of values that calls a table or axis ``label`` in messages."""
+        """Return a reader of values whose messages name the table or axis as ``label``."""
         return Values(self.definition, label, self.notes)
 
     def word(
@@ -157,9 +157,9 @@ class TableLines(SingleValues):
         return values.known_word(binding, found.text) == "yes"
 
     def is_active(self, *, under_work: bool, stays: bool) -> bool:
-        """Return whether no file deactivates the table by one of its two activation parameters.
+        """Return whether the table is active, by its two activation parameters or by the job.
 
-        Values of an unknown unit are refused. ``under_work``: its output axis is under work.
+        Values of an unknown unit are refused. ``under_work``: the job has its output axis.
         ``stays``: its index is not to be written; then nothing depends on whether a table that no
         file switches off was active.
         """
@@ -224,9 +224,7 @@ class TableLines(SingleValues):
         self.notes.find("CW-S034", severity, self.pair[1], label=label, switches=switches)
 
     def _was_active(self, ends: list[_Switch]) -> bool | None:
-        """Return whether an axis' own cross-axis table was active, by its leadscrew table and the
-        job.
-        """
+        """Return whether a table by which an axis corrects itself was active; None if unknown."""
         words = [end.word for end in ends]
         word = "no" if "no" in words else None if None in words else "yes"
         found = (end.found for end in ends if end.word == word and end.found is not None)

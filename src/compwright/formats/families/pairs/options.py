@@ -34,7 +34,7 @@ def sign_known(control: Family) -> bool:
 
 
 def sign_question(why: str) -> Fault:
-    """Return the question whether table values are corrections or errors; ``why`` it matters."""
+    """Return the question whether table values are corrections or errors; ``why``: its reason."""
     return Fault(
         message=(
             f"{why}, and the sign of its values is not given: a wrong sign doubles the error. "
@@ -109,7 +109,7 @@ def reserving(definition: Definition, points: int, which: str) -> str:
 
 
 def free_tables(allowed: Sequence[int], in_use: Mapping[int, Pair], address: str) -> list[int]:
-    """Return the table indices an axis may use for itself: those it has, then free allowed ones."""
+    """Return the indices of tables by which an axis may correct itself: its own, then free ones."""
     own = [index for index in allowed if in_use.get(index) == (address, address)]
     return [*own, *(index for index in dict.fromkeys(allowed) if index not in in_use)]
 

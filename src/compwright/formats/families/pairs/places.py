@@ -34,7 +34,7 @@ Places = Mapping[str, Sequence[FoundValue]]
 
 
 def as_table(definition: Definition) -> Definition:
-    """Return the definition with cross-axis tables defined as axis tables, for the same reader."""
+    """Return a definition that describes cross-axis tables in the terms of axis tables."""
     bindings = {
         name: replace(definition.bindings[cross], quantity=name) for cross, name in AS_TABLE.items()
     }

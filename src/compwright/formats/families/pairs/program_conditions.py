@@ -85,9 +85,7 @@ class Decision:
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """A CASE line, which continues where ``by_number`` says for the expression ``text``, else
-    ``other``.
-    """
+    """A CASE line: the next steps by the value of an expression, or else ``other``."""
 
     text: str
     by_number: Mapping[float, frozenset[int]]
@@ -319,7 +317,7 @@ def _changes(
 
 
 def _values(conditions: Sequence[Condition]) -> list[float]:
-    """Return values of an expression that cover all combinations of results of its conditions."""
+    """Return values of an expression that give every combination of its conditions' results."""
     if any(one.truth for one in conditions):
         return [0.0, 1.0]
     numbers = sorted({one.value for one in conditions})

@@ -1,4 +1,4 @@
-"""Find statements that can prevent the execution of values in a SINUMERIK file (then a program).
+"""Find statements in a SINUMERIK file that can prevent the execution of its values.
 
 The list of harmless statements is closed; everything else counts as program flow, so that no kind
 of jump, loop, call or synchronised action is missed. Statements after the last value do not count.
@@ -187,9 +187,7 @@ class ProgramFlow:
     followed: frozenset[str] = frozenset()
 
     def ways(self, loaders: frozenset[str]) -> ProgramRuns:
-        """Return the possible runs through the program, as the lines with values and calls of
-        ``loaders``.
-        """
+        """Return the possible runs through the program, by its values and calls of ``loaders``."""
         return possible_runs(
             _step(number, code, self.followed, marked=value or not loaders.isdisjoint(calls))
             for number, code, value, calls in self.lines

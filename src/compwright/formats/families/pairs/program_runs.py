@@ -54,7 +54,7 @@ _CLOSING = {"ENDIF": "IF", "ENDWHILE": "WHILE", "ENDFOR": "FOR", "ENDLOOP": "LOO
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """One program line, reduced to what matters for the order of execution.
+    """One program line, reduced to what decides the order of execution.
 
     ``names``: its label and block number; ``code``: what it does, strings emptied, empty if it does
     not affect the order of lines; ``marked``: it is one of those in question (a value, a call);
@@ -212,7 +212,7 @@ def possible_runs(steps: Iterable[Step]) -> ProgramRuns:
 
 
 def _decision(step: Step, follow: frozenset[int], after: int) -> Decision | None:
-    """Return the two next steps of a condition; None if more than the condition decides."""
+    """Return a condition with both next steps; None if it alone does not decide the next step."""
     found = _ASKING.fullmatch(step.code)
     jumps = len(_GO.findall(step.code))
     condition = None if found is None or step.skipped else condition_of(found["condition"])

@@ -308,7 +308,7 @@ def _called_late(
 
 
 def _never(found: Found, unit: str) -> Iterator[Fault]:
-    """Yield a fault for each statement that always prevents or changes values of a program."""
+    """Yield a fault for each statement that prevents or changes values in every run."""
     file, program = found.file, found.program
     if program.behind and program.ended is not None:
         yield Fault(

@@ -61,7 +61,7 @@ class Writable:
     drafted: Collection[int] | None = None
 
     def stays(self, one: TableLines) -> bool:
-        """Return whether an active table by which an axis corrects itself stays unchanged.
+        """Return whether table ``one``, by which an axis corrects itself, stays active unchanged.
 
         Its index is not among those to be written, and it is known to be on.
         """
@@ -254,9 +254,7 @@ class _CrossTableReader(TableLines):
         return None if found is None or int(found.text) == 0 else int(found.text) - 1
 
     def curve(self, scale: NumberScale, *, under_work: bool, stays: bool) -> CecTable | None:
-        """Return the table as corrections by position; None, with the reasons noted, if
-        unusable.
-        """
+        """Return the table as corrections by position; None, with reasons noted, if unusable."""
         singles = {name: self._one(name) for name in DATA if name != "cross_value"}
         count, anything = self.definition.limit_number("cross_tables"), next(iter(self.places))
         if count is not None and self.index >= count:

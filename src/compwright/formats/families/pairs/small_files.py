@@ -45,7 +45,7 @@ _CHANNEL = re.compile(rb"^[ \t]*CHANDATA\([0-9]+\)", re.MULTILINE | re.IGNORECAS
 
 @dataclass(frozen=True, slots=True)
 class _FilesSide:
-    """The contents of the old or new files: each variable's last line, and the axis names."""
+    """The contents of the old or the new files: each variable's last line, and the axis names."""
 
     entries: Mapping[Key, Occurrence]
     names: AxisNames

@@ -155,8 +155,7 @@ class PairsReader(GridReader):
         )
 
     def _others_protected(self, address: str, system: int | None) -> str:
-        """Return the activation parameters, as text, of the other tables in the same file that are
-        active.
+        """Return as text the activation parameters of other active tables in the same files.
 
         The control protects active tables during loading.
         """
@@ -201,7 +200,7 @@ class PairsReader(GridReader):
         return ()
 
     def pair_tables(self) -> PairTables:
-        """Return which cross-axis tables the files contain, active or not."""
+        """Return the cross-axis tables by index: their axes, reserved points, unchanged ones."""
         return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay())
 
     def active_lines(self) -> dict[str, FoundValue]:

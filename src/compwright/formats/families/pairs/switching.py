@@ -29,10 +29,9 @@ class Switches:
             self.own.put(quantity, self.tables.places_of(index, quantity), "0")
 
     def sum_on(self, output: str, faults: list[Fault]) -> None:
-        """Activate MD32710 of an axis, unless that would activate tables of others on the axis.
+        """Activate MD32710 of an axis; it is a fault if that would also activate other tables.
 
-        If no file states whether it is on, it will be switched on by hand: the same tables must not
-        be inactive there either.
+        If no file states MD32710, it has to be set by hand; other tables are a fault then too.
         """
         if self.own is None:
             return
@@ -121,9 +120,9 @@ class Switches:
         )
 
     def _may_activate(self, index: int, output: str) -> bool:
-        """Return whether activating MD32710 may activate a table of others on the axis ``output``.
+        """Return whether MD32710 of the axis ``output`` may activate the table ``index``.
 
-        One that is switched on while its values are in no file.
+        Also one that is active by the files while its values are in no file.
         """
         tables = self.tables
         if index in tables.kept or tables.off(index):

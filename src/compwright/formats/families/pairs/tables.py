@@ -106,7 +106,7 @@ class Cec:
         return [table for table in self.tables if table.pair == pair and table.active]
 
     def facts(self, address: str, *, sign_known: bool) -> PairFacts:
-        """Return what is known about the cross-axis tables on one axis."""
+        """Return facts on the cross-axis tables that correct an axis, such as their sum's limit."""
         mine = (table for table in self.active((address, address)) if not table.stays)
         own = {table.directions: table.index for table in mine}
         up, down = (own.get((direction,)) for direction in Direction)
@@ -120,8 +120,7 @@ class Cec:
         )
 
     def uncounted(self, address: str) -> str:
-        """Return as text the active tables by the axis' own position that are not part of the
-        result.
+        """Return as text the active tables on an axis that its compensation does not include.
 
         The text changes with their values.
         """

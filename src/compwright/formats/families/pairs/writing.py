@@ -60,7 +60,7 @@ class CecWriter:
         self.switches = Switches(self.tables)
 
     def own_pair(self, work: AxisToWrite) -> list[PairEntry]:
-        """Write an axis' two tables, one per direction; return those without lines in the files.
+        """Write an axis' two tables, one per direction; return those that are in no file.
 
         Raises UsageError if the meaning of a value is not given.
         """
@@ -85,7 +85,7 @@ class CecWriter:
         label: str,
         faults: list[Fault],
     ) -> list[PairEntry]:
-        """Write curves into tables, one per direction or one for both; return those without lines.
+        """Write curves as tables (one per direction, or one); return those that are in no file.
 
         ``pair``: input axis and output axis.
 
@@ -103,7 +103,7 @@ class CecWriter:
         return left
 
     def _by_direction(self, indices: list[int]) -> list[int]:
-        """Return the table indices in the order +, -, so that tables keep their direction."""
+        """Return table indices with that for + first; a table keeps its direction in the files."""
 
         def holds(index: int, text: str) -> bool:
             places = self.tables.places_of(index, "cross_direction")
@@ -117,7 +117,7 @@ class CecWriter:
         return indices if second is None or not rest else [rest[0], second, *rest[1:]]
 
     def empty_own(self, work: AxisToWrite) -> None:
-        """Set to zero the active tables by an axis' own position that are not used again."""
+        """Set to zero active tables by which an axis corrects itself, unless written again."""
         tables, address = self.tables, work.address
         for index, pair in tables.in_use.items():
             if pair != (address, address) or index in tables.kept:
@@ -286,7 +286,7 @@ class CecWriter:
 
 
 class PairsWriter(GridWriter):
-    """Writes two tables, one per direction, instead of one with backlash, if directions differ."""
+    """Writes an axis table, or two cross-axis tables if the two directions differ."""
 
     def __init__(
         self, control: Family, files: Sequence[ControlFile], addresses: Iterable[str]

@@ -1,1 +1,1 @@
-"""PMAC scripts with repeating tables, whose values are whole fractions of an encoder count."""
+"""PMAC scripts with tables that repeat, whose values count 1/16 of an encoder count."""

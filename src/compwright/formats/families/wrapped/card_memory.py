@@ -59,7 +59,7 @@ class Word:
 
 @dataclass(slots=True)
 class MemoryTable:
-    """A table in a motor's memory: how many entries it needs, and the entries in the script.
+    """A table in a motor's memory: the number of entries it needs, and those in the script.
 
     ``desired``: looked up by the commanded position. ``plane``: over two motors.
     """
@@ -78,7 +78,7 @@ class MemoryTable:
 
     @property
     def counts(self) -> int:
-        """The table's length in encoder counts of the motor whose position selects the entry."""
+        """The table's length in encoder counts of the motor by whose position it is looked up."""
         return 0 if self.length is None else int(self.length.text)
 
     @property
@@ -221,7 +221,7 @@ def _tables(script: Script) -> Mapping[tuple[str, int], list[tuple[str, Word]]]:
 def _other_ends(
     script: Script, name: str, words: Sequence[Word], ends: Sequence[str]
 ) -> Iterator[Fault]:
-    """Yield a fault if only file names decide which of several statements is executed last.
+    """Yield a fault if only the order of file names decides which statement comes last.
 
     ``ends``: the result of each.
     """

@@ -45,11 +45,11 @@ class Counts:
 
     @property
     def forward(self) -> Direction:
-        """The axis direction in which the motor counts up; the other one has the backlash."""
+        """The axis direction in which the motor counts up; backlash is added in the other one."""
         return Direction.POSITIVE if self.per_unit > 0 else Direction.NEGATIVE
 
     def added(self, quantity: str, numbers: FloatArray) -> FloatArray:
-        """Return the axis' correction (k,), mm or deg, by table or backlash entries (k,)."""
+        """Return the axis' correction (k,), mm or deg, for the table entries ``numbers`` (k,)."""
         return numbers * (_SIGN[self._sign(quantity)] / (PARTS * self.per_unit)) + 0.0
 
     def entries(self, quantity: str, added: FloatArray, what: str) -> list[int]:
@@ -120,7 +120,7 @@ def counts_question(name: str, given: object) -> Fault:
 
 
 def around(axis: Axis | None, zero: float, step: float) -> tuple[float, int]:
-    """Return the position of the first table point to show, and its number from motor zero.
+    """Return position and number (from motor zero) of the point where a compensation begins.
 
     The last one below the travel of an axis with ends.
     """

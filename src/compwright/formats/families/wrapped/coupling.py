@@ -96,7 +96,7 @@ def _without_macros(files: Sequence[ControlFile]) -> list[ControlFile]:
 
 
 def _definitions(files: Sequence[ControlFile]) -> dict[int, list[tuple[str, CouplingStatement]]]:
-    """Return by motor the axis definitions that may be its last, with their coordinate system."""
+    """Return by motor each axis definition that may be in effect, with its coordinate system."""
     system, last = "1", dict[int, list[tuple[str, CouplingStatement]]]()
     for found in statements_in(files, _ASSIGNED, _REMARK):
         if found.match["system"]:

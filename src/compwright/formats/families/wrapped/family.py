@@ -43,7 +43,7 @@ from compwright.words.sentences import control_text
 
 
 def table_words(axis: Axis, table: MotorTable, counts: Counts, rate: str) -> dict[str, str]:
-    """Return the card's values of a table: entries, length, spacing, gap, backlash and its rate."""
+    """Return the card's values of a table: entries, length, spacing, unused gap and backlash."""
     unit = axis.kind.unit
     spacing = table.length / len(table.entries) * counts.count
     gap = control_text("the length is one turn, and there is no gap")
@@ -234,7 +234,5 @@ class WrappedFamily(Family):
         return AxisCard(words | sign_check(table, request.check_at) | files)
 
     def between(self, request: BetweenRequest) -> Between:
-        """Return the answer that the user has to add a table of a third motor; see
-        `Family.between`.
-        """
+        """Return what the user can do instead of a cross-axis table; see `Family.between`."""
         return alternative_answer(self.definition, request.planned)

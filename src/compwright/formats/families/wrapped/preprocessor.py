@@ -112,7 +112,7 @@ class Conditions:
             self.guarded[name] = self.open[0]
 
     def undecided(self, text: str) -> str:
-        """Return a macro in ``text`` that a conditional block may have changed; else ""."""
+        """Return a macro used in ``text`` that a conditional block may have changed; else empty."""
         return next((name for name in self._names_in(text) if name in self.chosen), "")
 
     def guard_of(self, text: str) -> ConditionalBlock | None:

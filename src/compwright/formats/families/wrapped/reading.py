@@ -291,9 +291,7 @@ class WrappedStateReader:
         grids: Mapping[tuple[int, int], tuple[FloatArray, FloatArray]],
         step: float,
     ) -> AxisCompensation:
-        """Return a motor's tables as one compensation, in which tables with other points are
-        ``others``.
-        """
+        """Return a motor's tables as one compensation; tables with other points are ``others``."""
         parts: list[AxisCompensation] = []
         for (needed, length), (ahead, back) in grids.items():
             against = back + (0.0 if parts else step)
@@ -481,7 +479,7 @@ class WrappedStateReader:
 
 
 def _closed(table: MemoryTable) -> FloatArray:
-    """Return the table entries (n + 1,) with the value 0 at motor zero in front."""
+    """Return the table entries (n + 1,), beginning with the value 0 at motor zero."""
     return np.array([0, *table.numbers], dtype=np.float64)
 
 
@@ -492,7 +490,7 @@ def _add(
     *,
     both: bool,
 ) -> None:
-    """Add the correction of a table to the sum of other tables that have the same points.
+    """Add the correction of a table to the entry of ``grids`` for tables with the same points.
 
     It is added for both directions (``both``), or only against the counting direction.
     """

@@ -28,7 +28,7 @@ HELD = 3
 
 @dataclass(frozen=True, slots=True)
 class MotorTable:
-    """The table and backlash entries of a motor, in whole fractions of an encoder count.
+    """The table and backlash entries of a motor, as whole numbers of 1/16 encoder count.
 
     ``length`` in counts; ``lost``: the backlash table in addition to ``constant``.
 
@@ -135,7 +135,7 @@ def motor_table(
 def _numbers(
     compensation: AxisCompensation, nodes: _Nodes, counts: Counts, label: str
 ) -> tuple[tuple[int, ...], tuple[int, ...], int]:
-    """Return the entries of the table and of the backlash table, and the constant backlash."""
+    """Return the entries of correction table and backlash table, and the constant backlash."""
     ahead, against = (
         _entries_of(compensation.curve(direction), nodes, counts)
         for direction in (counts.forward, counts.forward.opposite)

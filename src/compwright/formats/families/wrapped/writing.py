@@ -38,7 +38,7 @@ TAKE_UP = "take_up_rate"
 def fresh_script(
     definition: Definition, tables: Sequence[MotorTable], rates: Mapping[int, int]
 ) -> ControlFile:
-    """Return a new script that defines ``tables`` in a card without tables.
+    """Return a new script that defines ``tables`` in a control without tables.
 
     ``rates``: backlash rate by motor.
     """
@@ -184,7 +184,7 @@ class _Patcher:
         return True
 
     def _define(self, kind: str, table: MotorTable) -> None:
-        """Insert the definition of a new table at a place where the card accepts it."""
+        """Insert the definition of a new table where the control's order of definitions permits."""
         lines = definition_lines(self.definition, kind, table)
         behind = (kind, *BEHIND[kind])
         for name, motor, word in self.script.commands:
