@@ -32,7 +32,7 @@ class OptionForm:
 
 @dataclass(frozen=True, slots=True)
 class Own:
-    """The file arguments of a command: how many it needs, and their usual file name extensions."""
+    """The file arguments of a command: their number, whether ``many``, and usual extensions."""
 
     needed: int
     many: bool = False
@@ -53,7 +53,7 @@ def spread(words: Sequence[str], options: Mapping[str, OptionForm], own: Own) ->
 
 
 def _held_back(given: Sequence[str], further: Sequence[range], own: Own) -> Sequence[int]:
-    """Return which values of options are really the file arguments of the command."""
+    """Return the indices of option values that must be the command's own file arguments."""
     named = [
         place
         for places in further
@@ -68,7 +68,7 @@ def _held_back(given: Sequence[str], further: Sequence[range], own: Own) -> Sequ
 def _sorted(
     words: Sequence[str], options: Mapping[str, OptionForm]
 ) -> tuple[list[str], list[str], list[range]]:
-    """Return options with their values, file arguments, and the indices of further file values."""
+    """Return options with values, file arguments, and indices of further values of file options."""
     given: list[str] = []
     files: list[str] = []
     further: list[range] = []
@@ -96,7 +96,7 @@ def _sorted(
 
 
 def _set_off(word: str, options: Mapping[str, OptionForm], left: list[str]) -> str:
-    """Return the option in ``--state=a``, with its value put back into ``left``; else the word."""
+    """Return an option's name from ``--state=a`` and put its value into ``left``, else the word."""
     name, mark, value = word.partition("=")
     form = options.get(name)
     if not mark or form is None or form.flag or not form.several:

@@ -1,4 +1,4 @@
-"""Errors by cause, each with all faults found, one per line, and the exit code of its cause.
+"""One error class per cause, with its exit code. An error lists all faults found, one per line.
 
 A fault names what is wrong, in which file, at which place (line, column or key path), what was
 expected, what was found and what to do next. Nothing here prints; the command line turns an error
@@ -103,7 +103,7 @@ class CompwrightError(Exception):
         return found
 
     def __reduce__(self) -> tuple[type[CompwrightError], tuple[Fault, ...]]:
-        """Return how to copy the error: from its faults, not from its text."""
+        """Return how to rebuild the error when pickled: its class and its faults."""
         return type(self), self.faults
 
 
@@ -120,7 +120,7 @@ class InputError(CompwrightError):
 
 
 class CapacityError(CompwrightError):
-    """The correction exceeds the control's limits, or lacks a certified solution (exit code 4).
+    """The correction exceeds the control's limits, or no solution can be certified (exit code 4).
 
     The fault says which limit is broken, by how much, and what would help.
     """

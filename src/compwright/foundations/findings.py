@@ -72,7 +72,7 @@ class Finding:
     def of(
         cls, name: str, severity: Severity, /, axes: tuple[str, ...] = (), **values: object
     ) -> Finding:
-        """Return a finding with the sentence ``name``, such as ``CW-R053.no_end``.
+        """Return a finding with the sentence ``name``, such as ``CW-R053.no_end``, and its values.
 
         With a dot and a word more where one code has several sentences.
         """
@@ -101,7 +101,7 @@ def next_step(codes: Iterable[str]) -> Sentence | None:
 
 
 def doubts_of(findings: Iterable[Finding]) -> tuple[Finding, ...]:
-    """Return the doubts and important results of ``findings``, each once, errors first."""
+    """Return those ``findings`` that are doubts or important results, each once, errors first."""
     first = dict.fromkeys(
         finding
         for finding in findings

@@ -57,7 +57,7 @@ class KeyFault:
     hint: str = ""
 
     def in_file(self, file: str, place: Callable[[KeyPath], str] = key_path_text) -> Fault:
-        """Return the fault with its file and place. ``place``: gives a key path's place as text."""
+        """Return the fault with its file. ``place``: a function that writes a key path as text."""
         return Fault(
             message=self.message,
             file=file,

@@ -1,4 +1,4 @@
-"""Change settings that all threads of the process share, by one thread at a time."""
+"""Let one thread at a time change settings that all threads of the process share."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _TURN: Final = RLock()
 
 @contextmanager
 def warnings_ignored(message: str = "") -> Iterator[None]:
-    """Ignore the warnings of libraries whose text begins with ``message`` (a regular expression).
+    """Ignore library warnings whose text begins with the regular expression ``message``.
 
     The filters of warnings belong to the process. A second thread waits until the first one has
     restored them, so other settings of a library can be changed inside too.

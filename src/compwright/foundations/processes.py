@@ -1,4 +1,4 @@
-"""Work on items in several parallel processes, as Python uses one processor per process.
+"""Work on items in several processes, because one Python process uses only one processor.
 
 They are started with ``spawn``, which every system supports.
 """

@@ -25,7 +25,7 @@ Rules = Mapping[type, Callable[[Any], Iterator[str]]]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RecordForm:
-    """How the mapping in a file differs from the fields of its record, such as in key names.
+    """How a mapping in a file differs from the fields of its record class, such as in key names.
 
     ``keys``: the key of a field with another name. ``absent``: keys that may be missing.
     ``constant``: values of fields that the mapping does not contain, or not always (``absent``).
@@ -61,7 +61,7 @@ def mapping(
     others: bool = False,
     ref: str | None = None,
 ) -> cs.CoreSchema:
-    """Return the schema of a mapping that ``build`` converts. ``others``: allow further keys."""
+    """Return the schema of a mapping with given ``keys``, which ``build`` converts to a value."""
     known = cs.typed_dict_schema(
         {
             key: cs.typed_dict_field(schema, required=key not in optional)

@@ -123,7 +123,7 @@ def telling(text: str, allowed: frozenset[str]) -> Iterator[str]:
 
 
 def _whole(text: str, allowed: frozenset[str]) -> str:
-    """Return a text of several words in lower case, or "" if it identifies no one."""
+    """Return a text of several words in lower case, or "" if its words identify no one."""
     whole = " ".join(text.casefold().split())
     return whole if " " in whole and any(telling(whole, allowed)) else ""
 
@@ -140,7 +140,7 @@ def _forms(content: bytes) -> Iterator[str]:
 
 
 def not_the_same(file: str, found: str) -> InputError:
-    """Return the error that a redacted copy would be read with numbers unlike the original's."""
+    """Return the error that a redacted copy would give other numbers than its original."""
     return InputError(
         Fault(
             message="the file was not copied: without the names, other numbers would be read in "

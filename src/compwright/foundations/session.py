@@ -1,4 +1,4 @@
-"""The session of one command: files read, files to be written, folders already restored.
+"""The session of one command: the files it reads and writes, and folders that it restored.
 
 Every command makes its own `Session` and hands it to whatever reads or writes files, so that
 several commands can work in one process. Only `storage` changes what a session holds, and one
@@ -19,7 +19,7 @@ Identity = tuple[int, int]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Session:
-    """The files that one command read or will write, and the folders that it checked.
+    """The files that one command read or will write, and the folders that it has restored.
 
     ``inputs``: the files that were read. The command never overwrites or deletes them, whatever
     name leads to them: a link, other cases of the letters and a way around through ``..`` are still

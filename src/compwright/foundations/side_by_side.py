@@ -36,7 +36,7 @@ class Crew(Protocol):
     """A function that starts parallel workers for up to ``items`` items."""
 
     def __call__(self, items: int, ready: Callable[[], None]) -> AbstractContextManager[Each]:
-        """Return a context that gives the function working on items. ``ready`` loads modules."""
+        """Return a context manager for an `Each`. ``ready`` loads modules in new processes."""
 
 
 def in_turn(work: Callable[[T], R], items: Sequence[T]) -> list[R]:
@@ -46,7 +46,7 @@ def in_turn(work: Callable[[T], R], items: Sequence[T]) -> list[R]:
 
 @contextmanager
 def alone(items: int, ready: Callable[[], None]) -> Iterator[Each]:  # noqa: ARG001
-    """Provide a function that works on items in turn, in this process."""
+    """Provide the function that works on items one after the other, in this process."""
     yield in_turn
 
 

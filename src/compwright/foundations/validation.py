@@ -33,7 +33,7 @@ Known = Callable[[KeyPath], list[str]]
 
 
 def refuse(*faults: KeyFault) -> NoReturn:
-    """Raise faults in a function that pydantic calls, with key paths relative to its value."""
+    """Raise faults so that pydantic reports them, with key paths relative to the checked value."""
     raise ValidationError.from_exception_data(
         "",
         [
@@ -106,7 +106,7 @@ def key_faults(
 
 
 def _expected_at(path: KeyPath, data: Any, again: Callable[[Any], object] | None) -> str:
-    """Return which value is expected for a missing key, by validating with a wrong value there."""
+    """Return the expected value of a missing key, as the fault of a wrong value there states it."""
     if again is None:
         return "a value"
     filled = _with(data, path, object())

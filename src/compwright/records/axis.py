@@ -112,7 +112,7 @@ class Axis:
 
 
 def partner_of(axis: Axis, address: str) -> Axis:
-    """Return the slave axis of a gantry: the master with the slave's address and number."""
+    """Return the slave axis of a gantry: a copy of its master axis with the slave's ``address``."""
     return replace(
         axis,
         name=f"{axis.name} ({address})",

@@ -15,9 +15,9 @@ from compwright.words.sentences import Sentence
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lattice:
-    """Limits of a control whose increments add up, from the reference, to the correction.
+    """Limits of a control whose correction is the sum of increments from the reference position.
 
-    Node m's total = magnification * ``unit`` * sum of the increments.
+    The total at table point m = magnification * ``unit`` * sum of the increments up to m.
 
     ``unit`` is the detection unit, mm or deg; ``increments`` the least and largest increment, both
     included; ``magnifications`` those that may be chosen, ascending. ``offset_range``: the second
@@ -36,10 +36,10 @@ class Lattice:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wave:
-    """Limits of a second table that repeats over a short period, in increments of ``unit``.
+    """Limits of a cyclic table: it repeats over a short period, in addition to the main table.
 
-    At most ``increment`` of them in a section; ``room``: points that are free; ``step``: the
-    sections are multiples of it, mm or deg.
+    ``unit``: the size of an increment, mm or deg; ``increment``: the most of them per section;
+    ``room``: the number of free points; ``step``: sections are multiples of it, mm or deg.
     """
 
     unit: float

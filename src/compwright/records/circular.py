@@ -114,7 +114,7 @@ class CircularEffect:
 
 @dataclass(frozen=True, slots=True)
 class FreshRun:
-    """Random draws of what one run of a new circular test would show, in mm.
+    """Random draws of what one run of a new circular test may show, with and without noise, in mm.
 
     At the ``angles`` (n,) deg: readings without noise ``paths`` and ``noise`` (d, n) mm, each row
     as probable as the others.
@@ -127,7 +127,7 @@ class FreshRun:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FittedRun:
-    """One run as fitted by all causes: angles (deg), deviations and residuals (mm).
+    """One run of a circular test as the model of all causes fits it, with the residuals.
 
     ``angles`` (n,) deg as measured, ``deviations`` (n,) mm of the fit, ``residuals`` (n,) mm,
     measured minus fitted. Of a long run only samples at equal steps.

@@ -1,4 +1,4 @@
-"""Conditions of a measurement by the job: temperatures and contributors to uncertainty.
+"""The conditions of a measurement that the job states: temperatures and uncertainty contributors.
 
 Apart from the job, because evaluating a file needs these records and nothing else of it.
 """
@@ -34,7 +34,7 @@ class Thermal:
 
     @property
     def slope(self) -> float:
-        """The differential expansion, mm per mm from ``x_fix``."""
+        """The differential expansion per distance from the fixed point ``x_fix``, mm/mm."""
         return 1e-6 * (self.alpha_m * (self.T_m - 20.0) - self.alpha_d * (self.T_d - 20.0))
 
 

@@ -24,11 +24,11 @@ def correction_need(value: float, std_error: float) -> Need:
 
 
 def most_uncertain(value: float) -> float:
-    """Return the limit of two standard errors below which ``value`` (µm/m) is corrected."""
+    """Return below which uncertainty (two standard errors) a ``value`` (µm/m) is corrected."""
     return min(0.5 * abs(value), MOST_UNCERTAIN)
 
 
 def shortfall(value: float, std_error: float) -> Sentence:
-    """Return the sentence that a value (µm/m) is too uncertain, with what to measure."""
+    """Return the sentence that ``value`` (µm/m) is too uncertain to be corrected."""
     error = _BOTH_SIDES * std_error
     return say("undetermined.value", value=value, error=error, most=MOST_UNCERTAIN)

@@ -18,7 +18,7 @@ MATERIAL: Final = "material_c"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ReadingTimes:
-    """The times of a test's readings per direction (m, n), in s or counts; NaN without reading."""
+    """The times of a test's readings per direction (m, n), in s or other counts; NaN if unknown."""
 
     clock: Clock
     positive: FloatArray
@@ -45,7 +45,7 @@ class EnvironmentRecord:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InstrumentAir:
-    """The air (°C, hPa, %) for which a laser's display is valid. ``stated``: by the job."""
+    """The air (°C, hPa, %) for which a laser displays lengths. ``stated``: whether by the job."""
 
     air_c: float = 20.0
     pressure_hpa: float = 1013.25

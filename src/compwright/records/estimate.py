@@ -70,7 +70,7 @@ class ErrorEstimate:
         return self.mean_positive if direction is Direction.POSITIVE else self.mean_negative
 
     def taken(self, places: NDArray[np.intp]) -> ErrorEstimate:
-        """Return the estimate at those positions whose ascending indices are ``places`` (k,)."""
+        """Return the estimate only at positions number ``places`` (ascending indices)."""
         return replace(
             self,
             positions=self.positions[places],

@@ -97,7 +97,7 @@ class AxisFacts:
 
 @dataclass(frozen=True, slots=True)
 class PairTables:
-    """The cross-axis tables in a control's files by index: their axes, and reserved points.
+    """The cross-axis tables in a control's files: by table number, the axes and reserved points.
 
     ``stay``: those over an axis itself that stay whatever is written.
     """

@@ -43,7 +43,7 @@ class TableRequest:
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """A limit of the control that costs accuracy. ``value``: by how much, mm or deg."""
+    """A limit of the control that reduces accuracy. ``value``: by how much at most, mm or deg."""
 
     cause: str
     value: float

@@ -83,7 +83,7 @@ class CrossRequest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ApplyRequest:
-    """What circular tests correct: squareness (axis by plane), scale of axes, and backlash."""
+    """What circular tests correct: per plane the axis for squareness, axis scales, and backlash."""
 
     squareness: Mapping[str, str] = field(default_factory=dict)
     scale: tuple[str, ...] = ()
@@ -201,7 +201,7 @@ class Job:
         return next((each for each in given if each.axis in (None, axis)), None)
 
     def with_environment(self, record: Environment, T_m: float | None) -> Job:
-        """Return the job with the environment record by which linear tests are corrected.
+        """Return the job with the environment record that corrects its tests of linear axes.
 
         ``T_m``: the mean of its material (°C), which counts where no key states one.
         """

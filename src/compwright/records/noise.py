@@ -79,7 +79,7 @@ class NoiseDraws:
         return replace(self, **{name: getattr(self, name)[index] for name in _ARRAYS})
 
     def outlier_size_at(self, scale: FloatArray, way: int) -> FloatArray:
-        """Return the size of outliers (count, m), as a multiple of a reading's scale ``scale``.
+        """Return the size of outliers (count, m) in multiples of the scatter ``scale`` of readings.
 
         ``scale`` (count, m): of the readings; ``way``: 0 for +, 1 for -.
 
@@ -139,7 +139,7 @@ def normal_noise(sigma: FloatArray, centre: float = 0.0, half: float = 1.0) -> N
 
 
 def without(draws: NoiseDraws, *parts: NoisePart) -> NoiseDraws:
-    """Return the noise without some of its parts, such as outliers or drift.
+    """Return the noise without the named ``parts``, such as outliers or drift.
 
     ``scatter``: the readings about their traverses; ``tails``: outliers, and the heavy tails, at
     the same scale; ``growth``: of the scatter along the travel; ``traverses``: their offsets and
@@ -184,7 +184,7 @@ def traverse_order(positive: int, negative: int) -> tuple[IndexArray, IndexArray
 
 
 def wave_effects(order: FloatArray, signs: FloatArray, count: int, pace: float) -> FloatArray:
-    """Return the covariance of offsets and tilts of traverses under a slow disturbance.
+    """Return the covariance of the traverses' offsets and tilts that one slow disturbance causes.
 
     A wave of unit standard deviation and correlation time ``pace``, in parts of the test; k of its
     ``count`` traverses: those in the places ``order`` (k,) of time (from 0) and the directions
@@ -221,7 +221,7 @@ def progress(runs: int, rate: FloatArray) -> FloatArray:
 def slackening(
     runs: int, rate: FloatArray, u: FloatArray, *, returns: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """Return by how much less a drift moves a later reading than the first one of a run.
+    """Return how much of the run-to-run drift at a run's start is left at ``u``, as a factor.
 
     From one run to the next; the later reading is at ``u`` (k,), -1 to 1.
 
@@ -256,6 +256,6 @@ def within_run(
 
 
 def _parts_of_run(u: FloatArray, *, returns: bool) -> tuple[FloatArray, FloatArray]:
-    """Return which share of a run's time has passed at positions ``u`` (k,), in + and in -."""
+    """Return the share of a run's time that has passed at positions ``u`` (k,), per direction."""
     half = 0.5 if returns else 1.0
     return half * 0.5 * (u + 1.0), half * 0.5 * (1.0 - u) + (0.5 if returns else 0.0)

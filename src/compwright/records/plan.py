@@ -110,7 +110,7 @@ class PlannedCross:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Plan:
-    """The plan. ``states``: copies of the control's files (None: unknown, empty: ``none``).
+    """The plan of a run. ``states``: the control's files by state; empty for the state ``none``.
 
     ``active``: by state, the job's answer whether compensation was active. ``cross``: what is
     wanted between axes, written or not; ``circles``: the circular tests by name. ``results``: the

@@ -83,7 +83,7 @@ class PositioningTest:
 
     @property
     def step(self) -> float:
-        """The smallest difference between different readings, mm or deg; 0 if all are equal."""
+        """The smallest difference between two unequal readings, mm or deg; 0 if all are equal."""
         values = np.concatenate([self.positive.ravel(), self.negative.ravel()])
         steps = np.diff(np.sort(values[np.isfinite(values)]))
         steps = steps[steps > SAME_READING]

@@ -40,7 +40,7 @@ def as_on_line(files: Sequence[ControlFile], own: Sequence[ControlFile]) -> tupl
 
 
 def whole(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
-    """Return files with the serial-line characters as part of their text."""
+    """Return files with the serial-line characters as part of their text, as in the originals."""
     return tuple(
         replace(file, content=file.raw, leader=b"", trailer=b"")
         if file.leader or file.trailer

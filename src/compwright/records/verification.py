@@ -75,7 +75,7 @@ class LoadingVerdict:
 
 @dataclass(frozen=True, slots=True)
 class ReadBack:
-    """The largest difference (mm or deg) between loaded and planned correction, and its pattern.
+    """The largest difference (mm or deg) of loaded and planned correction, and its likely fault.
 
     ``verdict``: ``loaded``, ``not_active``, ``inverted``, ``scaled``, ``shifted``,
     ``one_direction``, ``backlash``, ``increment``, ``on_top``, ``partial`` (some files were not

@@ -274,7 +274,7 @@ def _axis_content(axis: Document, language: Language) -> dict[str, Any]:
 
 
 def _around_points(points: object, language: Language) -> list[str] | None:
-    """Return the sentence on how many points a table needs, split before and after the number."""
+    """Return the sentence on how many table points suffice: words before, number, words after."""
     if points is None:
         return None
     before, _, after = say("card.points", points="\n").text(language).partition("\n")

@@ -19,7 +19,7 @@ _EVIDENCE = {"confirmed": say("card.confirmed"), "inferred": say("card.inferred"
 
 
 def step_content(step: Document, language: Language) -> dict[str, Any]:
-    """Return a step's title, lines and evidence, as the page of the card shows them."""
+    """Return a step's title, lines and evidence as the card's page needs them."""
     mark = evidence_mark(step.get("evidence"))
     return {
         "title": plain(step.get("title") or ""),
@@ -50,7 +50,7 @@ def step_lines(step: Document, language: Language) -> list[dict[str, Any]]:
 
 
 def _common_once(lines: Sequence[str]) -> list[dict[str, Any]]:
-    """Return the lines of several axes with a flag for a tick box; common sentences only once."""
+    """Return a step's lines for several axes; common sentences occur once, without a tick box."""
     if len(lines) < 2:
         return [{"text": line, "tick": False} for line in lines]
     each = [_SENTENCE.split(line) for line in lines]

@@ -149,7 +149,7 @@ def _given(result: Mapping[str, Any]) -> Mapping[str, Any]:
 
 
 def _whole(name: str) -> str:
-    """Return the JSON name of the cause with the part ``name``, or ``name`` if it is no part."""
+    """Return the JSON name of the cause that has the part ``name``; a cause is unchanged."""
     for part in _PARTS:
         if name.endswith(f"_{part}"):
             return name.removesuffix(f"_{part}")

@@ -124,7 +124,7 @@ class Drawing:
 def _frame(
     chart: Chart, x: _Scale, y: _Scale, rows: list[tuple[float, str]], language: Language
 ) -> Iterator[str]:
-    """Yield grid, lines and numbers of both axes. ``rows``: the numbers of the vertical axis."""
+    """Yield a chart's grid lines, axis lines and axis numbers. ``rows``: the vertical numbers."""
     columns, decimals = _along(x, _STEPS_OF_A_TURN if chart.degrees else _STEPS)
     rows_at, below = y.at([value for value, _ in rows]), x.at(columns)
     grid = "".join(f"M{x.first:.2f},{at:.2f}H{x.last:.2f}" for at in rows_at)
@@ -352,7 +352,7 @@ def _words(chart: Chart, x: _Scale, y: _Scale, *, named: bool) -> Iterator[str]:
 
 
 def _legend(charts: Sequence[Chart], bottom: float, language: Language) -> Iterator[str]:
-    """Yield the legend of all charts under one heading, each entry for + above the one for −."""
+    """Yield the common legend of all charts; the entry for approach + is above the entry for −."""
     columns, wide = _legend_columns(charts)
     if not columns:
         return

@@ -324,7 +324,7 @@ def _add_band(
     look: CurveLook,
     label: str | Sentence = "",
 ) -> None:
-    """Add the band y ± half to a chart, where half is known. ``label``: also draw its limits."""
+    """Add the band y ± ``half`` to a chart, where ``half`` is known. ``label``: draw limits too."""
     if not _any_known(half):
         return
     low = [value - width for value, width in zip(y, half, strict=True)]

@@ -30,7 +30,7 @@ _AGREES: Final = 2.0
 
 
 def circle_page(result: Document, index: int, job: Sequence[str] | None = None) -> dict[str, Any]:
-    """Return the contents of a circular test's report page. ``job``: a job file to begin with."""
+    """Return the contents of a circular test's report page. ``job``: lines of a job file to use."""
     name = plain(result.get("name") or "")
     causes = ranked_causes(result)
     axes = result.get("axes") or ("first", "second")
@@ -112,7 +112,7 @@ def _parameters(result: Document) -> TextTable:
 
 
 def _reasons(result: Document) -> list[tuple[Sentence, str]]:
-    """Return the reasons for missing values, each with the names of these values."""
+    """Return pairs of text: names of missing values, and the reason why these are missing."""
     reasons: dict[str, list[Sentence]] = {}
     for key, reason in (result.get("not_applicable") or {}).items():
         words = say("head.causes") if key == "diagnosis" else _words(plain(key), result)
@@ -174,7 +174,7 @@ def _values(cause: CircleCause, *, printed: bool) -> list[str | Sentence]:
 
 
 def _comparison(cause: CircleCause) -> str | Sentence:
-    """Return whether the value of a cause agrees with the vendor's printed value."""
+    """Return "agrees", "differs" or "not valid" for a cause's value and the vendor's, else ""."""
     if cause.printed is None:
         return ""
     agrees = abs(cause.value - cause.printed) <= _AGREES * cause.error

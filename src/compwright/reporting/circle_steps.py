@@ -31,7 +31,7 @@ _WORD: Final = re.compile(r"[A-Za-z_][\w./-]*")
 
 
 def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Sentence]:
-    """Return the next step for each large significant cause, and which larger are uncertain."""
+    """Return the next step for each large significant cause, and a note on uncertain ones."""
     shown = [cause for cause in causes if cause.shown]
     significant = significant_causes(causes)
     last = shown.index(significant[-1]) if significant else _MOST
@@ -51,7 +51,7 @@ def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Senten
 
 
 def _mended(cause: CircleCause) -> str:
-    """Return the cause to be mended: lateral play if lost motion has opposite signs at the ends."""
+    """Return a cause's name, as lateral play if lost motion has opposite signs at the ends."""
     return cause.name if cause.known else cause.name.replace("backlash", "lateral_play")
 
 

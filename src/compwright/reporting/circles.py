@@ -37,7 +37,7 @@ def circle_blocks(
     *,
     stated: Mapping[str, Mapping[str, str | Sentence]] | None = None,
 ) -> list[dict[str, Any]]:
-    """Return a report section for each circle of a prediction or verification.
+    """Return a report section for each circular test in a prediction or verification.
 
     ``before`` and ``after``: the evaluation documents with their results; picture and conditions
     are those of the last test. ``stated``: what the job says of its circles, by name.

@@ -54,7 +54,7 @@ class ParameterRow:
 
 
 def parameter_rows(result: Mapping[str, Any]) -> list[ParameterRow]:
-    """Return the rows that have a value, without rows that repeat the numbers of another."""
+    """Return the rows of parameters that have a value, without rows that repeat another row."""
     values = result.get("parameters") or {}
     rows = []
     for letter, name, keys in _ROWS:

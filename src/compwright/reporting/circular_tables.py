@@ -132,7 +132,7 @@ def _printed(result: Mapping[str, Any]) -> list[Text]:
 
 
 def _not_applicable(result: Mapping[str, Any]) -> list[Text]:
-    """Return one line for each reason why parameters are missing."""
+    """Return one line for each reason why parameters are missing, with their names."""
     reasons: dict[str, list[str]] = {}
     for name, reason in result["not_applicable"].items():
         if name != "diagnosis":

@@ -24,7 +24,7 @@ _ABSENT: Final = "not there"
 
 
 def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return doubts, whether each axis has the planned values, and differences, at the terminal."""
+    """Return the terminal output of ``compare``: doubts, a verdict per axis, and differences."""
     shown = doubt_lines(document["doubts"], say("doubts.compare"))
     for name, axis in document["axes"].items():
         same = axis["verdict"] == "loaded" and not axis["differences"]
@@ -68,7 +68,7 @@ def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def diff_tables(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return the differences by axis, between axes, and of the whole machine, at the terminal."""
+    """Return the terminal output of ``diff``: differences by axis, then those of the machine."""
     if document["same"]:
         shown: list[RenderableType] = [Text("same: both enter the same values", style="green")]
         return [*shown, *finding_lines(document["findings"])]
@@ -107,7 +107,7 @@ def _both(entries: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
 
 
 def _correction(change: Mapping[str, Any] | None, *, known: bool = True) -> str:
-    """Return the change of a correction as text, or that it is unchanged or not ``known``."""
+    """Return as text how a correction changes. ``known``: whether corrections are comparable."""
     if change is None:
         same, entries = "the correction is the same", "only its entries are compared"
         return same if known else entries
@@ -120,7 +120,7 @@ def _correction(change: Mapping[str, Any] | None, *, known: bool = True) -> str:
 
 
 def entry_tables(entries: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
-    """Return differing entries as a table, cut if long; entries of one side only are counted."""
+    """Return a table of differing entries, and how many are in only one backup or not shown."""
     both = _both(entries)
     alone = [
         f"{count} only in {side}"
@@ -148,7 +148,7 @@ def entry_tables(entries: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
 
 
 def other_tables(groups: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
-    """Return tables of differing values that are not known to compensate, by parameter.
+    """Return a table of differing parameters that may not belong to any compensation.
 
     Parameters that only one side has are counted where they are many.
     """

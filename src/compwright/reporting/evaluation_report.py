@@ -1,4 +1,4 @@
-"""The report of ``evaluate``: one self-contained HTML page of tests without a job.
+"""The report of ``evaluate``: one self-contained HTML page on tests that belong to no job.
 
 Its view holds ``evaluation`` (the document), ``report`` (see `paper.head`), ``command`` (what
 repeats the report), ``version`` and ``language`` (English without it).

@@ -89,7 +89,7 @@ def _row(name: str, one: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _shown(one: Mapping[str, Any]) -> str:
-    """Return the parameter to be drawn over time: a changing one, else the first with values."""
+    """Return the name of the parameter to draw: one with a clear trend, else one with values."""
     trends = one["trends"]
     changing = [name for name in _DRAWN if name in trends and trends[name]["clear"]]
     there = [name for name in _DRAWN if any(test.get(name) is not None for test in one["tests"])]

@@ -88,7 +88,7 @@ def _draw_row(line: Any, title: str, kind: str, one: Mapping[str, Any]) -> None:
 
 
 def _places(tests: Sequence[Mapping[str, Any]]) -> tuple[list[float], bool]:
-    """Return the x coordinates of tests in a plot, and whether they are dates, else 0, 1, 2.
+    """Return the x coordinates of tests in a plot, and whether these are dates or only numbers.
 
     Dates where all tests have one and two differ, else 0, 1, 2, ...
     """

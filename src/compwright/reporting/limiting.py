@@ -34,7 +34,7 @@ _SHORT: Final = {
 
 
 def limits_block(predicted: Document, unit: object) -> dict[str, Any] | None:
-    """Return a bar for each cause that limits an axis, or None if no causes are known.
+    """Return rows with a bar for each cause that limits an axis, or None if no causes are known.
 
     A row for each cause in ``limits`` of an axis of the prediction document, its bar as long as its
     part of the parameter.
@@ -69,7 +69,7 @@ def _bar(value: float, whole: float) -> float:
 
 
 def limits_line(axis: Document) -> str:
-    """Return a line on the causes that limit an axis, or "" if none is known."""
+    """Return the sentence on the causes that limit an axis, or "" if no causes are known."""
     limited = axis.get("limited")
     if not limited:
         return ""

@@ -26,7 +26,7 @@ _GAP: Final = 60
 
 
 class _SectionCell(NamedTuple):
-    """The texts of a drawn table section: number, ends, name, and number in the second table.
+    """The texts of a drawn table section: number, ends, name, and its number in the table for −.
 
     ``gap``: sections before it are left out.
     """

@@ -28,14 +28,14 @@ _NOT_TEXT: Final = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U00
 
 
 def render_page(template: str, content: Mapping[str, Any], language: Language = "en") -> bytes:
-    """Return a template filled with contents as UTF-8. Raises UsageError without the extra."""
+    """Return a filled template as UTF-8. Raises UsageError without the pip extra ``report``."""
     need("jinja2")
     text: str = _environment(language).get_template(template).render(**content)
     return encoded(text)
 
 
 def template_text(name: str) -> str:
-    """Return a file of ``templates/`` unchanged. Raises UsageError without the report extra."""
+    """Return a file in ``templates/``. Raises UsageError without the pip extra ``report``."""
     environment = _environment("en")
     text: str = environment.loader.get_source(environment, name)[0]
     return text

@@ -1,4 +1,4 @@
-"""Common parts of the pages of ``run`` and ``verify``: head, tests, findings about no axis."""
+"""Common parts of the pages of ``run`` and ``verify``: head, tests, and findings about no axis."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def conditions(blocks: Iterable[Document]) -> list[dict[str, Any]]:
 def remaining(
     view: Document, blocks: Iterable[Document], *evaluations: Document | None
 ) -> list[dict[str, Any]]:
-    """Return the findings that no section of an axis shows, and unreadable files as findings."""
+    """Return the findings that are in no section of an axis, and unreadable files as findings."""
     shown = {(item["code"], item["message"]) for block in blocks for item in block["findings"]}
     every = sections.findings(sections.unreadable(*evaluations), view.get("findings"))
     return [item for item in every if (item["code"], item["message"]) not in shown]

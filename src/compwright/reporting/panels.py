@@ -145,7 +145,7 @@ def known_format(format_: str) -> PlotFormat:
 
 @contextmanager
 def style() -> Iterator[None]:
-    """Set the style of figures while one thread draws. Raises UsageError without the extra."""
+    """Set the style of figures for one thread at a time. Raises UsageError without matplotlib."""
     matplotlib = need("matplotlib")
     # a name in a script that the font lacks shows boxes
     with warnings_ignored("Glyph"), matplotlib.rc_context(_STYLE):

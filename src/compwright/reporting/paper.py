@@ -100,7 +100,7 @@ def _last_day(results: Sequence[Document]) -> str:
 
 
 def _of_every_test(key: str, results: Sequence[Document]) -> str | Sentence:
-    """Return what the tests state on an item, or "see tests" if the statements are many."""
+    """Return the statements of all tests on a report item, or "see tests" if these are too many."""
     values = dict.fromkeys(
         row["value"] for result in results for row in sheet_rows(result, {}) if row["key"] == key
     )

@@ -30,7 +30,7 @@ _RAISED: Final = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def periods_block(predicted: Document, unit: object) -> dict[str, Any] | None:
-    """Return table and figures of an axis's periodic errors, or None if nothing was searched.
+    """Return table and figures of an axis's periodic errors, or None if none were searched for.
 
     ``periods`` and ``period_search`` of an axis of the prediction document.
     """

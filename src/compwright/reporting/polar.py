@@ -121,7 +121,7 @@ def draw_test(figure: Any, result: Document, language: Language = "en") -> None:
 
 
 def paths_of(result: Document, centre: tuple[float, float], runs: Sequence[Document]) -> list[Path]:
-    """Return the runs as paths about ``centre`` (µm); the first of each direction is evaluated.
+    """Return the runs as paths about ``centre`` (µm), the evaluated run of each direction first.
 
     A bar measures from its set-up centre; the commanded angle counts about the programmed one. So a
     sample lies from the set-up centre in the direction of its commanded point, as in the
@@ -240,7 +240,7 @@ def draw_path(panel: Any, result: Document, language: Language = "en") -> None:
 
 @dataclass(frozen=True, slots=True)
 class _Place:
-    """The radial scale: ``scale`` mm per µm of deviation beyond ``base`` (µm)."""
+    """Converts angles and deviations to coordinates; ``base`` (µm) is at the radius ``radius``."""
 
     radius: float
     scale: float
@@ -261,7 +261,7 @@ class _Place:
 
 
 def _base(result: Document, values: Sequence[float]) -> float:
-    """Return the deviation (µm) that is drawn on the figure's circle: 0, or the mean deviation."""
+    """Return the deviation (µm) drawn on the nominal circle: 0, or the mean if far from 0."""
     means = result.get("mean_radius_deviation") or {}
     given = [result["parameters"].get("D"), means.get("ccw"), means.get("cw")]
     mean = float(next((value for value in given if value is not None), 0.0))

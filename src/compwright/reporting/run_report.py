@@ -158,7 +158,7 @@ def _run_verdict(
 
 
 def _rule(predicted: Document, circles: Document) -> Sentence:
-    """Return the decision rule for all limits of axes and circles, with the guard bands."""
+    """Return the decision rule with guard bands for all limits, or the sentence "no limits"."""
     limits = {name: axis.get("accept") or {} for name, axis in predicted.items()}
     lines = [
         line
@@ -196,7 +196,7 @@ def _run_rows(
 
 
 def _decided_test(name: str, predicted: Document, view: Document) -> tuple[Document, Document]:
-    """Return measured and predicted results of the test to which limits apply, else the first.
+    """Return the measured and the predicted parameters of the test to which the limits apply.
 
     The key ``test`` of a limit names the test.
     """

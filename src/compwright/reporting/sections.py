@@ -71,7 +71,7 @@ def pairs(values: Document | None) -> list[tuple[str, str]]:
 def heads(
     *columns: tuple[str | Sentence, str | Sentence] | str | Sentence,
 ) -> list[dict[str, Any]]:
-    """Return the column heads of a table. A pair (name, unit) heads a column of numbers."""
+    """Return column headings of a table. A pair (name, unit) is for a column of numbers."""
     return [
         (
             {"text": column, "unit": "", "numeric": False}
@@ -186,7 +186,7 @@ def median_text(quantiles: object) -> str:
 
 
 def main_parameters(parameters: Document, limits: Document | None) -> list[str]:
-    """Return the parameters shown with a verdict: those with a limit, else the first one."""
+    """Return the names of the parameters with a limit, or of A, P or E if there is no limit."""
     if limits:
         return [key for key in (*PARAMETERS, *limits) if key in limits][: len(limits)]
     return [key for key in ("A", "P", "E", *PARAMETERS) if parameters.get(key) is not None][:1]
@@ -195,7 +195,7 @@ def main_parameters(parameters: Document, limits: Document | None) -> list[str]:
 def bar(
     before: object, quantiles: object, limit: object, value: object = None
 ) -> dict[str, Any] | None:
-    """Return the lengths in a bar figure: before, 5-95 % range, median or measured, and limit."""
+    """Return the lengths of a bar figure: before, 5-95 % range, median or new value, limit."""
     given = quantiles if isinstance(quantiles, Mapping) else {}
     low, high = given.get("p05"), given.get("p95")
     shown = value if value is not None else given.get("median")

@@ -55,7 +55,7 @@ class _PlainConsole(Console):
         return segments if self._rendering else self._made_visible(segments)
 
     def _made_visible(self, segments: Iterable[Segment]) -> Iterator[Segment]:
-        """Yield the segments of a whole renderable; its parts are rendered meanwhile."""
+        """Yield the segments of a renderable with its control characters made visible."""
         self._rendering = True
         try:
             for segment in segments:

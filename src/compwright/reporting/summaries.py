@@ -73,7 +73,7 @@ def acknowledged_lines(acknowledged: Sequence[Mapping[str, str]]) -> list[Render
 
 
 def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
-    """Return for each axis and test the measured and the predicted parameters."""
+    """Return a table for each test of each axis: its measured and its predicted parameters."""
     shown: list[RenderableType] = []
     for name, axis in prediction["axes"].items():
         unit = unit_text(axis["unit"])
@@ -101,7 +101,7 @@ def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def _table_of_parameters(*headings: str) -> Table:
-    """Return an empty table with a name, numbers under ``headings``, and a word in each row."""
+    """Return an empty table: a column of names, a column for each heading, and one for a word."""
     table = plain_table()
     table.add_column("", no_wrap=True)
     for heading in headings:
@@ -169,7 +169,7 @@ _OF_CIRCLES = {
 
 
 def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
-    """Return for each circle its values: measured, predicted and, after loading, measured again."""
+    """Return a table for each circle: values before, predicted and, if measured, after loading."""
     shown: list[RenderableType] = []
     for name, circle in circles.items():
         after, accept = circle.get("after"), circle.get("accept") or {}
@@ -271,7 +271,7 @@ def decode_tables(document: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return values before, predicted and after, the loading verdicts and the verdict in all."""
+    """Return the terminal output of ``verify``: values before, predicted, after; verdicts."""
     first = [doubt["message"] for doubt in document["doubts"]]
 
     def is_first(message: str) -> bool:

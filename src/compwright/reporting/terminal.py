@@ -221,7 +221,7 @@ def _parameters(result: Mapping[str, Any]) -> Table:
 
 
 def _not_applicable(result: Mapping[str, Any]) -> list[RenderableType]:
-    """Return one line for each reason why parameters are missing."""
+    """Return one line for each reason why parameters are missing, with their names."""
     reasons: dict[str, list[str]] = {}
     for name, reason in result["not_applicable"].items():
         reasons.setdefault(reason, []).append(_letter(name))

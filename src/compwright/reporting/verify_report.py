@@ -191,7 +191,7 @@ def _verify_axis(index: int, name: str, axis: Document, view: Document) -> dict[
 
 
 def _stated(name: str, after: Document, view: Document) -> Document:
-    """Return the job's statements about the conditions of the test after loading."""
+    """Return what the job states about the conditions of a test after loading, by item."""
     of_axis = ((view.get("stated") or {}).get("axes") or {}).get(name) or {}
     first: Document = of_axis.get(str(after.get("name"))) or next(iter(of_axis.values()), {})
     return {**first, "compensation": AFTER_LOADING} if first else {}

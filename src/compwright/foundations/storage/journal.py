@@ -1,4 +1,4 @@
-"""The journal of planned changes of files, from which the next command can restore them.
+"""The journal of planned file changes; with it, the next command restores an interrupted change.
 
 While files are written, each folder contains a folder `UNFINISHED`. It holds the lock, the new
 files (``0.new``, ``1.new``, ..), the earlier ones (``0.old``, ..) and the journal, in which files

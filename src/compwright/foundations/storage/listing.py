@@ -65,7 +65,7 @@ def in_folders_of(session: Session, folder: Path, name: str) -> list[Path]:
 def folders_holding(
     session: Session, top: Path, names: Sequence[str]
 ) -> tuple[list[Path], list[Fault]]:
-    """Return ``top`` and folders below it that contain one of ``names``, and faults of others.
+    """Return the folders from ``top`` down that contain one of ``names``, and the faults.
 
     In the order of their names; hidden folders and links to folders are left out.
 

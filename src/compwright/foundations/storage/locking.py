@@ -65,7 +65,7 @@ class Lock:
 
 
 def take(staging: Path, *, make: bool = False, patience: float = PATIENCE) -> Lock:
-    """Return the lock of the temporary folder ``staging``. ``make``: make the folder if missing.
+    """Return the lock of the temporary folder ``staging``, as soon as no other process has it.
 
     Raises TimeoutError where another process holds it longer than ``patience`` (s), else OSError.
     """

@@ -39,7 +39,7 @@ def relative(path: Path, folder: Path) -> str:
 
 
 def way_to(path: Path, folder: Path) -> str:
-    """Return ``path`` relative to ``folder``, with ``/``, valid also through links.
+    """Return ``path`` relative to ``folder``, with ``/``; links are resolved before comparison.
 
     Whole where there is no such way (another drive). The folder need not be there yet.
     """
@@ -49,7 +49,7 @@ def way_to(path: Path, folder: Path) -> str:
 
 
 def named_from(folder: Path, name: str) -> Path:
-    """Return the path of the file ``name``, relative to ``folder``, without needless ``..``.
+    """Return the path of the file ``name`` in ``folder``, without ``..`` where possible.
 
     Without the way into the folder and out of it again, which may not be there yet.
     """

@@ -168,7 +168,7 @@ def _held(folder: Path, held: ExitStack) -> Lock:
 
 
 def _parts(folder: Path, journal: Journal) -> Iterator[Set]:
-    """Yield the other folders of a change with their journals, if these belong to it."""
+    """Yield each other folder of the same change of files, with its journal."""
     for name in journal.parts:
         other = _from(folder, name)
         theirs = read_journal(other)
@@ -206,7 +206,7 @@ def _take_back_part(session: Session, folder: Path, journal: Journal) -> None:
 
 
 def _take_back_undone(session: Session, first: Path, folder: Path, journal: Journal) -> None:
-    """Undo the incomplete change of several folders, to which the journal in ``first`` belongs.
+    """Undo an incomplete change of several folders. ``first``: the folder of its main journal.
 
     A copy of a part, of which it knows nothing, before that by itself.
     """
@@ -243,7 +243,7 @@ def _decides(first: Path, journal: Journal) -> bool:
 
 
 def clear(lock: Lock) -> None:
-    """Remove a temporary folder with compwright's files, if it is still locked. Raises OSError."""
+    """Remove a temporary folder and its files, unless its lock was released. Raises OSError."""
     if lock.handle < 0:
         return
     for name in os.listdir(lock.staging):  # noqa: PTH208 - names, no paths
