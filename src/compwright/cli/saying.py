@@ -19,7 +19,7 @@ _MOST_ERRORS = 25
 
 
 def print_safely(say: Callable[[], None]) -> None:
-    """Print to standard output. A reader that stops early (``| head``) causes no error."""
+    """Call ``say`` to print on standard output; a reader that stops early causes no error."""
     try:
         say()
     except (BrokenPipeError, SystemExit):  # SystemExit: rich leaves the program then

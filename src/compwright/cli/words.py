@@ -53,7 +53,7 @@ class _PathType(click.ParamType[Path]):
 
 
 class _FileWord(click.ParamType[str]):
-    """The type of a file argument that may also be ``none`` or ``TEST=FILE``."""
+    """The type of an argument that is a file, the word ``none``, or ``TEST=FILE``."""
 
     name = "file"
 

@@ -83,7 +83,7 @@ def machine_document(
     contradictions: Sequence[tuple[str, Sequence[tuple[str, str, float, float]]]],
     findings: Iterable[Finding],
 ) -> dict[str, Any]:
-    """Return what several circles of one machine show together, with their contradictions.
+    """Return the causes that several circles of one machine show together, and contradictions.
 
     ``values`` with standard error by cause and axis or plane; ``contradictions``: of a cause the
     circles with their axes, value and error; ``stated``: ``machine`` and ``serial`` of their files.
@@ -182,7 +182,7 @@ def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
 
 
 def _absent(name: str) -> dict[str, Any]:
-    """Return the JSON entry of a cause that the test cannot show: only its unit is given."""
+    """Return the JSON entry of a cause that the test cannot show: its unit, other values null."""
     unit = "um/m" if name.startswith("scale_error") else "um"
     return {"value": None, "std_error": None, "unit": unit, "effect": None, "share": None}
 

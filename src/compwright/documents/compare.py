@@ -49,7 +49,7 @@ class ComparedAxis:
 
 @dataclass(frozen=True, slots=True)
 class Others:
-    """Differences outside the axes of the plan.
+    """Differences between control and plan that belong to no axis of the plan.
 
     ``differences``: compensation of other axes or of the machine; ``elsewhere``: values that are
     not known to compensate; ``not_read_back``: names of values that compensate and were not among

@@ -111,7 +111,7 @@ def _traverses(deviations: FloatArray) -> int:
 def uncertainty_document(
     stated: Mapping[str, ExpandedUncertainty] | None, factor: float
 ) -> dict[str, Any] | None:
-    """Return U and coverage factor by parameter. ``factor``: from mm or deg to the JSON's unit."""
+    """Return U and coverage factor by parameter, in the JSON's unit; ``factor`` converts to it."""
     if stated is None:
         return None
     return {

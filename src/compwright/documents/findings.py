@@ -24,7 +24,7 @@ def finding_documents(findings: Iterable[Finding]) -> list[dict[str, Any]]:
 
 
 def planned_finding(finding: Finding) -> dict[str, Any]:
-    """Return a finding as it is stored in a plan, from which `read_sentence` can restore it."""
+    """Return a finding as plain data for a plan; `read_sentence` restores its sentence."""
     return {**asdict(finding), "message": finding.message}
 
 

@@ -1,4 +1,4 @@
-"""Rebuild the record of a result folder that a version without records wrote."""
+"""Make a record for a result folder that an older version of compwright wrote without one."""
 
 from __future__ import annotations
 

@@ -85,7 +85,7 @@ def carried_definition(content: bytes) -> Texts:
 
 
 def _definition_out(texts: Texts) -> dict[str, Any]:
-    """Return the control definition to be stored in a plan: none if it is installed everywhere."""
+    """Return the plan's entry with the user's own control definition, or nothing without one."""
     entries = [{"name": name, "text": content.decode("utf-8")} for name, content in texts]
     return {"definition": entries} if entries else {}
 

@@ -31,7 +31,7 @@ from compwright.records.positioning import PositioningTest
 
 
 def plan_of(data: Mapping[str, Any]) -> tuple[Plan | None, list[KeyFault]]:
-    """Return the plan in a document, or None with faults, and all faults."""
+    """Return the plan made from a JSON document, and no faults; or None and all faults."""
     plan, faults = checked(plan_validator(Plan), data)
     faults = faults or list(contradictions(plan))
     return (None if faults else cast("Plan", plan)), faults

@@ -110,7 +110,7 @@ def _estimate(estimate: ErrorEstimate) -> Iterator[str]:
 
 
 def _scenarios(tests: Scenarios) -> Iterator[str]:
-    """Yield what is expected if simulated tests have different numbers of targets."""
+    """Yield for each violated rule on simulated tests (numbers of targets) what would be valid."""
     size = tests.positions.size
     sides = ((tests.positive, tests.half_positive), (tests.negative, tests.half_negative))
     whole = tests.count > 0 and size > 0 and size % tests.count == 0
@@ -167,7 +167,7 @@ def _readings(test: PositioningTest) -> Iterator[str]:
 
 
 def _active(planned: PlannedTest) -> Iterator[str]:
-    """Yield what is expected if an active correction is given for only some targets."""
+    """Yield what would be valid if a test lacks the active correction at some of its targets."""
     fits = planned.acted is None or all(
         side.shape == planned.test.targets.shape and bool(np.isfinite(side).all())
         for side in planned.acted
@@ -176,7 +176,7 @@ def _active(planned: PlannedTest) -> Iterator[str]:
 
 
 def _one_kind(axis: PlannedAxis) -> Iterator[str]:
-    """Yield what is expected if parts of an axis are linear and others rotary."""
+    """Yield what would be valid if some parts of an axis are linear and other parts are rotary."""
     compensations = [axis.active, None if axis.fitted is None else axis.fitted.compensation]
     kinds = {axis.axis.kind, axis.estimate.kind, *(planned.test.kind for planned in axis.tests)}
     kinds |= {entry.kind for entry in (*compensations, axis.wanted) if entry is not None}

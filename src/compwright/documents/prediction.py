@@ -39,7 +39,7 @@ def prediction_document(
     *,
     judged: Judged,
 ) -> dict[str, Any]:
-    """Return the prediction of a run as JSON. ``cross``: the corrections between axes.
+    """Return the prediction of a run as JSON. ``cross``: corrections of an axis by another axis.
 
     ``doubts``: what to clear up before the tables are loaded; ``acknowledged``: what the job
     acknowledges of it. ``judged``: by whom the files

@@ -89,7 +89,7 @@ def planned_record(
 
 
 def elsewhere(record: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a run's record for a folder that contains none of the run's files."""
+    """Return a run's record for another folder, without the files that are in the run's folder."""
     inputs = [{**entry, "copy": None} for entry in record["inputs"]]
     return {**record, "inputs": inputs, "files": []}
 
@@ -173,7 +173,7 @@ def verified_record(
 
 
 def kept_verification(record: Mapping[str, Any], earlier: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the record of a repeated run, with the earlier verification if it still applies.
+    """Return the record of a repeated run, with the earlier verification if the plan is the same.
 
     It keeps the earlier verification where that belongs to the same plan; else only the copies of
     the measurements after loading, which may exist nowhere else.

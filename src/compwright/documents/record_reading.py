@@ -60,7 +60,7 @@ class _Squareness:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Test:
-    """The entries that every test in a record has. ``measured_in``: state before loading, or ""."""
+    """The entries of a test in a record. ``measured_in``: the control's state, "" after loading."""
 
     name: str
     taken: Literal["before", "after"]

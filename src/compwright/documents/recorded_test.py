@@ -22,7 +22,7 @@ Errors = Callable[[Mapping[str, Any]], Mapping[str, tuple[float, float]]]
 def measured_test(
     result: Mapping[str, Any], taken: str, measured_in: Mapping[str, str], errors: Errors
 ) -> dict[str, Any]:
-    """Return the entry of one test in a record, from its entry in an evaluation document.
+    """Return a record's entry of one test, made from the test's entry in an evaluation document.
 
     ``taken``: ``before`` or ``after``; ``measured_in``: the state by ``axis test`` or the circle's
     name; ``errors``: gives the standard errors of a positioning result. ``date`` is that of the

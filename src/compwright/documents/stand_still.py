@@ -1,4 +1,4 @@
-"""Entries of drift tests and tables of lost motion in the JSON of ``evaluate``."""
+"""The JSON of ``evaluate`` for drift tests (axis at rest) and for lost motion."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def lost_motion_document(
     depends: bool,
     findings: Iterable[Finding],
 ) -> dict[str, Any]:
-    """Return the JSON entry of lost motion: best ``constant``, and what it leaves (``left``).
+    """Return the JSON entry of lost motion: the best ``constant``, and the rest (``left``).
 
     ``depends``: whether the lost motion is not one constant.
     """

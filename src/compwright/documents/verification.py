@@ -132,7 +132,7 @@ def _headline(
     circles: Mapping[str, VerifiedCircle],
     verdict: Literal["good", "bad", "undecided"],
 ) -> str:
-    """Return the verdict as text, with the limits only if the job has any."""
+    """Return the verdict as a sentence, which mentions limits only if the job has limits."""
     if verdict == "bad":
         limits = (entry.decision for one in circles.values() for entry in one.accept.values())
         return SentenceText(say("headline.bad", circles="reject" in limits))
@@ -222,5 +222,5 @@ def _circle(circle: VerifiedCircle) -> dict[str, Any]:
 
 
 def _within(value: float | None, band: Mapping[str, float], guard: float = 0.0) -> bool | None:
-    """Return whether a value is in the 90 % interval widened by ``guard``, None without value."""
+    """Return whether a value is in its 90 % interval, widened by ``guard``; None for no value."""
     return None if value is None else band["p05"] - guard <= value <= band["p95"] + guard

@@ -103,7 +103,7 @@ class CompwrightError(Exception):
         return found
 
     def __reduce__(self) -> tuple[type[CompwrightError], tuple[Fault, ...]]:
-        """Return how to rebuild the error when pickled: its class and its faults."""
+        """Return how to rebuild the error when copied or pickled: its class and its faults."""
         return type(self), self.faults
 
 

@@ -109,7 +109,7 @@ def _tests(section: Mapping[str, Any], path: KeyPath, states: Sequence[str]) -> 
 
 
 def _thermal(section: Mapping[str, Any], path: KeyPath, of_job: Any) -> Iterator[KeyFault]:
-    """Yield faults of an axis without expansion coefficient or temperature, own or of the job.
+    """Yield faults in the temperatures and expansion coefficients of an axis and its tests.
 
     Angles do not expand.
     """
@@ -160,7 +160,7 @@ def implausible(thermal: Any, path: KeyPath) -> Iterator[KeyFault]:
 
 
 def _in_celsius(number: float) -> str:
-    """Return a temperature in °C, if the given number is plausible only in °F or K."""
+    """Return a number as text in °C if it is plausible only as a value in °F or K, else ""."""
     for unit, celsius in (("°F", (number - 32.0) / 1.8), ("K", number - 273.15)):
         if 0.0 <= celsius <= 50.0:
             return f"; {number:g} {unit} are {celsius:.1f} °C"

@@ -107,7 +107,7 @@ def job_from_options(
 def _sorted_options(
     options: Sequence[str], section: dict[str, Any]
 ) -> tuple[dict[str, str], list[Fault]]:
-    """Put the options of the axis into ``section``, and return the control's, and faults."""
+    """Put the options of the axis into ``section``; return the control's options, and faults."""
     controller: dict[str, str] = {}
     faults: list[Fault] = []
     seen: set[str] = set()
@@ -177,7 +177,7 @@ def whole_travel(travel: str) -> Fault:
 
 
 def _option(place: str, axis: str) -> str:
-    """Return the command-line option that sets the value at a place in the job."""
+    """Return the command-line option that sets the value at a key path (``place``) of the job."""
     places = {
         f"axes.{axis}.travel": "--travel",
         f"axes.{axis}.before[0].profile": "--profile",

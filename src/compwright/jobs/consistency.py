@@ -1,4 +1,4 @@
-"""Check keys of the job together: names that must exist, ends in order, exclusive values.
+"""Check keys of the job together: names that must exist, start before end, exclusive values.
 
 They work on the plain data as read, so that their faults are listed together with those of the
 schema. Values of the wrong type are left to the schema.

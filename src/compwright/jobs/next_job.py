@@ -1,4 +1,4 @@
-"""Make the job of the next round from the last one, with the files read back as its state.
+"""Make the job of the next round from the last job; its control files are those read back.
 
 It works on the plain data of a job file, so that everything else stays as the engineer wrote it:
 axes, options, grid, uncertainty, expansion, limits.
@@ -77,7 +77,7 @@ def test_sections(section: Mapping[str, Any]) -> list[dict[str, Any]]:
 def earlier_test(
     section: Mapping[str, Any], files: Sequence[str], name: str, was: str, paths: Mapping[str, str]
 ) -> dict[str, Any]:
-    """Return a test of the last job for the next job, with a new ``name`` and state.
+    """Return a test of the last job as an earlier test in the next job, with a new ``name``.
 
     ``was``: what the state that was in the control then is called now.
     """

@@ -269,7 +269,7 @@ def _test(
 
 
 def _thermal(*sections: OwnThermalSection | None) -> Thermal | None:
-    """Return the differential expansion by the keys of all ``sections``, or None without any."""
+    """Return the differential expansion from ``sections``, of which later ones override earlier."""
     keys: dict[str, Any] = {}
     for section in sections:
         keys |= section.model_dump(exclude_none=True) if section else {}
@@ -354,7 +354,7 @@ def _circular_budget(section: JobSection) -> CircularBudget | None:
 
 
 def _range(variation: float | DriftSection) -> float:
-    """Return the environmental variation, 0 if its drift test has yet to be evaluated."""
+    """Return the environmental variation as a number; 0 if its drift test is not yet evaluated."""
     return 0.0 if isinstance(variation, DriftSection) else variation
 
 

@@ -116,7 +116,7 @@ class OwnThermalSection(JobMapping):
 
 
 class ThermalSection(OwnThermalSection):
-    """Differential expansion: µm/(m K), °C, mm. The environment record may give ``T_m``."""
+    """Differential expansion: coefficients (µm/(m K)), temperatures (°C), fixed point (mm)."""
 
     alpha_m: float
 
@@ -176,9 +176,9 @@ class TestSection(JobMapping):
 
 
 class TableSection(JobMapping):
-    """The required grid of a table. By default the existing grid stays, or one is chosen.
+    """The grid and the goal of a table. By default an existing grid is kept, else one is chosen.
 
-    ``gain``: from which gain on a table is written.
+    ``gain``: the least improvement with which a table is written.
     """
 
     start: float | None = None
@@ -413,7 +413,7 @@ class UncertaintySection(JobMapping):
 
 
 class ProvenSection(JobMapping):
-    """A machine on which tables for this control proved to be active."""
+    """A proof, on a named machine, that tables for this control are active as planned."""
 
     control: Text
     machine: Text

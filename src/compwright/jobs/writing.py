@@ -102,7 +102,7 @@ def _spread(name: str, value: object, indent: int) -> list[str]:
 
 
 def _entry(key: str, value: object, indent: int) -> list[str]:
-    """Return a key with its value on one YAML line, or a line per mapping of a list."""
+    """Return a key and its value as YAML: one line, or a line each for a list of mappings."""
     start = f"{' ' * indent}{word(key)}:"
     if isinstance(value, list) and value and all(isinstance(each, Mapping) for each in value):
         return [start, *(f"{' ' * indent}  - {flow(each)}" for each in value)]

@@ -58,19 +58,20 @@ class Capacity:
 
     ``curves`` 1: one table for both directions; 2: one per direction. ``quantum``: resolution of a
     table value. ``backlash_quantum`` None: the control has no backlash value in addition to the
-    table (or ignores it). ``position_quantum``: nodes, and with ``spacing`` "equidistant" the step
-    too, must be multiples of it so that the file holds them exactly. ``max_points`` None: not
-    known; the plan then states how many the control must be set to hold, at most ``most_points``.
+    table (or ignores it). ``position_quantum``: table points, and for ``spacing``
+    "equidistant" also the step, are multiples of it, so that the file contains exact values.
+    ``max_points`` None: unknown; the plan then states the number that the control must be set to,
+    at most ``most_points``.
 
     ``lattice``: values are whole increments (``quantum`` is then that of magnification 1).
-    ``anchored``: the nodes lie at the reference plus whole spacings. ``spacings``: the only ones
-    there are; ``min_spacing``: none below it, for the reason ``min_spacing_reason``. ``period``: an
+    ``anchored``: the points are at the reference plus whole spacings. ``spacings``: the only ones
+    possible; ``min_spacing``: none below it, for the reason ``min_spacing_reason``. ``period``: an
     endless axis; the table spans exactly one period from the reference, its last value equals its
     first. ``second_curve`` "asked": two tables only when the job asks for them. ``line``: no table
     at all but one slope (mm/mm, deg/deg), a multiple of this number, within ``value_range`` taken
-    as slopes. ``nodes``: the only nodes there are, because the table's grid serves other axes too.
-    ``there``: the nodes (two or more, ascending; of a table that repeats one period with both ends)
-    of the table that the control's files hold, active or not; empty: there is none.
+    as slopes. ``nodes``: the only possible points, because other axes use the table's grid too.
+    ``there``: the points (two or more, ascending; for a table that repeats, a period and both ends)
+    of the table in the control's files, active or not; empty: there is none.
     ``there_shared``: other axes use its points too, so that a table on it needs some of its own.
     ``unfit``: why no table of this axis can use them, which only the control's format knows.
     ``cover``: whole spacings by which a table should reach beyond the travel on each side, where
@@ -81,7 +82,7 @@ class Capacity:
     correction in + less that in - at the reference then lies in ``backlash_range``. ``stays``:
     active tables of the axis that stay, whatever is written. ``slope``: a straight line in addition
     to the table can take a slope, a multiple of this per section, mm or deg; None: there is none.
-    ``wave``: a second table for a short period; None: there is none. ``typed``: its points are
+    ``wave``: a cyclic table for a short period; None: there is none. ``typed``: its points are
     typed by hand.
     """
 

@@ -165,7 +165,7 @@ class SentenceText(str):
         return written
 
     def __reduce__(self) -> tuple[type[SentenceText], tuple[Sentence]]:
-        """Return how to copy or pickle the text: from its sentence."""
+        """Return how to rebuild the text when copied or pickled: its class and its sentence."""
         return SentenceText, (self.sentence,)
 
     def text(self, language: Language) -> str:
@@ -187,7 +187,7 @@ class ControlText(str):
         return written
 
     def __reduce__(self) -> tuple[type[ControlText], tuple[str, Mapping[str, str]]]:
-        """Return how to copy or pickle the text: from its template and values."""
+        """Return how to rebuild the text when copied or pickled: its class, template and values."""
         return ControlText, (self.template, self.values)
 
     def text(self, language: Language) -> str:
@@ -276,7 +276,7 @@ def _names(template: str) -> Iterator[str]:
 
 
 def _kept(value: Any) -> Any:
-    """Return a value of a sentence in a form that is equal on every processor, such as rounded."""
+    """Return a sentence's value in a form that is equal on every processor: numbers are rounded."""
     if value is None or isinstance(value, str | bool | int | Sentence):
         return value
     if isinstance(value, float | Decimal):
@@ -318,7 +318,7 @@ def _field(value: Any, form: str, values: Mapping[str, Any], language: Language)
 
 @cache
 def parts(form: str) -> tuple[str, ...]:
-    """Return the parts of a format separated by bars (``|``), except bars inside fields."""
+    """Return the parts of a template format between bars (``|``), except bars inside fields."""
     parts, depth = [""], 0
     for character in form:
         depth += (character == "{") - (character == "}")

@@ -1,4 +1,4 @@
-"""Sentences about decisions between results and tables."""
+"""Sentences about the corrections that a run plans or refuses, and the reasons."""
 
 from __future__ import annotations
 

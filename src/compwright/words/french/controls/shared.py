@@ -1,4 +1,4 @@
-"""Translated texts for several families of controls and for the card, by the English text."""
+"""French texts for several families of controls and for the card, keyed by the English texts."""
 
 from __future__ import annotations
 

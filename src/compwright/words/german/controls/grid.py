@@ -1,4 +1,4 @@
-"""Translated texts for the controls of `formats.families.grid`, by the English text."""
+"""German texts for the controls of `formats.families.grid`, keyed by the English texts."""
 
 from __future__ import annotations
 

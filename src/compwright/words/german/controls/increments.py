@@ -1,4 +1,4 @@
-"""Translated texts for the controls of `formats.families.increments`, by the English text."""
+"""German texts for the controls of `formats.families.increments`, keyed by the English texts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Translated texts for the controls of `formats.families.pairs`, by the English text."""
+"""German texts for the controls of `formats.families.pairs`, keyed by the English texts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Russian texts for controls, from their definitions and families, by the English text."""
+"""Russian texts for controls, from their definitions and families, keyed by the English texts."""
 
 from __future__ import annotations
 
