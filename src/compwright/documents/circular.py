@@ -31,7 +31,7 @@ def circular_document(result: CircularResult) -> dict[str, Any]:
     ``diagnosis``, ``plain`` and ``correlation`` are null as long as no diagnosis was made.
     ``correlation`` holds the rows of the matrix in the order of ``correlation_names``.
 
-    Beyond the contract: ``set_up`` (where the circle lies in the machine, mm), ``minimum_zone``
+    Further keys: ``set_up`` (where the circle lies in the machine, mm), ``minimum_zone``
     (centre µm, radii minus nominal µm), ``runs`` (angles deg and deviations µm as measured, in
     their order), ``fitted`` (the same as the causes make it, with ``residuals`` µm, measured minus
     fitted; samples at equal steps), ``header``, ``correlation_names``, ``residual`` (rms µm) and
@@ -188,7 +188,7 @@ def _absent(name: str) -> dict[str, Any]:
 
 
 def _effect(effect: CircularEffect, *, given: bool) -> dict[str, Any]:
-    """Return the JSON entry of one cause, its value in the cause's own unit.
+    """Return the JSON entry of a cause, with its value in the unit of that cause.
 
     And what else belongs to it. A cause that is not ``given`` keeps its standard error alone, if it
     has one.

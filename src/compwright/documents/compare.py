@@ -34,7 +34,7 @@ class Difference:
 
 @dataclass(frozen=True, slots=True)
 class ComparedAxis:
-    """The comparison of one axis with the plan: its correction and the values that differ.
+    """The comparison of one axis with the plan: the correction read back and differing values.
 
     A ``read_back`` in words: why the correction from the values read back is unknown. ``look_at``:
     sentences on what to check on the control.

@@ -18,7 +18,7 @@ MOST_EXAMPLES = 5
 
 @dataclass(frozen=True, slots=True)
 class EntryDifference:
-    """A value that differs between two backups, as the control writes it.
+    """A value that differs between two backups, ``old`` and ``new`` as the control writes values.
 
     ``quantity``: its name up to the value; ``group``: what many such are counted by; ``addresses``:
     the axes that it belongs to; ``old``, ``new`` None: not there; ``at``: the position of a value

@@ -40,7 +40,7 @@ def evaluation_document(
 def result_document(result: PositioningResult) -> dict[str, Any]:
     """Return one positioning result for JSON; null for undefined parameters, with the reason.
 
-    Beyond the contract: ``name``, ``coverage`` (k), ``spread`` (std or range), ``header`` (what the
+    Among its keys: ``name``, ``coverage`` (k), ``spread`` (std or range), ``header`` (what the
     file says about the test) and in each target the readings ``deviations_positive`` and
     ``deviations_negative`` in the order of the runs, null where missing; where they were reduced to
     20 °C, ``expansion_removed``: what was taken from each (``removed_positive`` and

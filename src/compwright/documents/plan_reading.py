@@ -44,7 +44,7 @@ def plan_validator(cls: type) -> SchemaValidator:
 
 
 def _periods(values: dict[str, Any]) -> dict[str, Any]:
-    """Return the fields of an axis in a plan, with its periods moved into the estimate."""
+    """Return the fields of an axis in a plan, with its periodic errors moved into the estimate."""
     estimate = replace(values["estimate"], periods=values.get("periods", ()))
     return {**values, "estimate": estimate}
 

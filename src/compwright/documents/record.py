@@ -198,7 +198,7 @@ def kept_verification(record: Mapping[str, Any], earlier: Mapping[str, Any]) -> 
 
 
 def _planned(record: Mapping[str, Any]) -> dict[str, Any]:
-    """Return those entries of a record that are equal for equal plans in any folder."""
+    """Return the entries of a record that depend on the plan alone and not on the folder."""
     apart = ("version", "plan", "files", "inputs", "tests", "verification")
     return {
         **{key: value for key, value in record.items() if key not in apart},

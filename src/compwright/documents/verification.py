@@ -29,7 +29,7 @@ SCHEMA = "compwright/verification/1"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ExpectedMeans:
-    """Predicted means (m,) after loading (mm or deg), and the scatter ``s`` of a reading."""
+    """The expected mean deviations (m,) after loading (mm or deg); ``s``: scatter of a reading."""
 
     positions: FloatArray
     positive: FloatArray
@@ -41,7 +41,7 @@ class ExpectedMeans:
 class VerifiedAxis:
     """The results of ``verify`` for one axis.
 
-    ``loading`` has the keys of the contract; ``accept`` in µm or arcsec; ``acknowledged``: doubts
+    ``loading`` has the keys of the JSON; ``accept`` in µm or arcsec; ``acknowledged``: doubts
     that the job acknowledges; ``guard``: U of the prediction, where decisions are guarded and U is
     known.
     """

@@ -96,7 +96,7 @@ def _end_with_the_first() -> None:
 
 
 class _Several:
-    """A function that works on the last items here, and on the first in other processes.
+    """A function that does work on items in this process and, from the first item, in others.
 
     What another process could not do, for whatever reason, is done here once more, so that errors
     are those of working in turn.

@@ -65,7 +65,7 @@ class Cuts:
     removed: list[tuple[str, str]] = field(default_factory=list)
 
     def remark(self, text: str, kind: str = "comment") -> str:
-        """Record a free text as removed, and return its replacement; "" for an empty text."""
+        """Record a comment as removed, and return a neutral text for it; "" for an empty text."""
         if not text.strip():
             return ""
         if _NEUTRAL.fullmatch(text.strip()) is None:

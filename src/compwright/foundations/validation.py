@@ -52,7 +52,7 @@ def refuse(*faults: KeyFault) -> NoReturn:
 
 
 def worded(schema: cs.CoreSchema, message: str, expected: str) -> cs.CoreSchema:
-    """Return a schema that reports invalid values with the given message."""
+    """Return a schema that reports an invalid value with a given message and expected value."""
     return cs.custom_error_schema(
         schema,
         _WORDED,

@@ -148,7 +148,7 @@ def _untested(data: Mapping[str, Any]) -> Iterator[KeyFault]:
 
 
 def _acknowledged(section: Any, axes: Sequence[str]) -> Iterator[KeyFault]:
-    """Yield faults of acknowledgements that name no doubt or no axis of the job."""
+    """Yield faults of acknowledgements whose code is no doubt, or whose axis is not in the job."""
     for code, value in mapping_of(section).items():
         path: KeyPath = ("acknowledged", code)
         if code in REMARKS | RESULTS:

@@ -22,7 +22,7 @@ TEMPERATURES = ("T_m", "T_d")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NextAxis:
-    """What the next job states differently for one axis, such as its tests.
+    """What the job of the next round states differently for one axis, such as its tests.
 
     ``before``: its tests, the one after loading first. ``resolved``: keys of the axis that the job
     leaves open and the files of the last round answered. ``limited``: the test to which the limits
@@ -36,7 +36,7 @@ class NextAxis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NextRound:
-    """What the next job states differently from the last one.
+    """What the job of the next round states differently from the last job.
 
     ``paths``: the copies of profiles, drift tests and the logo, by their paths in the last
     job; ``squareness``: the planes that are corrected again.

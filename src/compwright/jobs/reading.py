@@ -78,8 +78,7 @@ def read_job(content: bytes, file: str, further: Further = _nothing_further) -> 
 
     Raises UsageError with every fault at once, each with file, ``line N, key.path``, expected and
     found: text that is not YAML, keys given twice, unknown keys (with the nearest known one), wrong
-    types and ranges, names that do not exist, and alone a job written for a newer version. Source:
-    job file of ``docs/contract.md``, schema version 1.
+    types and ranges, names that do not exist, and alone a job written for a newer version.
     """
     try:
         document, faults = read_yaml_with_faults(content, file)

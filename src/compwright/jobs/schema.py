@@ -1,9 +1,9 @@
 """The schema of a job file as pydantic models: keys, types, ranges of values, defaults.
 
-What ties several keys together (names that must exist, ends in order) is in
+What ties several keys together (names that must exist, start before end) is in
 `compwright.jobs.consistency`, so that its faults are listed together with those found here. Units:
-mm or deg for positions; others at the field. Source: the job file of ``docs/contract.md``,
-explained in ``docs/job-file.md``; the text below a key becomes its row in ``docs/job-keys.md``.
+mm or deg for positions; others at the field. The job file is explained in
+``docs/job-file.md``; the text below a key becomes its row in ``docs/job-keys.md``.
 """
 
 from __future__ import annotations

@@ -62,8 +62,8 @@ class AxisCompensation:
 
     ``positions`` (k,) strictly ascending, machine coordinates; ``positive``, ``negative`` (k,): the
     tables' correction for an approach in that direction (equal if the control has one curve).
-    ``interpolation``: between nodes; ``below`` / ``above``: outside. ``period``: the table of an
-    endless axis repeats; its nodes span one period, the last value is the first. ``backlash`` > 0
+    ``interpolation``: between points; ``below`` / ``above``: outside. ``period``: the table of an
+    endless axis repeats; its points span one period, the last value is the first. ``backlash`` > 0
     is compensated lost motion: nothing in the direction ``reference_return`` (the zero state),
     ``sign * backlash`` in the other. ``slope``: a linear parameter in addition to the table or
     instead of it, ``slope * (x - origin)`` everywhere. ``others``: further tables that are active

@@ -27,7 +27,7 @@ class ReadingTimes:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EnvironmentRecord:
-    """Air and material over time: ``times`` (k,) ascending, and ``values`` (k,) by quantity.
+    """Air and material of a machine: ``values`` (k,) of each quantity at the ``times`` (k,).
 
     Times as those of `ReadingTimes`; all three of `AIR` (°C, hPa, %) or none, and `MATERIAL` (°C).
     """

@@ -57,7 +57,7 @@ class AxisFacts:
     the files. ``lead``: the travel of one turn of its motor, mm or deg, suggested by the files
     (``lead_evidence``). ``limits_evidence``: why the limits differ from those written there.
     ``rapid_more``: the backlash at rapid traverse minus that at cutting feed, mm or deg; None: left
-    open. ``grid``: the nodes (ascending, mm or deg) of its own table in the files if that is not
+    open. ``grid``: the points (ascending, mm or deg) of its own table in the files if that is not
     active; those of an active one are in its compensation. ``homing``: at homing the control counts
     the correction at ``reference`` as zero ("relative"), or adds the table as written ("absolute");
     empty: no file states it. ``unapplied_steps``: see `Axis`. ``of_family``: facts that only the

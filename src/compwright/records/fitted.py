@@ -51,10 +51,10 @@ class Limit:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FittedTable:
-    """The rounded table for the control. ``certificate``: numbers that prove the fit, by name.
+    """The rounded table of an axis. ``certificate``: named numbers that prove it is the best one.
 
     ``mode`` is the choice made (single: one curve and one reversal value; bidirectional),
-    ``mode_reason`` why in one sentence. ``keeps_grid``: its nodes are those that were there.
+    ``mode_reason`` why in one sentence. ``keeps_grid``: its points are those of the existing table.
     """
 
     compensation: AxisCompensation

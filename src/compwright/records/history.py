@@ -54,7 +54,7 @@ class HistoryEntry:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NotedChange:
-    """A change of a parameter between two tests that exceeds the uncertainty.
+    """A change of a parameter between two tests that is larger than its uncertainty explains.
 
     ``size``, ``std_error``: in the unit of the parameter; ``score``: the standard normal value as
     improbable; ``chance``: how often tests of an unchanged machine differ as much.

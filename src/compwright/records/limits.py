@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LimitingCause:
-    """One cause. ``value``: by how much it enlarges the predicted parameter, mm or deg.
+    """A cause that limits an axis. ``value``: by how much it enlarges a parameter, mm or deg.
 
     Both are from the same draws; it is negative where it happens to cancel another cause.
 
@@ -22,7 +22,7 @@ class LimitingCause:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LimitingCauses:
-    """The causes that limit one ``parameter`` in a new test at new targets, mm or deg.
+    """The causes that limit a ``parameter``, as a new test at new targets shows it, mm or deg.
 
     ``now`` with what is in the control, ``then`` with what is written, ``least`` of an axis without
     any error, by its scatter alone.
@@ -47,7 +47,7 @@ class PointCountOption:
 
     For a new test at new targets. ``spacing``: of the points (mm or deg; the widest section).
 
-    ``written``: the table that is written; ``there``: on the nodes that are in the control.
+    ``written``: the table that is written; ``there``: on the points that are in the control.
     """
 
     points: int

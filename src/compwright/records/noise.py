@@ -171,7 +171,7 @@ def waves(u: FloatArray, count: int) -> FloatArray:
 
 
 def traverse_order(positive: int, negative: int) -> tuple[IndexArray, IndexArray]:
-    """Return the order in time of the traverses of a standard test cycle, which begins with +.
+    """Return the places in time of the + and of the - traverses in a test that begins with +.
 
     ``positive``, ``negative``: the number of traverses in each direction.
     """
@@ -236,7 +236,7 @@ def slackening(
 def within_run(
     runs: int, rate: FloatArray, u: FloatArray, *, returns: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the share of a drift that takes place within a run up to each position ``u``.
+    """Return the share of a drift between a run's first reading and its reading at ``u`` (k,).
 
     In the means over the runs, between the first reading of a run and the one at ``u``, -1 to 1.
 

@@ -27,7 +27,7 @@ class Quantiles:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestPrediction:
-    """A test of an axis, and the prediction of a new one at the same and at new targets.
+    """A test of an axis, and the prediction of a new test at the same and at new targets.
 
     ``uncertainty``: of the parameters of the fresh one at the same targets, where it guards a
     decision about them.
@@ -60,10 +60,10 @@ class AcceptDecision:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CirclePrediction:
-    """A circular test, its result with the new tables, and the prediction of a new test.
+    """A circular test, its calculated result with new tables, and the prediction of a new test.
 
-    ``predicted``: parameters by their contract names, mm; ``causes``: diagnosis by its contract
-    names, in the contract's units.
+    ``predicted``: parameters by their JSON names, mm; ``causes``: by their JSON names, in the units
+    of the JSON.
     """
 
     before: CircularResult

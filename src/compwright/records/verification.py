@@ -33,7 +33,7 @@ MeasurementFault = Literal["sign", "direction", "unit", "wrong_axis", "copied", 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Candidate:
-    """A possible verdict with its probability. ``detail``: its most probable variant as text."""
+    """A possible verdict and its probability. ``detail``: the most probable variant as text."""
 
     verdict: LoadingName
     probability: float

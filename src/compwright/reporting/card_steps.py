@@ -65,7 +65,7 @@ def _common_once(lines: Sequence[str]) -> list[dict[str, Any]]:
 
 
 def _filled(words: str, heads: Sequence[object], row: Sequence[object], language: Language) -> str:
-    """Return a sentence with each ‹column head› replaced by the value in a table row of an axis."""
+    """Return a sentence with each ‹column heading› replaced by the value of one axis."""
     for head, cell in zip(heads, row, strict=True):
         words = words.replace(f"‹{plain(head)}›", in_language(cell, language))
     if words.startswith(f"{_AXIS[language]} "):

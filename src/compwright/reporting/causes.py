@@ -215,7 +215,7 @@ def full_cause_words(name: str, axes: Any) -> Sentence:
 
 
 def named_in_words(value: Any, axes: Any) -> Any:
-    """Return a value or sentence with JSON names of causes, as in messages, replaced by text."""
+    """Return a value or sentence of a message with JSON names of causes replaced by text."""
     if isinstance(value, SentenceText):
         return SentenceText(named_in_words(value.sentence, axes))
     if isinstance(value, Sentence):

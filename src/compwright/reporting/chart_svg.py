@@ -141,7 +141,7 @@ def _frame(
 
 
 def _along(x: _Scale, steps: Sequence[float]) -> tuple[list[float], int]:
-    """Return as many numbers as fit along the horizontal axis, and how many decimals they have."""
+    """Return the numbers of the horizontal axis, as many as fit, and their number of decimals."""
     for most in range(_MOST_NUMBERS, 1, -1):
         columns, decimals = _ticks(x.low, x.high, most, steps)
         wide = max((len(_written(value, decimals)) for value in columns), default=0)
@@ -215,7 +215,7 @@ def _boxes(places: Iterable[tuple[float, float]]) -> list[_Box]:
 def _free_box(
     across: float, up: float, width: float, x: _Scale, y: _Scale, taken: Sequence[_Box]
 ) -> _Box:
-    """Return the rectangle for the name of a ring where it overlaps other texts least."""
+    """Return the place of a marked point's name: the rectangle that overlaps other texts least."""
     sides = [1.0, -1.0] if across < (x.first + x.last) / 2 else [-1.0, 1.0]
     boxes = []
     for lift in (2.0, 12.0, -8.0, 22.0, -18.0):

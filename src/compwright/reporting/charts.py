@@ -206,7 +206,7 @@ def reversal_chart(result: Document) -> Chart:
 
 
 def residual_charts(result: Document) -> list[Chart]:
-    """Return a circular test's residuals over the angle, a chart per direction, if it has a fit."""
+    """Return charts of a circular test's residuals over the angle, one per fitted direction."""
     fitted = result.get("fitted") or ()
     charts = []
     for key, look in zip(("ccw", "cw"), LOOKS, strict=True):
@@ -249,7 +249,7 @@ def expected_chart(predicted: Document, coverage: float) -> Chart:
 
 
 def table_chart(entry: Document) -> Chart:
-    """Return the chart of a table's correction per direction, its points, and the wanted one.
+    """Return the chart of a table: correction per direction, table points, and wanted correction.
 
     ``entry`` holds ``table`` (``positions``, ``correction_positive``, ``correction_negative``,
     ``unit``) as in the prediction document, and ``wanted`` (``positions``, ``positive``,
@@ -282,7 +282,7 @@ def table_chart(entry: Document) -> Chart:
 
 
 def estimate_chart(estimate: Document, result: Document) -> Chart:
-    """Return the chart of the estimated deviation ± 2 standard deviations, and measured means.
+    """Return the chart of the estimated deviation ± 2 standard deviations, and the measured means.
 
     ``estimate`` holds ``positions`` (g), ``mean_positive``, ``mean_negative``, ``std_positive``,
     ``std_negative`` (g) in the unit of the positioning result ``result``.

@@ -56,7 +56,7 @@ def _mended(cause: CircleCause) -> str:
 
 
 def significant_causes(causes: Sequence[CircleCause]) -> list[CircleCause]:
-    """Return the first significant causes by effect, and further ones with a large share."""
+    """Return the significant causes with the largest effects, and others with a large share."""
     found = [cause for cause in causes if cause.shown and cause.significant]
     return found[:_MOST] + [cause for cause in found[_MOST:] if cause.share >= _LARGE]
 
@@ -72,7 +72,7 @@ def next_step(cause: str, axes: Sequence[str]) -> Sentence | None:
 
 
 def machine_job(machine: Mapping[str, Any], results: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return lines of a job that correct what the circles of one machine show consistently."""
+    """Return lines of a job that correct the causes on which the circles of one machine agree."""
     contradicted = {
         (one["cause"], circle["of"])
         for one in machine["contradictions"]
@@ -101,7 +101,7 @@ def job_lines(causes: Sequence[str], result: Mapping[str, Any]) -> list[str]:
 def _job(
     results: Sequence[Mapping[str, Any]], planes: Container[str], *, lost: bool, scale: bool
 ) -> list[str]:
-    """Return lines of a job that correct squareness, lost motion or scale by tables, if any.
+    """Return lines of a job that correct squareness, lost motion or scale; none if not requested.
 
     The squareness of ``planes`` (axes in the order of the alphabet), ``lost`` motion, ``scale``.
     Scale is that of the positioning tests, which the circles check.

@@ -270,7 +270,7 @@ def _base(result: Document, values: Sequence[float]) -> float:
 
 
 def _rings(panel: Any, place: _Place, most: float, least: float, language: Language) -> None:
-    """Draw faint circles at round deviations, with their values next to the second axis."""
+    """Draw faint circles at round deviations, with the values written next to the second axis."""
     step = _round_step(max(most, -least, 0.05))
     box = {"boxstyle": "square,pad=0.12", "facecolor": "white", "edgecolor": "none", "alpha": 0.8}
     for count in range(

@@ -47,7 +47,7 @@ _MOST_ROWS: Final = 60
 def doubt_lines(
     doubts: Sequence[Mapping[str, str]], step: Sentence | None = None
 ) -> list[RenderableType]:
-    """Return doubts with heading and next ``step`` for the terminal; nothing without doubts."""
+    """Return doubts with heading and next ``step`` for the terminal, or nothing without doubts."""
     if not doubts:
         return []
     step = step or next_step(doubt["code"] for doubt in doubts)

@@ -236,7 +236,7 @@ def number_text(value: float, form: str, language: Language = "en") -> str:
 
 
 def in_language(value: object, language: Language) -> str:
-    """Return a value as text in a language: a sentence, number, unit or symbol."""
+    """Return a sentence, number, unit or symbol as text in a language."""
     if isinstance(value, Amount | Sentence | NumberText | DateText | SentenceText | ControlText):
         return value.text(language)
     text = str(value)

@@ -132,7 +132,7 @@ def _take_back(session: Session, folder: Path) -> None:
 
 
 def _sweep(folder: Path) -> None:
-    """Remove temporary files without a journal, except those of a running process.
+    """Remove temporary files that belong to no journal, except those of a running process.
 
     Prepared and never used, or left after the end; and those that cannot be removed: they do no
     harm.
@@ -222,7 +222,7 @@ def _take_back_undone(session: Session, first: Path, folder: Path, journal: Jour
 
 
 def _is_swept(first: Path, folder: Path, journal: Journal) -> bool:
-    """Remove the rest of a completed change; return False if the change was not completed."""
+    """Remove the remains of a completed change of files; return False if it was not completed."""
     try:
         with ExitStack() as held:
             lock = _held(folder, held)
@@ -237,7 +237,7 @@ def _is_swept(first: Path, folder: Path, journal: Journal) -> bool:
 
 
 def _decides(first: Path, journal: Journal) -> bool:
-    """Return whether the folder ``first`` still has the change's journal: it is incomplete."""
+    """Return whether a change is incomplete: the folder ``first`` still has its main journal."""
     theirs = read_journal(first)
     return theirs is not None and theirs.key == journal.key
 
@@ -256,7 +256,7 @@ def clear(lock: Lock) -> None:
 
 
 def withdraw(sets: Sequence[Set]) -> None:
-    """Restore the old files in locked folders, and remove the journals of these folders.
+    """Restore the old files in several folders, then remove the journals of these folders.
 
     Raises NotPutRightError, and nothing was done, where a file was changed since or an earlier one
     did not come along; OSError.

@@ -180,7 +180,7 @@ def _axes_in(control: Control, side: ComparedSide) -> set[str]:
 def planned_files(
     control: Control, plan: Plan, as_found: DecodedState
 ) -> tuple[tuple[ControlFile, ...], DecodedState | None]:
-    """Return the files that should be in the control by the plan, and the corrections they make.
+    """Return the control's files as the plan requires them, and the corrections in these files.
 
     The plan's files in the place of those that were patched.
     """

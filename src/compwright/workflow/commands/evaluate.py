@@ -435,7 +435,7 @@ def _with_circles(
     crew: Crew,
     watch: Watch,
 ) -> tuple[list[Evaluated], list[Noted]]:
-    """Return all tests in order, with circular tests joined from their files and evaluated."""
+    """Return all tests in order, with joined and evaluated circular tests, and the faults."""
     from compwright.workflow.inputs.circles import pairs_joined
 
     joined = pairs_joined(found)

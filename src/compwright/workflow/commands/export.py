@@ -127,7 +127,7 @@ def export_plan(
 def _refitted(
     plan: Plan, control: Control, axes: Mapping[str, Axis]
 ) -> list[tuple[Axis, FittedTable]]:
-    """Return a plan's tables fitted within a control's limits. Raises CapacityError."""
+    """Return the axes of a plan, each with a table fitted within the limits of a control."""
     fitted = []
     errors: list[CompwrightError] = []
     for name, entry in plan.axes.items():

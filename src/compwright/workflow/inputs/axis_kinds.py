@@ -33,7 +33,7 @@ _LEVELS = 3
 
 @dataclass(frozen=True, slots=True)
 class Kinds:
-    """The addresses of axes that may be linear or rotary, with assumptions and findings."""
+    """The addresses of axes not known to be linear or rotary, with assumptions and findings."""
 
     unknown: tuple[str, ...] = ()
     assumed: tuple[Assumption, ...] = ()
@@ -49,7 +49,7 @@ def decode_kinds(
     *,
     active: bool | None = None,
 ) -> tuple[Control, DecodedState, Kinds]:
-    """Return a control, the contents of its files, and the axes not known as linear or rotary.
+    """Return a control, what its files contain, and which axes may be linear as well as rotary.
 
     Raises UsageError where the numbers themselves depend on an unknown kind, or a given kind
     contradicts the files.

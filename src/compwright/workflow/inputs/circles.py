@@ -46,9 +46,7 @@ def read_if_circular(content: bytes, file: str) -> CircularTest | None:
 
 
 def pairs_joined(tests: Sequence[T | CircularTest]) -> list[T | CircularTest]:
-    """Return the tests with the two files of a circular test joined. Other tests stay in their
-    places.
-    """
+    """Return all tests in their order; the two files of one circular test become one test."""
     joined = paired([test for test in tests if isinstance(test, CircularTest)])
     by_source = {source: test for test in joined for source in test.sources}
     kept: dict[int, T | CircularTest] = {}

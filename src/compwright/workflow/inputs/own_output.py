@@ -106,7 +106,7 @@ def _inside_out(job: Job, folder: Path, out: Path) -> Iterator[Fault]:
 
 
 def _near(session: Session, job: Job, folder: Path, out: Path) -> Iterator[Path]:
-    """Yield paths where plans of earlier runs may be: near the output, states, job and tests."""
+    """Yield the paths where plans of earlier runs may be, near the output and the input files."""
     yield out / PLAN
     yield storage.resolved(out).parent / PLAN  # that of the round before
     for texts in job.states.values():
@@ -313,7 +313,7 @@ def _fault(job: Job, place: str, test: str, state: str, earlier: _Earlier) -> Fa
 
 
 def refuse_added_again(plan: Plan, path: Path, state: DecodedState) -> None:
-    """Raise UsageError if a plan would apply a correction between axes a second time."""
+    """Raise UsageError if the control's files already contain the plan's tables between axes."""
     made: Mapping[str, str] = {fingerprint(file.raw): file.name for file in state.files}
     again = [made[digest] for digest in made_for_the_control(plan) if digest in made]
     if again and any(entry.written for entry in plan.cross):

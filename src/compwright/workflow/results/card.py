@@ -107,7 +107,7 @@ _READ = ("CW-R001", "CW-R056", "CW-R060", "CW-R062")
 
 
 def _as_read(works: Mapping[str, AxisWork]) -> list[dict[str, str]]:
-    """Return assumptions made in reading the measurements, as rows of the card."""
+    """Return assumptions about the contents of measurement files, as rows of the card."""
     return [
         {
             "fact": control_text("axis {axis}, test {test}", axis=name, test=result.test.name),

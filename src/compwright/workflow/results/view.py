@@ -119,7 +119,7 @@ def axis_view(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
 
 
 def expected_targets(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
-    """Return the deviations that a new test is expected to show, and the scatter of a reading."""
+    """Return the expected mean deviations of a new test, and the expected scatter of a reading."""
     test = work.results[0].test
     factor = outside_factor(test.kind.unit)
     change = difference(after_loading(work, loaded), work.active)

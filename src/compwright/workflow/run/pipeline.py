@@ -24,7 +24,7 @@ def run_stages(
     accept_worse: bool = False,
     each: Each = in_turn,
 ) -> Finished:
-    """Return a job after all stages: measured, fitted, written, read back, predicted.
+    """Return the results of a job after all stages, from measured to predicted.
 
     ``folder``: what the job's paths are relative to; ``out``: where its results go; ``each`` works
     on the axes. Raises UsageError, InputError and CapacityError.

@@ -77,7 +77,7 @@ def after_loading(work: AxisWork, loaded: DecodedState | None) -> Correction:
 
 
 def _circle(work: CircleWork, measured: Measured, then: ActiveCorrections) -> CirclePrediction:
-    """Predict a circular test after loading, from the measured one and the changed correction."""
+    """Predict a circular test after loading, from the test before and the change of correction."""
     during = measured.active.get(work.planned.measured_in, NO_CORRECTIONS)
     prediction = predicted_circle(work.result, work.planned, during, then)
     rule = measured.job.decision_rule

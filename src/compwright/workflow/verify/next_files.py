@@ -123,7 +123,7 @@ def next_files(session: Session, job: Job, plan: Plan, then: Looped) -> dict[str
 
 
 def _states(job: Job, plan: Plan, then: Looped, was: str, copies: _Copies) -> dict[str, Any]:
-    """Return the states for the next job: the present, the previous (``was``), and older ones."""
+    """Return the control states of the next job: the present, the previous (``was``), and older."""
     found: dict[str, Any] = {AS_FOUND: _state(then.files, AS_FOUND, copies, active=then.active)}
     for name, files in plan.states.items():
         now = was if name == AS_FOUND else name

@@ -300,7 +300,7 @@ def _worked(
 
 
 def _updated_axis(finished: Finished, name: str) -> UpdatedAxis:
-    """Return the result for an axis in the next round."""
+    """Return whether an axis gets a new table in the next round, and the reason."""
     work, prediction = finished.works[name], finished.predicted.axes[name]
     if work.planned.fitted is not None:
         return UpdatedAxis(
@@ -327,7 +327,7 @@ def _gained(limits: LimitingCauses | None, axis: Axis) -> str:
 
 
 def _result(outcomes: Mapping[str, UpdatedAxis], *, between: bool) -> str:
-    """Return the sentence on what to do with the next round: load its tables, or stop."""
+    """Return the sentence on the next step: load the tables of the next round, or stop."""
     tabled = [name for name, axis in outcomes.items() if axis.table]
     if tabled or between:
         return SentenceText(say("next.load", axes=tabled, between=between))
@@ -371,7 +371,7 @@ def refuse_later_rounds(session: Session, out: Path) -> None:
 
 
 def known_with_rounds(session: Session, out: Path, known: storage.Known) -> storage.Known:
-    """Return a function that tells results, also of the next round, from the user's files.
+    """Return a function that decides whether a file is an unchanged result, also of the next round.
 
     ``known`` does so for all but the folder of the next round.
     """

@@ -99,7 +99,7 @@ def _circle(
 
 
 def _repeated(plan: Plan, test: CircularTest, spec: str) -> str:
-    """Return the name of the planned circle that a test repeats, by plane and radius."""
+    """Return the name of the circle in the plan with the plane and nearest radius of a test."""
 
     def apart(name: str) -> float:
         return abs(plan.circles[name].test.nominal_radius - test.nominal_radius)
@@ -243,7 +243,7 @@ def _judged(
 
 
 def squareness_decisions(circles: Mapping[str, VerifiedCircle]) -> list[Decision]:
-    """Return the decisions about squareness of all circles in a corrected plane."""
+    """Return the decisions on squareness, from those circles whose plane was corrected."""
     return [
         circle.squareness.decision for circle in circles.values() if circle.squareness is not None
     ]
