@@ -204,10 +204,10 @@ def describe_options(definition: Definition) -> tuple[str, ...]:
 def resolved_number(
     definition: Definition, name: str, options: Mapping[str, object], fact: object
 ) -> int | None:
-    """Return a whole-number option, or if it is not given, the number from the control's files.
+    """Return a whole number from an option or from the control's files, whichever has priority.
 
-    ``fact``: that number, None without one. A fact of 0 means that nothing is reserved yet. That is
-    no limit: it has to be set anyway.
+    ``fact``: the number in the files, None without one. It has priority unless the option's rule
+    states otherwise. A fact of 0 means that nothing is reserved yet; that is no limit.
     """
     given = options.get(name)
     rule = definition.options[name]

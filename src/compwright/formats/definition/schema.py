@@ -55,7 +55,7 @@ class EvidenceNote:
 
 @dataclass(frozen=True, slots=True)
 class OptionValue:
-    """One possible value of an option."""
+    """The value of the option with this name, in place of a fixed text."""
 
     option: str
 

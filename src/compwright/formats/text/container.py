@@ -87,10 +87,9 @@ def is_container(file: ControlFile) -> bool:
 
 
 def unpacked(files: Sequence[ControlFile], faults: list[Fault]) -> tuple[ControlFile, ...]:
-    """Return the files, each archive replaced by the texts in it, which come before the other
-    files.
+    """Return the files, with archives replaced by their texts, which come before other files.
 
-    Because all others were loaded over it. A container that cannot be opened goes to ``faults``.
+    The other files were loaded later. A container that cannot be opened goes to ``faults``.
     """
     result: list[ControlFile] = []
     for file in sorted(files, key=is_container, reverse=True):

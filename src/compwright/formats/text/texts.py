@@ -351,7 +351,7 @@ class _KindReader:
         yield Occurrence(matcher.statement.name, self.file, line.number, tokens, place, checksum)
 
     def _concerns_us(self, probe: str) -> bool:
-        """Return whether a line resembles a statement that is valid in the current section.
+        """Return False if a line resembles only statements of other sections; True for all others.
 
         A key of the same name in another section is another key.
         """

@@ -118,7 +118,7 @@ class Values:
         """Return the default of a quantity that is in no file, and report it if its rule requires
         that.
 
-        Not at all, in the list of assumptions, or with a warning too.
+        The rule requires nothing, an assumption, or an assumption with a warning.
 
         None without a rule. ``meaning``: the meaning of the name, in words; not ``tell``: no
         report.

@@ -29,9 +29,7 @@ _INCH = Decimal("25.4")
 
 
 def fitting_rule(options: Mapping[str, object], text: str) -> Decimal | None:
-    """Return the spacing in a table's first line, mm or deg; None if the option spacing_rule
-    excludes it.
-    """
+    """Return the spacing, mm or deg, that a table's first line states; None if it is not valid."""
     if not is_number(text):
         return None
     number = Decimal(text)

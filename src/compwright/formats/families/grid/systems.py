@@ -22,9 +22,7 @@ class SystemChoice:
         self.systems = gathered.systems(address)
 
     def stated(self, wanted: int, *, by_job: bool) -> str:
-        """Return the number in the files of a stated measuring system, and check that it has the
-        table.
-        """
+        """Return the number (from 0) of the system ``wanted`` (from 1), and check its table."""
         chosen = str(wanted - 1)
         if (count := self._count()) is not None and wanted > count:
             self.notes.refuse(

@@ -47,7 +47,7 @@ class WrittenTable:
 
 @dataclass(slots=True)
 class TableSource:
-    """The lines of one table in the files.
+    """The lines of one table in the control's files, and what is needed to read their numbers.
 
     ``label``: its name in messages; ``singles``: start, end and spacing.
 

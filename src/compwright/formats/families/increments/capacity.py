@@ -123,8 +123,7 @@ class IncrementLimits:
         self.assumed.append(Assumption(of_axis, value, evidence))
 
     def _wave(self, limit: int, gap: int) -> Wave | None:
-        """Return the limits of a second (cyclic) table; None if the control cannot have it or has
-        one.
+        """Return the limits of a new second (cyclic) table; None if none can be added.
 
         Only on a rotary axis: the only page that describes it is about a worm.
         """

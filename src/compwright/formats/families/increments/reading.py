@@ -244,9 +244,7 @@ class StateReader:
             self.notes.find("CW-S042", "warning", axis=address, reasons=dict.fromkeys(reasons))
 
     def _filled(self) -> frozenset[int]:
-        """Return the point numbers that contain data, or to which a function refers: not free for
-        tables.
-        """
+        """Return the point numbers with a value other than zero, which are not free for tables."""
         texts = {number: row.occurrence.tokens["value"].text for number, row in self.points.items()}
         return frozenset(number for number, text in texts.items() if text.strip("-0"))
 

@@ -182,7 +182,7 @@ class PairsReader(GridReader):
         )
 
     def staying(self, compensation: AxisCompensation) -> tuple[AxisCompensation, ...]:
-        """Return the cross-axis tables by an axis' own position that stay unchanged."""
+        """Return the cross-axis tables by which an axis corrects itself and that stay unchanged."""
         return staying(self.cec, compensation)
 
     def cross(self) -> tuple[CrossCompensation, ...]:

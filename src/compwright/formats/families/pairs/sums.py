@@ -76,8 +76,7 @@ def _merged(
     """Return period, positions and the sum of the tables (+, -), for each period and start
     position.
 
-    The sum of curves that are straight between their nodes is straight between the nodes of all of
-    them.
+    A sum of curves that are straight between their points is straight between the points of all.
     """
     groups: dict[tuple[float | None, float | None], list[CecTable]] = {}
     for table in tables:

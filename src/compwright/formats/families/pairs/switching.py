@@ -75,7 +75,7 @@ class Switches:
     ) -> None:
         """Activate tables by setting the last line of their activation parameter in each file.
 
-        Or after their values if the switch comes before them: there it has to stay off.
+        If that line comes before the tables' values it stays off, and a new line follows them.
         """
         first = self.tables.first_values(indices)
         early = set()

@@ -92,12 +92,12 @@ class Cec:
         return replace(self, tables=kept, odd=(*self.odd, *odd))
 
     def own_axes(self) -> list[str]:
-        """Return the axes that have tables by their own position, active or not."""
+        """Return the axes that have a table by which they correct themselves, active or not."""
         pairs = [*(table.pair for table in self.tables), *(table.pair for table in self.odd)]
         return list(dict.fromkeys(output for base, output in pairs if base == output))
 
     def stay(self) -> frozenset[int]:
-        """Return the indices of tables by an axis' own position that stay unchanged."""
+        """Return the indices of tables by which an axis corrects itself and that stay unchanged."""
         counted = (table.index for table in self.tables if table.stays)
         return frozenset((*counted, *(table.index for table in self.odd if table.largest)))
 
@@ -136,7 +136,7 @@ class Cec:
         return ", ".join(self.prints.get(index, "-") for index in parts if index is not None)
 
     def _uncounted_tables(self, address: str, *, sign_known: bool) -> str:
-        """Return as text the active tables by other axes' positions that cannot be used.
+        """Return as text the active tables by which other axes correct this one, if unusable.
 
         The text changes with their values.
         """

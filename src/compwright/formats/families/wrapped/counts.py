@@ -133,7 +133,7 @@ def around(axis: Axis | None, zero: float, step: float) -> tuple[float, int]:
 def turned_about(curve: FloatArray, first: int, counts: Counts) -> FloatArray:
     """Return table values (n + 1,) ordered by motor position, beginning at motor zero.
 
-    Given: by position of the axis from the node ``first``.
+    ``curve``: by position of the axis, beginning at the point with the number ``first``.
     """
     size = curve.size - 1
     along = first + np.arange(size + 1)

@@ -69,12 +69,11 @@ class _Nodes:
 
 
 def over_travel(ring: Sequence[float], axis: Axis) -> tuple[float, ...]:
-    """Return those points of a repeating table that lie on the travel or at the reference of an
-    axis.
+    """Return the points of a repeating table that are on an axis' travel or at its reference.
 
-    All if a round is too short for that.
+    All points if one period is too short for that.
 
-    ``ring``: one round of nodes of a table that repeats, both ends, from below the travel.
+    ``ring``: the points of one period, with both ends, from below the travel.
     """
     if len(ring) < 2:
         return ()
@@ -98,8 +97,8 @@ def motor_table(
     """Return the table entries that correct an axis; None, with reasons in ``faults``, if
     impossible.
 
-    ``ring``: one round of nodes, both ends, of the existing table; if the nodes are on it and it is
-    long enough, number of entries and length stay the same.
+    ``ring``: the points of one period of the existing table, with both ends; if the new points are
+    among them and it is long enough, number of entries and length stay the same.
     """
     label = f"axis {axis.name} ({compensation.address})"
     nodes, wrong = _nodes(axis, compensation, label, ring)
