@@ -135,7 +135,7 @@ def axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
 
 
 def typed_backlash(definition: Definition, axis: Axis, values: Mapping[str, str]) -> str:
-    """Return the backlash value to type in, with the control's parameter number and the unit.
+    """Return the card's text on the backlash value to type in; empty if none is typed.
 
     Empty if the control has none. ``values``: as in `card_steps`.
     """
@@ -170,7 +170,7 @@ def _used(form: str, values: Mapping[str, str]) -> dict[str, str]:
 
 
 def points_needed(control: ResolvedDefinition, table: AxisCompensation) -> int | None:
-    """Return how many points the control must reserve for a table.
+    """Return how many points the control must still reserve for a table; None if none.
 
     None if it reserves none, or if its files show that it has them.
     """

@@ -205,7 +205,7 @@ def _members(file: ControlFile, faults: list[Fault]) -> Iterator[Member]:
 
 
 def _not_listed(file: ControlFile, members: Sequence[Member]) -> Iterator[Fault]:
-    """Yield members that the archive's list of contents names but that are missing."""
+    """Yield a fault if members are missing that the archive's own list of contents names."""
     contents, *rest = members
     text = file.content[contents.start : contents.start + contents.size]
     listed = Counter(found[0].decode("latin-1") for found in _LISTED.finditer(text))

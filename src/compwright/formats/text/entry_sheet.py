@@ -179,7 +179,7 @@ class _SheetReader:
 def write_sheet(
     name: str, comments: Sequence[tuple[str, str]], rows: Sequence[SheetRow]
 ) -> ControlFile:
-    """Return a sheet as bytes: ASCII with LF; letters beyond it are written as UTF-8."""
+    """Return an entry sheet as a file in ASCII (other letters in UTF-8) with LF line ends."""
     head = "".join(f"# {key}: {value}\n" for key, value in comments)
     body = "".join(f"{row.point},{row.position},{row.value},{row.unit}\n" for row in rows)
     return ControlFile(name, (head + ",".join(HEADER) + "\n" + body).encode())

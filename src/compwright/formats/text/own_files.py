@@ -147,7 +147,7 @@ class OwnFiles(Patches):
 
 
 def styled(old: str, new: str) -> str:
-    """Return a number with as many decimals, and a plus sign, as the old number in the file.
+    """Return the new number in the style of the old one: its decimals, and its plus sign.
 
     Other text is returned unchanged.
     """

@@ -145,7 +145,7 @@ class Patches:
         return {*self._replaced, *self._inserted}
 
     def patched(self, numbers: Iterable[int]) -> tuple[ControlFile, ...]:
-        """Return some of the files with all changes made, in the given order."""
+        """Return the files with these indices, with all changes made, in the order of the files."""
         return tuple(
             ControlFile(
                 self.files[number].name,

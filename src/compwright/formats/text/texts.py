@@ -76,8 +76,7 @@ class ReadText:
 
 
 def no_text(content: bytes) -> str:
-    """Return the type of a file that cannot be a control's text: two bytes per character, or
-    binary.
+    """Return why a file cannot be a control's text: two bytes per character, or binary.
 
     By its byte order mark, or if every second byte of its beginning is 0.
     """

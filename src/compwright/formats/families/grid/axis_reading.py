@@ -217,7 +217,7 @@ class GridAxisReader:
         return round(limits[0] * factor, _DECIMALS), round(limits[1] * factor, _DECIMALS)
 
     def _unit(self) -> str | None:
-        """Return the length unit of the files, mm or inch."""
+        """Return the length unit of the files, mm or inch; None if they do not state it."""
         return next(
             (word for word in map(self.values.stated_word, SAYING) if word is not None), None
         )

@@ -93,7 +93,7 @@ class AxisSettingsReader:
         return places[-1] if places else None
 
     def number(self, quantity: str) -> float | None:
-        """Return the number that a quantity has for the whole axis."""
+        """Return the number that a quantity has for the whole axis; None if no file states it."""
         found = self.last(quantity)
         return None if found is None else float(found.text)
 

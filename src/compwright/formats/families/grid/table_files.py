@@ -137,7 +137,7 @@ class TableFiles:
         return matching
 
     def note_idle(self, wanted: Collection[str]) -> None:
-        """Report the table files of the axes ``wanted`` that no line of the files names."""
+        """Report unused table files; if axes are ``wanted``, only those that no line names."""
         binding = self.definition.bindings.get("table_file")
         named = {
             base_name(occurrence.tokens[binding.field].text.strip())

@@ -66,9 +66,7 @@ class ByIndex(TableShape):
     repeats = True
 
     def read(self, source: TableSource) -> GridTable | None:
-        """Return the table's values by their index, None if all are zero (never written); see
-        `TableShape.read`.
-        """
+        """Return the table; None if missing, not valid or never written; see `TableShape.read`."""
         if not source.rows and not source.singles:
             return None
         if is_blank(source):

@@ -86,7 +86,7 @@ class NewFile:
         return made.patched([0])[0] if left or not placed else None
 
     def _rows(self, placed: Collection[str]) -> list[str] | None:
-        """Return the table rows of the file; None if the file has no table of this axis."""
+        """Return the table rows to write into this file; None if they do not belong there."""
         if self.file.rows is None or curves(self.definition)[0] in placed:
             return None
         form = self.definition.statements[self.file.rows].form
@@ -385,7 +385,7 @@ class GridWriter:
 
 
 def _first_few(faults: list[Fault], address: str) -> list[Fault]:
-    """Return the first three faults, because one wrong rounding gives a fault in every row."""
+    """Return the first three faults and a count of the others: one wrong rounding repeats."""
     rest = len(faults) - 3
     more = Fault(
         message=f"axis {address} has {rest} more values with the same fault",

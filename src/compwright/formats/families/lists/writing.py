@@ -203,7 +203,7 @@ class ListsWriter:
         new: Mapping[Entry, str],
         known: Sequence[str],
     ) -> bool:
-        """Return whether all entries have a line already, so that only values in lines change."""
+        """Return whether the list has the same entries at the same positions, with other values."""
         old = {
             (column, index): found
             for column in known
@@ -245,7 +245,7 @@ class ListsWriter:
         return bool(places)
 
     def _activate(self, address: str, switch: str, manual: str) -> None:
-        """Activate a table if the last value in the lists deactivates it."""
+        """Set the lines that activate a table: its parameter to 1, manual activation to 0."""
         self._put(self.lists.places(address, switch), "1")
         self._put(self.lists.places(address, manual), "0")
 

@@ -44,7 +44,7 @@ class Units:
         return MILLIMETRES_PER_INCH if self.inch and linear else 1.0
 
     def may_be_inch(self, pair: Pair) -> bool:
-        """Return whether a table between these axes may be in mm or in inch."""
+        """Return whether a table between these axes may be in inch."""
         return self.inch and any(self.kind(one) is not AxisKind.ROTARY for one in pair)
 
 

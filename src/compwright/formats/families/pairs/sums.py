@@ -136,7 +136,7 @@ def _as_tables(
 
 
 def cross_tables(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompensation, ...]:
-    """Return the corrections between axes by table index; those of different periods are separate.
+    """Return the corrections between axes: the sum of the tables for each axis pair and period.
 
     A table that cannot be read as a curve stays unchanged and is not included: its effect is the
     same before and after.

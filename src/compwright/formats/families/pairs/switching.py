@@ -19,7 +19,7 @@ class Switches:
         self.own = tables.own
 
     def table_on(self, index: int) -> None:
-        """Activate a new table of compwright if the files deactivate it."""
+        """Activate a written table in the files, with weight 1 and without further settings."""
         if self.own is None:
             return
         switches = self.tables.places_of(index, "cross_table_enabled")

@@ -166,7 +166,7 @@ class Buffers:
         found -= {motor, 0}
 
     def refuses(self, kind: str, motor: int) -> str:
-        """Return why the card would refuse to define a table; empty if it would accept."""
+        """Return why the control would refuse to define a table; empty if it would accept."""
         mine = self.motors.get(kind, set())
         if motor in mine:
             return f"#{motor} has a {kind} already; delete it first"
@@ -176,7 +176,7 @@ class Buffers:
         return f"{', '.join(there)} was defined before it" if there else ""
 
     def keeps(self, kind: str, motor: int) -> str:
-        """Return why the card would refuse to delete a table; empty if it would accept."""
+        """Return why the control would refuse to delete a table; empty if it would accept."""
         mine = self.motors.get(kind, set())
         if motor in mine and any(other < motor for other in mine):
             return f"#{min(mine)}, a lower motor, has a {kind}"
