@@ -251,7 +251,7 @@ def _both(axis: Axis, state: ControlState) -> tuple[AxisCompensation, AxisCompen
 
 
 def _grid(table: AxisCompensation, idle: Sequence[float]) -> FloatArray:
-    """Return the positions of a table's points; ``idle`` (points not in use) if it has none."""
+    """Return the positions of a table's points; ``idle`` if it has fewer than two active points."""
     return table.positions if table.positions.size > 1 else np.array(idle, dtype=np.float64)
 
 

@@ -104,7 +104,7 @@ def backlash(loader: AxisLoader, axis: int, options: Options) -> int:
 def cycle(
     loader: AxisLoader, axis: int, grid: IncrementGrid | None, options: Options
 ) -> Cycle | None:
-    """Return the second (cyclic) table of an axis; None if it has none, or with a fault.
+    """Return the second (cyclic) table of an axis; None without one, or if it is not evaluated.
 
     ``grid``: the grid of the axis' main table.
     """
