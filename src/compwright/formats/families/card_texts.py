@@ -129,7 +129,7 @@ def sign_check(compensation: AxisCompensation, where: FloatArray) -> dict[str, s
 def named_files(
     control: ResolvedDefinition, axis: Axis, files: Sequence[ControlFile]
 ) -> dict[str, str]:
-    """Return the names of an axis' written files that differ from the names in the definition.
+    """Return by card field the names of an axis' written files, if not those of the definition.
 
     ``files``: all that were written.
     """

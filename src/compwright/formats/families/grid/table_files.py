@@ -178,7 +178,7 @@ def unused_table_files(definition: Definition, files: Sequence[ControlFile]) -> 
 
 
 def offset_at_run_time(files: Sequence[ControlFile], axes: Collection[str]) -> Iterator[Fault]:
-    """Yield the lines of HAL files that add an external offset to one of ``axes``.
+    """Yield a fault for each line of a HAL file that adds an external offset to one of ``axes``.
 
     Letters; an axis with another name may be any.
     """
@@ -203,9 +203,7 @@ def offset_at_run_time(files: Sequence[ControlFile], axes: Collection[str]) -> I
 
 
 def changed_at_run_time(files: Sequence[ControlFile]) -> Iterator[Fault]:
-    """Yield the lines of HAL files that change a joint's correction during operation. The value in
-    the INI is then not active.
-    """
+    """Yield a fault for each line of a HAL file that changes a joint's backlash at run time."""
     known = "a HAL file changes the backlash of a joint while the control runs"
     hidden = (
         "a HAL file sets a pin without its name: it is unknown whether this is the backlash of a"

@@ -106,9 +106,7 @@ class IncrementAxisValues(Values):
         return bool((self.integer("magnification") and first != last) or self.integer("backlash"))
 
     def kind(self, *, quiet: bool = False) -> AxisKind:
-        """Return linear or rotary by the job, else the files, else linear (reported unless
-        ``quiet``).
-        """
+        """Return linear or rotary by job, files or options; unless ``quiet``, report a guess."""
         place = self.found("rotary")
         word = self.word("rotary", place)
         if self.axis is not None:

@@ -59,7 +59,7 @@ def straightness_between(family: Family, request: BetweenRequest) -> Between:
 
 
 def _filled(family: Family, request: BetweenRequest, entry: PlannedCross) -> Between | None:
-    """Return the files with the straight line written into parameters that were 0.
+    """Return files with the straight line in parameters that were 0; None if impossible.
 
     None if it has no place there, or would not be exact.
     """

@@ -33,7 +33,7 @@ class DetectionUnit:
 
 
 def detection_unit(own: AxisParameters, kind: AxisKind) -> DetectionUnit | None:
-    """Return least command increment / CMR; None if the files do not state both in a known form.
+    """Return the detection unit (least command increment / CMR); None if not in the files.
 
     1820 = 2 x CMR from 1 to 96, 100 + 1/CMR from 101 to 127 (B-63950EN/02 page 106, B-63943EN-1/02
     page 109). The least command increment is 0.001 mm or deg by IS-B (0.01 by IS-A, 0.0001 by

@@ -269,7 +269,7 @@ def _steps(
     before: ControlState,
     after: ControlState,
 ) -> list[dict[str, str]]:
-    """Return the card's loading steps for new cross-axis tables: sign, then data, then activation.
+    """Return the card's steps for new tables: reserve memory, check the sign, load, activate.
 
     Existing tables of the same axes belong to others, and stay unchanged.
     """
