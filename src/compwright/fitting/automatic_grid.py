@@ -125,8 +125,8 @@ def candidates_over(
 
 
 def _with_most_points(pool: list[GridCandidate], others: list[GridCandidate]) -> GridCandidate:
-    """Return the grid with most points. A grid without a point at the reference is chosen only if
-    it has more than 1.5 times as many.
+    """Return the grid with most points. A grid without a point at the reference (``others``) is
+    chosen only if it has more than 1.5 times as many points.
     """
     best = max(pool or others, key=lambda candidate: candidate.count)
     spare = max(others, key=lambda candidate: candidate.count, default=best)
@@ -160,8 +160,8 @@ def _coarsest(
     wanted: WantedCorrection,
     capacity: Capacity,
 ) -> FloatArray | None:
-    """Return the table points of the coarsest grid that is good enough, or None. Grids with a point
-    at the reference are preferred.
+    """Return the table points of the coarsest grid that is good enough, or None if no grid is.
+    Grids with a point at the reference are preferred.
     """
     on, off = _first_good(pool, wanted, capacity), _first_good(others, wanted, capacity)
     if on is None or (off is not None and off.count * 3 < on.count):

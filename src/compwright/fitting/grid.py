@@ -88,7 +88,9 @@ def possible_grids(
 
 
 def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatArray:
-    """Return table points that must not change. Raises CapacityError if the job states others."""
+    """Return table points that must not change. Raises CapacityError if the job states different
+    points.
+    """
     step = float(np.max(np.diff(nodes)))
     requested = (
         ("start", request.start, float(nodes[0])),

@@ -55,7 +55,9 @@ def allowed_steps(steps: Iterable[int], capacity: Capacity) -> list[int]:
 
 
 def listed_steps(capacity: Capacity) -> frozenset[int]:
-    """Return the listed intervals, in resolution steps, of a control that accepts only these."""
+    """Return the intervals, in resolution steps, that a control with a fixed list of intervals
+    accepts.
+    """
     return frozenset(
         round(spacing / capacity.position_quantum) for spacing in capacity.spacings or ()
     )

@@ -262,7 +262,9 @@ def _limits(
     solution: LatticeSolution,
     grid: HeldGrid,
 ) -> tuple[Limit, ...]:
-    """Return the cost of each limit: root of the difference of mean squares with and without it."""
+    """Return the cost of each limit: the root of the difference between the mean squares with the
+    limit and without it.
+    """
     unit, magnification = fit.lattice.unit, solution.magnification
     free = {name: float(np.sqrt(max(0.0, value))) for name, value in fit.free_bounds().items()}
     bound, reached = np.sqrt(max(0.0, solution.bound)), np.sqrt(solution.objective)

@@ -68,7 +68,7 @@ class _Spec:
 
 @dataclass(frozen=True, slots=True)
 class _FeedRun:
-    """A circular run with its feed (mm/min) computed from the sample rate, or None."""
+    """A circular run, and its feed (mm/min) computed from the sample rate, None if unknown."""
 
     run: CircularRun
     feed: float | None

@@ -151,7 +151,9 @@ def _take_decisive(comments: Comments, key: str, value: str, place: str, faults:
 
 
 def cycle_of(comments: Comments, faults: FaultList) -> Cycle | None:
-    """Return the test cycle of ISO 230-2 that the file states (standard or step cycle), or None."""
+    """Return the test cycle of ISO 230-2 in the file (standard or step cycle), or None if not
+    stated.
+    """
     value = comments.get("cycle").lower()
     if value == "standard":
         return "standard"
@@ -169,7 +171,9 @@ def cycle_of(comments: Comments, faults: FaultList) -> Cycle | None:
 
 
 def sign_of(comments: Comments, faults: FaultList) -> float | None:
-    """Return the factor (1, -1) from stated deviations to measured minus target, else None."""
+    """Return the factor (1, -1) from the file's deviations to measured minus target, None if the
+    file does not state their sign.
+    """
     value = " ".join(comments.get("deviation").lower().split())
     if value and value not in _SIGNS:
         faults.add(

@@ -128,10 +128,11 @@ def plain_signs(text: str) -> str:
 
 
 def traverse_of(column: str) -> tuple[str, int] | None:
-    """Return direction and run of a column named like ``+1``, ``- 2`` or ``run 3 +``, or None.
+    """Return direction and run of a column named like ``+1``, ``- 2`` or ``run 3 +``, or None for
+    another name.
 
-    One sign or one arrow gives the direction; words for a direction may repeat it, but ``up 3`` is
-    not a traverse, and ``+3 down`` contradicts itself.
+    One sign or one arrow gives the direction. Words may repeat the direction, but ``up 3`` is not a
+    traverse, and ``+3 down`` contradicts itself.
     """
     numbers: list[int] = []
     signs: list[str] = []
@@ -199,7 +200,9 @@ def rows_as_comments(
 
 
 def first_row(lines: Sequence[str]) -> tuple[int, str] | None:
-    """Return the number and text of the first line that is neither blank nor a comment, or None."""
+    """Return number and text of the first line that is neither blank nor a comment, None without
+    one.
+    """
     return next(
         (
             (number, line)

@@ -29,8 +29,8 @@ def cut_findings(readings: Readings, kind: AxisKind, header: Mapping[str, str]) 
 
 
 def _unfinished(readings: Readings, kind: AxisKind) -> Sentence | None:
-    """Return the sentence why the last rows may belong to an incomplete traverse or target, or None
-    if both are complete.
+    """Return the sentence that states why the last rows may belong to an incomplete traverse or
+    target, or None if both are complete.
     """
     if not len(readings):
         return None

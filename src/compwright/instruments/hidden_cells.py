@@ -100,7 +100,8 @@ def _span(attributes: Mapping[bytes, bytes]) -> range:
 
 
 def hidden_finding(hidden: Hidden, lines: Sequence[str]) -> Finding | None:
-    """Return the finding about hidden rows and columns whose contents were read too, or None.
+    """Return the finding about hidden rows and columns whose contents were read too, None without
+    any.
 
     ``lines``: those of the sheet, cells separated by tabs.
     """

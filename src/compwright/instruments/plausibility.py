@@ -204,7 +204,9 @@ def _near_targets(grid: ReadingGrid, kind: AxisKind) -> Finding | None:
 
 
 def skipped_finding(names: Sequence[str]) -> Finding | None:
-    """Return the finding about skipped files that are no measurements, by extension, or None."""
+    """Return the finding about skipped files, which by extension are no measurements, None without
+    any.
+    """
     if not names:
         return None
     return Finding.of("CW-R052", "info", files=names)

@@ -20,7 +20,9 @@ _NOTHING = frozenset({"", "no", "none", "nothing", "-"})
 
 
 def assumed_finding(assumed: Sequence[str]) -> Finding | None:
-    """Return the finding about assumed facts, which the file does not state, or None."""
+    """Return the finding about facts that are assumed because the file lacks them, None without
+    any.
+    """
     return Finding.of("CW-R001", "info", assumed=assumed) if assumed else None
 
 
@@ -30,7 +32,7 @@ def left_out_finding(columns: Sequence[str]) -> Finding | None:
 
 
 def stray_finding(lines: Sequence[tuple[int, str]]) -> Finding | None:
-    """Return the finding about lines that look like readings but are not read, or None."""
+    """Return the finding about lines that look like readings but are not read, None without any."""
     if not lines:
         return None
     listed = [f"{number} {shown(text)}" for number, text in lines[:_LISTED]]
@@ -38,7 +40,7 @@ def stray_finding(lines: Sequence[tuple[int, str]]) -> Finding | None:
 
 
 def unread_finding(targets: FloatArray, readings: Readings, kind: AxisKind) -> Finding | None:
-    """Return the finding about targets (n,) without any reading, or None.
+    """Return the finding about targets (n,) without any reading, or None if each has a reading.
 
     Their unit is that of ``kind``.
     """
@@ -61,7 +63,9 @@ def sheets_finding(sentence: Sentence) -> Finding:
 
 
 def unfinished_finding(lines: Sequence[str]) -> Finding | None:
-    """Return the finding that a file may have been cut off inside its last number, or None."""
+    """Return the finding that a file may end inside its last number, or None if the number is
+    complete.
+    """
     number = unfinished_number(lines)
     if not number:
         return None

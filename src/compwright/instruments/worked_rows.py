@@ -33,7 +33,9 @@ def worked_readings(readings: Readings, kind: AxisKind) -> list[str]:
 
 
 def read_so_finding(readings: Readings, kind: AxisKind, by: str = "") -> Finding | None:
-    """Return the finding with some readings as sentences, or None. ``by``: the profile used."""
+    """Return the finding with some readings as sentences, None without readings. ``by``: the
+    profile.
+    """
     if not len(readings):
         return None
     return Finding.of("CW-R060", "info", by=by, readings=worked_readings(readings, kind))

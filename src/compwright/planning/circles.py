@@ -90,7 +90,7 @@ def why_undetermined(works: Iterable[CircleWork], name: str) -> Iterator[Sentenc
 
 
 def _without_causes(name: str, test: CircularTest) -> Sentence:
-    """Return the sentence why a circle was not diagnosed. It states the number of samples."""
+    """Return the sentence that states why a circle was not diagnosed, with the sample count."""
     return say(
         "undetermined.causes",
         circle=name,
@@ -258,10 +258,11 @@ def undecided_circle_findings(predictions: Mapping[str, CirclePrediction]) -> tu
 
 
 def _growing(circle: CirclePrediction) -> str | None:
-    """Return the name of the circular deviation that the new tables increase, or None.
+    """Return the name of the circular deviation that the new tables make worse, or None without
+    one.
 
-    That of both runs together counts: lag and squareness may cancel in one run, which alone then
-    looks worse when one of them goes.
+    The deviation of both runs together decides, if there is one: lag and squareness may cancel in
+    one run, so that this run alone looks worse when one of the two errors is corrected.
     """
     has = [
         name

@@ -85,9 +85,10 @@ def _contradiction(
     axes: Sequence[Axis],
     states: Mapping[str, ControlState],
 ) -> Sentence | None:
-    """Return the sentence that a header contradicts the state of its test, with next step, or None.
+    """Return the sentence that a header contradicts itself or the state of its test, with the next
+    step, or None without a contradiction.
 
-    It is compared only as far as ``axes`` show the state.
+    Compensation counts as active in the state if it is active for any of the ``axes``.
     """
     stated, state = _stated(header), states.get(measured_in)
     if len(stated) > 1:

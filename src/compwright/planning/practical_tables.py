@@ -128,10 +128,10 @@ def _with_fewest_points(
 def _fewest(
     grids: Sequence[FloatArray], enough: Callable[[FloatArray], _Found | None]
 ) -> _Found | None:
-    """Return the table on the coarsest of the ``grids`` that is good enough: ``enough`` returns the
-    table on a grid, or None.
+    """Return a good table on one of the coarsest ``grids``, or None without one. ``enough`` returns
+    the table on a grid if it is good enough, else None.
 
-    By halving, then as far down as the next few go: more points are better but for single ones.
+    Search by halving, then among the next coarser grids: usually, more points are better.
     """
     low, high = 0, len(grids)
     best: _Found | None = None

@@ -39,7 +39,7 @@ NEXT_TO_NOTHING: Final = 0.1
 def fit_within(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest, axis: Axis
 ) -> FittedTable:
-    """Return the fitted table of an axis, given the existing tables that stay active.
+    """Return the fitted table of an axis. Existing tables that stay active are taken into account.
 
     A line and a wave are used where the control has them and they help. Raises CapacityError where
     the control cannot hold it by more than the noise of a reading.
@@ -136,7 +136,7 @@ def free_grid_table(
 def negligible_loss(kept: TestPrediction, best: TestPrediction) -> bool:
     """Return whether tests with a table are almost as good as with the ``best`` table.
 
-    At the same targets and at new ones, by the parameter that judges tables.
+    Compared at the same targets and at new ones, by the parameter `judged_parameter`.
     """
     name = judged_parameter(best.before)
     if name is None:

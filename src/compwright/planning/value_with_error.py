@@ -31,7 +31,7 @@ class ValueWithError:
     std_error: float
 
     def differs(self, other: ValueWithError) -> bool:
-        """Return whether two values differ by more than both of their uncertainties allow."""
+        """Return whether the difference of two values is larger than their uncertainties allow."""
         return abs(self.value - other.value) > SIGNIFICANT * float(
             np.hypot(self.std_error, other.std_error)
         )

@@ -292,8 +292,8 @@ def covered_travel(tests: Sequence[PositioningTest], low: float, high: float) ->
 
 
 def axis_compensation(state: ControlState, axis: Axis) -> AxisCompensation:
-    """Return the compensation of an axis in a state of the control. It is zero for an axis that the
-    state does not contain.
+    """Return the compensation of an axis in a ``state`` of the control: zero where the state lacks
+    the axis.
     """
     none = no_compensation(axis.address, axis.kind, axis.reference_return)
     return applied_compensation(state.axes.get(axis.address, none), axis)

@@ -91,8 +91,8 @@ class HypothesisBuilder:
         return {d: self.table.curve(d) for d in Direction}
 
     def old_values(self) -> Held:
-        """Return the old table values at the points of the new table, without backlash and without
-        tables that stay active.
+        """Return the old table's values at the points of the new table. The backlash value and
+        tables that stay active are not included.
         """
         nodes, old, stay = self.table.positions, self.loading.old, _only_others(self.loading.new)
         line = self.table.slope * (nodes - self.table.origin)

@@ -62,7 +62,7 @@ def measurement_fault(
     after: PositioningTest, first: PositioningTest, travel: tuple[float, float]
 ) -> NamedFault | None:
     """Return the fault that the test after loading certainly has, by comparison with the ``first``
-    test of the axis, or None.
+    test of the axis, or None if no fault is certain.
     """
     spread = reading_range(after)
     if spread <= SAME_READING or any(finding.code == "CW-R009" for finding in after.findings):
@@ -80,8 +80,8 @@ def measurement_fault(
 
 
 def _copied(after: PositioningTest, first: PositioningTest) -> Sentence | None:
-    """Return the sentence how the readings were copied from the first test, or None if they are
-    independent.
+    """Return the sentence that states how the readings were copied from the first test, or None if
+    they are independent.
     """
     for way, positive, negative in (
         ("same", first.positive, first.negative),
@@ -125,8 +125,8 @@ def _shifted(
 
 
 def copied_scatter(one: PositioningTest, other: PositioningTest) -> float | None:
-    """Return the correlation of the scatter in two tests if it proves that one is a copy of the
-    other, else None.
+    """Return the correlation of the scatter in two tests if it proves that one test is a copy of
+    the other, else None.
     """
     correlation, dof = _scatter_alike(one, other)
     return correlation if dof >= _ENOUGH and correlation > _COPIED else None
@@ -167,7 +167,7 @@ def _scatter(block: FloatArray) -> FloatArray:
 
 def _thousand(after: PositioningTest, first: PositioningTest) -> Sentence | None:
     """Return the sentence that the readings, by their scatter, are 1000 times too small or too
-    large, or None.
+    large, or None if they are not.
     """
     certain = certain_fault(after)
     if certain:

@@ -70,8 +70,8 @@ def _reversal(ways: HypothesisBuilder) -> Curve:
 
 
 def partial(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield hypotheses of a table that is active only up to a point or from a point on, with
-    possible values at the other points.
+    """Yield hypotheses of a table that is active only up to a point or only from a point on. The
+    other points have further values, such as zero or the old values.
     """
     nodes = ways.table.positions
     if nodes.size < 3:
