@@ -81,7 +81,7 @@ def normal_address(definition: Definition, axis: Axis) -> tuple[str, Assumption 
 
 @dataclass(frozen=True, slots=True)
 class AxisNames:
-    """The names that a control's files give to the same axes, with the line of each name.
+    """The names that a control's files give to each axis, with the line of each name.
 
     ``places``: name -> place; ``machine``: those of them that are the machine's own names;
     ``requested``: place -> the name under which the axis was requested; ``place``: the form of a

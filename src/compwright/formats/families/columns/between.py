@@ -38,7 +38,7 @@ _CHECK = control_text(
 
 
 def columns_between(family: Family, request: BetweenRequest) -> Between:
-    """Answer a request for corrections between axes: table columns, or why they have no effect."""
+    """Answer a request for corrections between axes: table columns, rows to type in, or why not."""
     files = tuple(file for file in request.base if not is_entry_sheet(file))
     own = files
     held: list[PlannedCross] = []

@@ -137,7 +137,7 @@ class TableFiller:
         self.number = [file.name for file in patches.files].index(self.table.file)
 
     def fill(self) -> None:
-        """Record all changes to the table. NotHeld or CapacityError: it cannot be written."""
+        """Record all changes to the table. Raises NotHeld or CapacityError if impossible."""
         self._suits()
         positions = self._positions()
         others = self.table.others(self.column, POSITION, SECOND)

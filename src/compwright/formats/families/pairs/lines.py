@@ -96,7 +96,7 @@ class _Switch:
 
 @dataclass(frozen=True, slots=True)
 class _Leadscrew:
-    """The leadscrew error tables (ENC_COMP) of an axis in the files.
+    """Whether the leadscrew error tables (ENC_COMP) of an axis are active by the files.
 
     ``on``: one is switched on at the end. ``word``: last state of those that are not zero (``yes``,
     ``no``, ``unsaid``; empty: there is none).
@@ -280,7 +280,7 @@ class TableLines(SingleValues):
         )
 
     def _leadscrew(self) -> _Leadscrew:
-        """Return the leadscrew error tables of the output axis in the files."""
+        """Return whether the leadscrew error tables of the output axis are active by the files."""
         address, fields = self.pair[1], value_fields(self.definition)
         tables = {
             system: rows

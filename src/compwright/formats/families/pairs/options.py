@@ -83,7 +83,7 @@ def allowed_tables(definition: Definition, options: Mapping[str, object]) -> tup
 
 
 def tables_in_words(indices: Sequence[str]) -> str:
-    """Return the names of tables as text, by their indices."""
+    """Return table indices as text, such as "tables 1 and 2"."""
     tables = and_joined(indices)
     if len(indices) == 1:
         return control_text("table {tables}", tables=tables)

@@ -1,4 +1,4 @@
-"""Read the files of a control with cross-axis tables as compensation of and between axes.
+"""Read the compensation of axes and between axes from files with cross-axis tables (CEC).
 
 Values in two members of a commissioning archive must agree.
 """
@@ -200,7 +200,7 @@ class PairsReader(GridReader):
         return ()
 
     def pair_tables(self) -> PairTables:
-        """Return the cross-axis tables by index: their axes, reserved points, unchanged ones."""
+        """Return the axes and reserved points of the cross-axis tables, and which tables stay."""
         return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay())
 
     def active_lines(self) -> dict[str, FoundValue]:
