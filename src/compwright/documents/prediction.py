@@ -252,7 +252,7 @@ def _accept(accept: Mapping[str, AcceptDecision]) -> dict[str, Any]:
 
 
 def _evidence(evidence: PeriodEvidence, factor: float) -> dict[str, Any]:
-    """Return the evidence for periodic errors and the smallest visible amplitudes, for JSON.
+    """Return the evidence for periodic errors and the least detectable amplitudes, for JSON.
 
     ``factor``: to the unit outside; None: none.
     """

@@ -39,7 +39,7 @@ class ExpectedMeans:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VerifiedAxis:
-    """The results of ``verify`` for one axis.
+    """The results of ``verify`` for one axis: the tests before and after, prediction and verdict.
 
     ``loading`` has the keys of the JSON; ``accept`` in µm or arcsec; ``acknowledged``: doubts
     that the job acknowledges; ``guard``: U of the prediction, where decisions are guarded and U is
@@ -78,7 +78,7 @@ class SquarenessCheck:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VerifiedCircle:
-    """The result of ``verify`` for one circular test.
+    """The results of ``verify`` for one circular test: before, predicted, after and decisions.
 
     ``squareness`` only where that of its plane was corrected from circles; ``accept`` and
     ``acknowledged`` as of an axis; ``findings``: what its limits lack.

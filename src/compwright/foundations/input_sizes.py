@@ -87,7 +87,7 @@ MOST_CONTROL_TEXTS: Final = 32_000_000
 
 
 def in_words(size: int) -> str:
-    """Return a number of bytes as people say it: 64 MB, 1.5 MB, 900 bytes."""
+    """Return a size in bytes as text with a suitable unit: 64 MB, 1.5 MB, 900 bytes."""
     if size < 1000:
         return f"{size} bytes"
     unit, name = (1_000_000, "MB") if size >= 1_000_000 else (1000, "kB")

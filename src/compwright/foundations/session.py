@@ -48,6 +48,6 @@ class Session:
         return replace(self, pending={**self.pending, **mine})
 
     def search_again(self) -> None:
-        """Forget which folders were checked, as another process may have stopped since."""
+        """Forget which folders were searched for leftovers, as other processes may leave new ones."""
         self.searched.clear()
         self.unrestored.clear()

@@ -42,7 +42,7 @@ _WHOLE = re.compile(r"[-+]?\d{1,15}", re.ASCII)
 
 @dataclass(frozen=True, slots=True)
 class StatedJob:
-    """A job made from the command line. ``data``: the same job as keys and values."""
+    """A job made from the command line. ``data``: the same job as the keys of a job file."""
 
     job: Job
     data: Mapping[str, Any]

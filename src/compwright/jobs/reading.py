@@ -371,7 +371,7 @@ def _drifts(section: JobSection) -> dict[AxisKind, DriftRequest]:
 
 
 def _absent_axes(section: JobSection) -> list[Finding]:
-    """Return a finding for each requested correction whose axis is not in the job."""
+    """Return a finding for each requested correction whose axis the job does not contain."""
     requested: list[tuple[str, tuple[str, ...]]] = [
         (f"cross[{index}]", (entry.input, entry.output))
         for index, entry in enumerate(section.cross)

@@ -422,7 +422,7 @@ class ProvenSection(JobMapping):
 
 
 class AcknowledgementSection(JobMapping):
-    """The reason why a doubt is acknowledged, for one ``axis`` or for all."""
+    """An acknowledgement of a doubt: the reason, and the ``axis`` it applies to (else all axes)."""
 
     reason: Text
     axis: Text | None = None
@@ -447,7 +447,7 @@ class StateSection(JobMapping):
 
 
 class JobSection(JobMapping):
-    """The whole job file. Rules for ``states`` are in `compwright.jobs.consistency`."""
+    """All keys of a job file. Rules for ``states`` are in `compwright.jobs.consistency`."""
 
     compwright: int
     """Version of this schema: `1`. A newer one is refused before anything else is looked at.

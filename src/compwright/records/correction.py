@@ -146,7 +146,7 @@ class CrossCompensation:
     ``positions`` (k,) of the axis ``input``, strictly ascending, mm or deg; ``positive``,
     ``negative`` (k,): what the control adds to the axis ``output`` while ``input`` is approached in
     that direction (equal if one table holds for both), mm or deg of the output. Linear between
-    nodes; ``below`` / ``above`` as in `AxisCompensation`.
+    points; ``below`` / ``above`` as in `AxisCompensation`.
     """
 
     input: str

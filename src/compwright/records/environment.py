@@ -39,7 +39,7 @@ class EnvironmentRecord:
 
     @property
     def has_air(self) -> bool:
-        """Whether the record contains the refractive index of the air."""
+        """Whether the record contains temperature, pressure and humidity of the air."""
         return AIR[0] in self.values and AIR[1] in self.values and AIR[2] in self.values
 
 

@@ -151,7 +151,7 @@ class AxisJob:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Job:
-    """The whole job. ``states``: the control files of each state, such as as_found.
+    """All that a job file states. ``states``: the control files of each state, such as as_found.
 
     ``active``: by state, whether compensation was active in it if its files switch it off or do not
     state it; absent: not answered. ``options`` are the controller's; an axis' own are in

@@ -1,4 +1,4 @@
-"""The periods of an axis in a report: a table, the evidence, and the smallest visible amplitude."""
+"""The periods of an axis in a report: a table, the evidence, and the least detectable amplitude."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def _odds_picture(search: Document, periods: Sequence[Document]) -> dict[str, An
 
 
 def _amplitude_picture(search: Document) -> dict[str, Any]:
-    """Return the smallest visible amplitude over the logarithm of the period, as a curve."""
+    """Return the least detectable amplitude over the logarithm of the period, as a curve."""
     shown = [
         each if each is not None and each <= _LARGEST else None for each in search["detectable"]
     ]

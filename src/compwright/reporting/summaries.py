@@ -238,7 +238,7 @@ def file_lines(title: str, files: Sequence[str]) -> list[RenderableType]:
 
 
 def decode_tables(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return the corrections of a control, by axis, position and approach direction."""
+    """Return the terminal output of ``decode``: corrections by axis, position and direction."""
     shown: list[RenderableType] = []
     for address, axis in document["axes"].items():
         unit = "10⁻³ mm or deg" if axis["unit"] is None else unit_text(axis["unit"])
@@ -322,7 +322,7 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
 def demo_tables(
     steps: Sequence[Any], document: Mapping[str, Any], pages: Sequence[str]
 ) -> list[RenderableType]:
-    """Return the steps of the demo with time and size, A of each axis, and the verdict."""
+    """Return the terminal output of ``demo``: steps with time and size, A of each axis, verdict."""
     done = plain_table()
     for right in (False, False, True, True, True):
         done.add_column(justify="right" if right else "left", no_wrap=True)
@@ -355,7 +355,7 @@ def _verdict(verdict: str, headline: str, last: str = "") -> RenderableType:
 
 
 def next_lines(then: Mapping[str, Any] | None) -> list[RenderableType]:
-    """Return lines on the next round, or nothing if no next round was requested."""
+    """Return lines on the next round for the terminal, or nothing if none was requested."""
     if then is None:
         return []
     heading = "Next round: " if then["written"] else "No next round: "

@@ -22,7 +22,7 @@ _OTHER: Final = "#c2590c"
 
 
 def worth_block(predicted: Document, unit: object) -> dict[str, Any] | None:
-    """Return the figure of a predicted parameter over the number of table points, or None.
+    """Return the figure of a parameter over the number of table points, or None if not predicted.
 
     ``points_worth`` of an axis of the prediction document.
     """

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 def ready_for_axes() -> None:
-    """Load the modules for the work on an axis."""
+    """Load the modules that a new process needs to work on an axis."""
     from compwright.fitting.solve import load_solver
     from compwright.planning import axis_tasks  # noqa: F401
     from compwright.reporting import axis_report  # noqa: F401

@@ -79,7 +79,7 @@ def put_right_in(session: Session, folder: Path, error: type[CompwrightError]) -
 
 
 def _not_searched(session: Session, folder: Path) -> list[Path]:
-    """Return ``folder`` and those parents that are not checked in the session, outermost first."""
+    """Return ``folder`` and its parents that the session has not yet searched, outermost first."""
     found: list[Path] = []
     for way in (folder, resolved(folder)):
         inner = takewhile(lambda path: str(path) not in session.searched, chain([way], way.parents))

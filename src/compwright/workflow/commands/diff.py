@@ -59,7 +59,7 @@ def diff_files(
 
 
 def entry_difference(placed: Placed) -> EntryDifference:
-    """Return an entry that differs between two backups as plain data for the JSON document."""
+    """Return a control value that differs between two backups as plain data for JSON."""
     entry, change = placed.entry, placed.change
     return EntryDifference(
         quantity=entry.name,

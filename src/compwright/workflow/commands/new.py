@@ -213,7 +213,7 @@ def _partners(address: str, name: str, facts: AxisFacts) -> list[str]:
 
 
 def _idle(control: Control, state: ControlState, drafts: Sequence[AxisDraft]) -> Iterator[str]:
-    """Yield a message about axes in the files that are not in the job, having no compensation."""
+    """Yield a message about axes that are not in the job because they have no compensation."""
     held = {
         str(entry.value)
         for draft in drafts

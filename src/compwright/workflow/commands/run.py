@@ -39,7 +39,7 @@ _NO_JOB = JOB + " is not written: a file name is not valid UTF-8: {}; rename the
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RunOutcome:
-    """The results and files of a run.
+    """The result of ``run``: the results of all stages, and the paths of the written files.
 
     ``no_tables`` and ``refused`` (by axis) say why a table is missing that the job asks for.
     """
@@ -75,7 +75,7 @@ class PlannedJob:
         return _exit_code(self.finished)
 
     def finding_documents(self) -> list[dict[str, Any]]:
-        """Return the findings in the form of the documents."""
+        """Return the findings as plain data for JSON documents."""
         return finding_documents(self.finished.findings)
 
 
@@ -89,7 +89,7 @@ def planned(
     accept_worse: bool = False,
     each: Each = in_turn,
 ) -> PlannedJob:
-    """Run all stages of a job without writing anything.
+    """Return a job after all stages of ``run``, without writing any file.
 
     ``out``: where its results go; ``each`` works on the axes, in turn or side by side: the bytes
     are the same. Raises UsageError (2), InputError (3) and CapacityError (4).

@@ -52,7 +52,7 @@ class FileToEvaluate:
 
 @dataclass(frozen=True, slots=True)
 class Evaluated:
-    """A test and its entry in the evaluation document."""
+    """An evaluated test, and the test's entry in the JSON document of the evaluation."""
 
     entry: dict[str, Any]
     test: PositioningTest | None = None

@@ -56,7 +56,7 @@ _NOT_FROM_HERE: Final = frozenset({"CW-V011", "CW-S087", "CW-V022"})
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Verified:
-    """The results of ``verify`` that the next round needs.
+    """The plan, the job, the files and the results of ``verify``, as the next round needs them.
 
     ``specs``: the values of ``--after`` that are positioning tests, and ``tests`` the tests;
     ``circles``: results of circles after loading, ``circle_files`` the files of each by name;

@@ -190,7 +190,7 @@ def _looks(
 def _loading_document(
     loading: LoadingVerdict, sentences: Mapping[LoadingName, tuple[str, ...]], *, read_back: bool
 ) -> dict[str, Any]:
-    """Return the verdict about the loading in the form of the document."""
+    """Return the verdict about the loading as plain data for the JSON document."""
     return {
         "verdict": loading.verdict,
         **({"of": loading.of} if loading.of is not None else {}),
