@@ -110,7 +110,7 @@ def _estimate(estimate: ErrorEstimate) -> Iterator[str]:
 
 
 def _scenarios(tests: Scenarios) -> Iterator[str]:
-    """Yield for each violated rule on simulated tests (numbers of targets) what would be valid."""
+    """Yield what would be valid, for each violated rule on the sizes of simulated tests."""
     size = tests.positions.size
     sides = ((tests.positive, tests.half_positive), (tests.negative, tests.half_negative))
     whole = tests.count > 0 and size > 0 and size % tests.count == 0

@@ -47,7 +47,7 @@ def lost_motion_document(
     depends: bool,
     findings: Iterable[Finding],
 ) -> dict[str, Any]:
-    """Return the JSON entry of lost motion: the best ``constant``, and the rest (``left``).
+    """Return the JSON entry of lost motion. ``left``: the largest deviation from ``constant``.
 
     ``depends``: whether the lost motion is not one constant.
     """

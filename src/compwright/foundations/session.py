@@ -48,6 +48,6 @@ class Session:
         return replace(self, pending={**self.pending, **mine})
 
     def search_again(self) -> None:
-        """Forget which folders were searched for leftovers, as other processes may leave new ones."""
+        """Forget which folders were searched for the leftovers of processes that have stopped."""
         self.searched.clear()
         self.unrestored.clear()

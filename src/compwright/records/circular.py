@@ -127,7 +127,7 @@ class FreshRun:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FittedRun:
-    """One run of a circular test as the model of all causes fits it, with the residuals.
+    """One run of a circular test, fitted by the model of all causes, with its residuals.
 
     ``angles`` (n,) deg as measured, ``deviations`` (n,) mm of the fit, ``residuals`` (n,) mm,
     measured minus fitted. Of a long run only samples at equal steps.

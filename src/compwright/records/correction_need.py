@@ -24,7 +24,7 @@ def correction_need(value: float, std_error: float) -> Need:
 
 
 def most_uncertain(value: float) -> float:
-    """Return below which uncertainty (two standard errors) a ``value`` (µm/m) is corrected."""
+    """Return the uncertainty (two standard errors) below which a ``value`` (µm/m) is corrected."""
     return min(0.5 * abs(value), MOST_UNCERTAIN)
 
 

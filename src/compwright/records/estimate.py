@@ -70,7 +70,7 @@ class ErrorEstimate:
         return self.mean_positive if direction is Direction.POSITIVE else self.mean_negative
 
     def taken(self, places: NDArray[np.intp]) -> ErrorEstimate:
-        """Return the estimate only at positions number ``places`` (ascending indices)."""
+        """Return the estimate at only those positions that have the indices ``places``."""
         return replace(
             self,
             positions=self.positions[places],

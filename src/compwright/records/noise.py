@@ -221,7 +221,7 @@ def progress(runs: int, rate: FloatArray) -> FloatArray:
 def slackening(
     runs: int, rate: FloatArray, u: FloatArray, *, returns: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """Return how much of the run-to-run drift at a run's start is left at ``u``, as a factor.
+    """Return the factor by which the run-to-run drift is smaller at ``u`` than at a run's start.
 
     From one run to the next; the later reading is at ``u`` (k,), -1 to 1.
 

@@ -103,7 +103,7 @@ def _unknown_option(control: Control) -> UnansweredOption | None:
 
 
 def _unanswered(unknown: UnansweredOption, drafts: Sequence[AxisDraft]) -> dict[str, Prefilled]:
-    """Return the control's option to be filled in by the user; none if every axis has its own."""
+    """Return the control's option for the user to fill in; none if each axis has its options."""
     if all("options" in draft.values for draft in drafts):
         return {}
     return {unknown.name: Prefilled(None, f"{unknown.words}; nothing in the files says it")}

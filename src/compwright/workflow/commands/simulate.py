@@ -31,7 +31,7 @@ SIMULATED = {"simulated": "by compwright, not measured on a machine"}
 
 
 def load_machine(session: Session, path: Path) -> VirtualMachine:
-    """Read the file of a virtual machine. Raises UsageError with all faults, else InputError."""
+    """Read the file of a virtual machine. Raises UsageError with all faults, or InputError."""
     return read_machine(storage.read_bytes(session, path, MACHINE), str(path))
 
 

@@ -94,7 +94,7 @@ def after_tests(
 
 
 def _later(request: TestRequest, paths: Sequence[str]) -> TestRequest:
-    """Return how a test after loading is read: as the job's test, but from other files.
+    """Return the request to read a test after loading: that of the job's test, with other files.
 
     Those that the job states are of the test before. Of a record of the environment only the times
     after loading count.

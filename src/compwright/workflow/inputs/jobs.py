@@ -150,7 +150,7 @@ def _with_environment(session: Session, job: Job, folder: Path) -> Job:
 def wrong_control(
     session: Session, data: Mapping[str, Any], *, folder: Path = Path(), carried: Texts = ()
 ) -> Iterator[KeyFault]:
-    """Yield the faults in a job's name of the control and in the job's options for the control.
+    """Yield the faults of the control's name and options in the data of a job.
 
     ``folder``: what the path of a definition is relative to.
     """

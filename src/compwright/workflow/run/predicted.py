@@ -68,7 +68,7 @@ def _gain(test: TestPrediction) -> float:
 
 
 def after_loading(work: AxisWork, loaded: DecodedState | None) -> Correction:
-    """Return the correction of an axis after loading: of its new table, or the present one."""
+    """Return the correction of an axis after loading: by its new table, else the present one."""
     return (
         work.as_found
         if work.planned.fitted is None

@@ -74,7 +74,7 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
 
 
 def _not_twice(job: Job, work: AxisWork) -> AxisWork:
-    """Return an axis, refused a new table if its existing table was made from the same test.
+    """Return an axis; it is refused a new table if its existing table was made from the same test.
 
     Where tests in two states show what that table did, its shape is no further evidence.
     """

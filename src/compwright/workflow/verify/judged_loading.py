@@ -137,7 +137,7 @@ def _error_of(planned: PlannedAxis) -> MeasuredError:
 def _judged_against(
     planned: PlannedAxis, observed: Sequence[ObservedTest], posterior: MeasuredError
 ) -> MeasuredError:
-    """Return the error estimated again, with the slope of each test counted from the first test.
+    """Return the error estimated again, with each test's slope relative to that of the first test.
 
     The difference of slope between the first test and the one after loading is then one number.
     """

@@ -250,7 +250,7 @@ def _looped(found: Verified, well: Sequence[AfterTest]) -> Looped:
 
 
 def _active(found: Verified, files: Sequence[ControlFile], axes: Sequence[str]) -> bool | None:
-    """Return True if the files do not state whether compensation is active, else None."""
+    """Return True (active, as tests proved) if the files do not state it, else None."""
     working = [found.job.axes[name].axis for name in axes]
     try:
         decode(found.control, files, working, asking=True)
