@@ -116,7 +116,7 @@ class OwnThermalSection(JobMapping):
 
 
 class ThermalSection(OwnThermalSection):
-    """Differential expansion: coefficients (µm/(m K)), temperatures (°C), fixed point (mm)."""
+    """Differential expansion in µm/(m K), °C and mm. An environment record may replace ``T_m``."""
 
     alpha_m: float
 
