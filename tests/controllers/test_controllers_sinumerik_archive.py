@@ -239,6 +239,11 @@ class TestInch:
         text = self.TABLE + "; as it is: $MA_IS_ROT_AX[AX1]=1\n"
         assert at(load(text), "AX1", [-20], UP) == [-0.001]
 
+    @pytest.mark.parametrize("value", ["2", "'H2'", "-1"])
+    def test_a_kind_that_is_not_known(self, value: str) -> None:
+        with pytest.raises(InputError, match=r"f0: line 1.*MD30300.*expected 0 or 1, found"):
+            load(f"N30300 $MA_IS_ROT_AX[AX1]={value}\n" + self.TABLE)
+
     def test_said_in_two_ways(self) -> None:
         with pytest.raises(InputError, match=r"f1: line 2.*MD10240, METRIC or INCH"):
             load(self.TABLE, INITIAL)

@@ -66,7 +66,8 @@ def inches_in_mm(
 def lengths_of(
     contents: Sequence[ProgramContent], names: MachineAxisNames, request: Request
 ) -> tuple[Lengths, list[Fault]]:
-    """Return the length units of all files, with faults if they contradict or are user-defined.
+    """Return the length units of all files, with faults if they contradict, are user-defined or
+    leave the kind of an axis unknown.
 
     If no file states the basic system, the option ``units`` does (``inch``), else it is metric.
     """
@@ -97,6 +98,19 @@ def lengths_of(
         )
         for metric, file, line in systems
         if metric is inch
+    ]
+    faults += [
+        Fault(
+            message=f"MD30300 $MA_IS_ROT_AX[{entry.axis}] has a value that is not known",
+            file=entry.file,
+            place=f"line {entry.line}",
+            expected="0 or 1",
+            found=f"{entry.value:g}",
+            hint="export all files from the control again",
+        )
+        for content in contents
+        for entry in content.facts
+        if entry.name == "MA_IS_ROT_AX" and entry.value not in {0.0, 1.0}
     ]
     faults += _wrong_units(contents, request, inch=inch)
     return Lengths(inch=inch, rotary=rotary), faults
