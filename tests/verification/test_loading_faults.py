@@ -25,15 +25,17 @@ from compwright.verification.likelihood import (
 )
 from compwright.verification.loading import judge_loading
 from compwright.verification.loading_hypotheses import loading_hypotheses
+from compwright.verification.loading_messages import candidate_text
 from compwright.verification.measurement_cases import (
     MeasurementCase,
     measurement_cases,
     other_axis_case,
     unit_cases,
 )
-from compwright.words.sentences import say
+from compwright.words.sentences import Language, say
 from compwright.workflow.verify.verified_axis import _looks
 from loadings import known, means_of
+from reporting_samples import english_words
 
 UM = 1e-3  # mm
 NOISE = 0.5 * UM
@@ -213,9 +215,9 @@ def test_a_fault_is_found_by_its_name(case: str) -> None:
         ("no backlash", "the backlash value is wrong: missing"),
         ("backlash twice", "the backlash value is wrong: twice"),
         ("backlash turned", "the backlash value is wrong: with the wrong sign"),
-        ("a part", "up to node 9 (200), nothing beyond"),
-        # 16 intervals of 25 mm; the table holds 1.3 µm at node 9: from node 10 on looks alike.
-        ("the other part", "Only a part of the table is active: from node 9 on (200)"),
+        ("a part", "up to point 9 (200), no correction beyond"),
+        # 16 intervals of 25 mm; the table holds 1.3 µm at point 9: from point 10 on looks alike.
+        ("the other part", "Only a part of the table is active: from point 9 (200) on"),
         ("nothing", "The table is not active"),
         ("another axis", "that of axis Y"),
     ],
@@ -224,6 +226,19 @@ def test_the_message_says_what_was_seen(case: str, words: str) -> None:
     verdict = judge(CASES[case][0], ONE_TABLE)
     assert words in verdict.message
     assert "µm rms" in verdict.message
+
+
+@pytest.mark.parametrize("language", ["de", "fr", "ru"])
+def test_every_variant_is_translated(language: Language) -> None:
+    """The variants of all hypotheses, with the names of their verdicts, contain no English."""
+    old = compensation(OLD, backlash=1 * UM)
+    for table in (ONE_TABLE, TWO_TABLES):
+        view = view_of(np.zeros((2, TARGETS.size)), np.eye(2 * TARGETS.size), table, old, NONE)
+        cases = [view, *measurement_cases(view), other_axis_case("Y", view)]
+        texts = {candidate_text(w.name, w.detail) for case in cases for w in case.hypotheses}
+        assert len(texts) > 100
+        for text in texts:
+            assert not english_words(text.text(language).encode())
 
 
 @pytest.mark.parametrize("runs", [2, 5])
@@ -269,11 +284,11 @@ def test_the_old_table_or_nothing() -> None:
     part = up_to(10, WAVES, OLD)
     verdict = judge(shown(part, part, LOST), ONE_TABLE, old)
     assert verdict.verdict == "partial"
-    assert "up to node" in verdict.message
+    assert "up to point" in verdict.message
     assert "the old values beyond" in verdict.message
     assert judge(shown(WAVES, WAVES, LOST), ONE_TABLE, old).verdict == "loaded"
     lost = judge(shown(WAVES, WAVES, 1 * UM), ONE_TABLE, old)
-    assert (lost.verdict, lost.detail) == ("backlash", "the old value instead of the new one")
+    assert (lost.verdict, str(lost.detail)) == ("backlash", "the old value instead of the new one")
 
 
 @pytest.mark.parametrize(
@@ -290,7 +305,7 @@ def test_an_existing_table_that_was_idle_in_the_first_test(
     acting: FloatArray, name: str, detail: str
 ) -> None:
     verdict = judge(acting, ONE_TABLE, compensation(OLD, backlash=1 * UM), idle=True)
-    assert (verdict.verdict, verdict.detail) == (name, detail), verdict.message
+    assert (verdict.verdict, str(verdict.detail or "")) == (name, detail), verdict.message
 
 
 @pytest.mark.parametrize("at", [70.0, 200.0, 330.0])

@@ -37,7 +37,7 @@ class Candidate:
 
     verdict: LoadingName
     probability: float
-    detail: str = ""
+    detail: Sentence | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,7 +61,7 @@ class LoadingVerdict:
     factor: float = 1.0
     shift_nodes: int = 0
     of: str | None = None
-    detail: str = ""
+    detail: Sentence | None = None
     near: tuple[LoadingName, ...] = ()
     candidates: tuple[Candidate, ...] = ()
     slope: tuple[float, float] | None = None

@@ -12,6 +12,7 @@ from typing import Final
 
 from compwright.foundations.findings import Finding
 from compwright.records.verification import Candidate, LoadingName, LoadingVerdict
+from compwright.verification.loading_messages import candidate_text
 from compwright.words.sentences import Sentence, say
 
 #: Verdicts for a table that was active as in the files.
@@ -97,7 +98,7 @@ class ExistingTableVerdict:
         return [
             say(
                 "loading.likely",
-                verdict=each.verdict.replace("_", " "),
+                verdict=candidate_text(each.verdict),
                 percent=100.0 * each.probability,
             )
             for each in self.likely

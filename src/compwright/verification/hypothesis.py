@@ -18,6 +18,7 @@ import numpy as np
 from compwright.records.axis import FloatArray
 from compwright.records.correction import AxisCompensation
 from compwright.records.verification import LoadingName
+from compwright.words.sentences import Sentence
 
 #: A machine that has warmed up by a fraction of a degree, or whose scale is read a little
 #: otherwise, changes the effect of a table by so much of itself (standard deviation).
@@ -47,7 +48,7 @@ class Hypothesis:
     positive: FloatArray
     negative: FloatArray
     weight: float = 1.0
-    detail: str = ""
+    detail: Sentence | None = None
     factor: float = 1.0
     shift_nodes: int = 0
     of: str | None = None

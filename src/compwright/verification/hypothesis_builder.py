@@ -14,6 +14,7 @@ from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import AxisCompensation
 from compwright.records.verification import LoadingName
 from compwright.verification.hypothesis import SLACK, Hypothesis, Loading
+from compwright.words.sentences import Sentence, say
 
 Curve = FloatArray  # (2, m): in + and in -
 Held = dict[Direction, FloatArray]  # values at the nodes (k,)
@@ -62,7 +63,12 @@ class HypothesisBuilder:
         )
 
     def made(
-        self, name: LoadingName, change: Curve, weight: float, detail: str = "", **more: Any
+        self,
+        name: LoadingName,
+        change: Curve,
+        weight: float,
+        detail: Sentence | None = None,
+        **more: Any,
     ) -> Hypothesis:
         """Return the hypothesis ``name`` with a ``change`` of the correction (2, m), and with
         further fields of the record.
@@ -78,13 +84,18 @@ class HypothesisBuilder:
         )
 
     def both(
-        self, name: LoadingName, curve: Curve, weight: float, detail: str = "", **more: Any
+        self,
+        name: LoadingName,
+        curve: Curve,
+        weight: float,
+        detail: Sentence | None = None,
+        **more: Any,
     ) -> Iterator[Hypothesis]:
         """Yield two hypotheses of a faulty table: with the new and with the old backlash value."""
         yield self.made(name, self.total(curve), weight, detail, **more)
         if np.any(self.backlash != self.old_backlash):
-            words = f"{detail}, with the old backlash" if detail else "with the old backlash"
-            yield self.made(name, self.total(curve, self.old_backlash), 0.1 * weight, words, **more)
+            old = say("loading.variant", detail=detail, backlash="old")
+            yield self.made(name, self.total(curve, self.old_backlash), 0.1 * weight, old, **more)
 
     def held(self) -> Held:
         """Return the values of the planned table at its points, by direction."""

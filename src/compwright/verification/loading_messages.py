@@ -124,9 +124,9 @@ class ShownTest:
         return float(np.std(step))
 
 
-def candidate_text(candidate: LoadingName, detail: str = "") -> Sentence:
+def candidate_text(candidate: LoadingName, detail: Sentence | None = None) -> Sentence:
     """Return a verdict and its variant as printed for the user."""
-    return say("loading.name", name=candidate.replace("_", " "), detail=detail)
+    return say("loading.name", name=candidate, detail=detail)
 
 
 # ---------------------------------------------------------------- names that are given

@@ -11,6 +11,7 @@ from typing import Final
 
 from compwright.verification.hypothesis import Hypothesis
 from compwright.verification.likelihood import ErrorBelief
+from compwright.words.sentences import say
 
 #: Prior odds of a fault of measurement against a loaded table well measured.
 _MEASURED_WRONG: Final = 0.02
@@ -79,7 +80,10 @@ def other_axis_case(name: str, view: MeasurementCase) -> MeasurementCase:
     stood = [each for each in view.hypotheses if each.name in ("loaded", "not_active")][:2]
     read = _read(view.belief, stood, 1.0, "wrong_axis").hypotheses
     share = _OTHER_AXIS / _MEASURED_WRONG
-    named = (replace(each, weight=share * each.weight, detail=f"axis {name}") for each in read)
+    named = (
+        replace(each, weight=share * each.weight, detail=say("loading.of_axis", axis=name))
+        for each in read
+    )
     return MeasurementCase(belief=view.belief, hypotheses=tuple(named))
 
 
@@ -96,9 +100,7 @@ def _read(
                 negative=factor * each.negative,
                 weight=_MEASURED_WRONG * (1.0 if each.name == "loaded" else _BOTH) * each.weight,
                 of=of,
-                detail="the table is active"
-                if each.name == "loaded"
-                else "the table is not active",
+                detail=say("loading.table", active=each.name == "loaded"),
                 factor=factor,
                 free=None,
                 read=each.name,

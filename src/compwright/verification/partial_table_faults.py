@@ -9,9 +9,10 @@ from typing import Final
 
 import numpy as np
 
-from compwright.records.axis import Direction
+from compwright.records.axis import Direction, FloatArray
 from compwright.verification.hypothesis import COMMON, RARE, Hypothesis
 from compwright.verification.hypothesis_builder import Curve, Held, HypothesisBuilder
+from compwright.words.sentences import Sentence, say
 
 #: Most places at which a table may be cut.
 _CUTS: Final = 120
@@ -23,16 +24,16 @@ def one_direction(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     correction, none, or the new backlash value alone.
     """
     new = ways.total(ways.own)
-    beyond = [("the other as before", ways.old - ways.active_before)]
+    beyond = [("before", ways.old - ways.active_before)]
     if ways.has_old:
-        beyond.append(("nothing in the other", ways.stay - ways.active_before))
+        beyond.append(("nothing", ways.stay - ways.active_before))
     if np.any(ways.backlash != ways.old_backlash):
-        beyond.append(("in the other the new backlash alone", ways.total(np.zeros_like(ways.own))))
+        beyond.append(("backlash", ways.total(np.zeros_like(ways.own))))
     for side, direction in enumerate(Direction):
-        for rest_detail, other in beyond:
+        for kind, other in beyond:
             change = other.copy()
             change[side] = new[side]
-            detail = f"it is active in approaches in {direction.value} only, {rest_detail}"
+            detail = say("loading.one_direction", direction=direction.value, other=kind)
             yield ways.made("one_direction", change, 0.5 * COMMON, detail)
 
 
@@ -42,16 +43,17 @@ def wrong_backlash(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     if not np.any(step):
         step = _reversal(ways)
     weight = COMMON if np.any(ways.backlash) else RARE
-    for times, detail in ((-1.0, "missing"), (1.0, "twice"), (-2.0, "with the wrong sign")):
+    for times, kind in ((-1.0, "missing"), (1.0, "twice"), (-2.0, "sign")):
         if np.any(step):
             change = ways.total(ways.own, ways.backlash + times * step)
-            yield ways.made("backlash", change, weight, detail)
+            yield ways.made("backlash", change, weight, say("loading.backlash", kind=kind))
     known = [-step, step, -2.0 * step, np.zeros_like(step)]
-    for value, detail in (
-        (ways.old_backlash, "the old value instead of the new one"),
-        (ways.backlash + ways.old_backlash, "the old value on top of the new one"),
+    for value, kind in (
+        (ways.old_backlash, "old"),
+        (ways.backlash + ways.old_backlash, "added"),
     ):
         if not any(np.allclose(value - ways.backlash, one, atol=1e-9) for one in known):
+            detail = say("loading.backlash", kind=kind)
             yield ways.made("backlash", ways.total(ways.own, value), COMMON, detail)
 
 
@@ -78,15 +80,15 @@ def partial(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
         return
     held = ways.held()
     beyond: list[tuple[str, Held | None, bool]] = [
-        ("nothing beyond", {d: np.zeros(nodes.size) for d in Direction}, False),
-        ("the last value beyond", None, False),
+        ("nothing", {d: np.zeros(nodes.size) for d in Direction}, False),
+        ("last", None, False),
     ]
     if ways.has_old:
         before = ways.old_values()
-        beyond.append(("the old values beyond", before, False))
-        beyond.append(("the old steps beyond", before, True))
+        beyond.append(("old", before, False))
+        beyond.append(("old_steps", before, True))
     cuts = _cuts(ways)
-    for rest_detail, rest, joined in beyond:
+    for kind, rest, joined in beyond:
         for cut in cuts:
             for first in (True, False):
                 inside = (np.arange(nodes.size) < cut) == first
@@ -98,14 +100,12 @@ def partial(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
                     if joined and rest is not None:
                         other = last + rest[d] - rest[d][edge]
                     curves[d] = np.where(inside, held[d], other)
-                number = f"up to node {cut}" if first else f"from node {cut + 1} on"
-                where = f"{number} ({nodes[edge]:g})"
                 share = float(np.mean(inside))
                 yield from ways.both(
                     "partial",
                     ways.values(curves),
                     _FAMILY / len(cuts),
-                    f"{where}, {rest_detail}",
+                    _part(nodes, edge, kind, first=first),
                     inner=not 0.25 <= share <= 0.75,
                 )
 
@@ -116,25 +116,29 @@ def cut_off(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     if nodes.size < 3 or targets.size < 3:
         return
     new = ways.total(ways.own)
-    beyond = [("nothing beyond, no backlash either", ways.stay - ways.active_before)]
+    beyond = [("no_backlash", ways.stay - ways.active_before)]
     if ways.has_old:
-        beyond.append(("all as before beyond", ways.old - ways.active_before))
+        beyond.append(("before", ways.old - ways.active_before))
     gaps = np.arange(1, targets.size)
     gaps = gaps[np.unique(np.linspace(0, gaps.size - 1, min(gaps.size, _CUTS)).astype(int))]
-    for rest_detail, rest in beyond:
+    for kind, rest in beyond:
         for gap in gaps:
             last = int(np.clip(np.searchsorted(nodes, targets[gap - 1]), 0, nodes.size - 1))
             for first in (True, False):
                 inside = (np.arange(targets.size) < gap) == first
-                number = f"up to node {last + 1}" if first else f"from node {last + 1} on"
                 share = float(np.mean(inside))
                 yield ways.made(
                     "partial",
                     np.where(inside, new, rest),
                     _FAMILY / gaps.size,
-                    f"{number} ({nodes[last]:g}), {rest_detail}",
+                    _part(nodes, last, kind, first=first),
                     inner=not 0.25 <= share <= 0.75,
                 )
+
+
+def _part(nodes: FloatArray, edge: int, beyond: str, *, first: bool) -> Sentence:
+    """Return the text of a part: all points up to the one with the index ``edge`` or from it on."""
+    return say("loading.part", first=first, number=edge + 1, position=nodes[edge], beyond=beyond)
 
 
 def _cuts(ways: HypothesisBuilder) -> list[int]:

@@ -10,18 +10,19 @@ import numpy as np
 
 from compwright.records.axis import Direction, FloatArray
 from compwright.verification.hypothesis import COMMON, RARE, UNKNOWN_FACTOR, Hypothesis
-from compwright.verification.hypothesis_builder import HypothesisBuilder
+from compwright.verification.hypothesis_builder import Curve, HypothesisBuilder
+from compwright.words.sentences import Sentence, say
 
-#: Factors with a known cause, and the relative probability of each.
-_FACTORS: Final[Mapping[float, tuple[float, str]]] = {
-    2.0: (1.0, "twice: radius and diameter mixed up, or loaded on top of itself"),
-    0.5: (1.0, "half: radius and diameter mixed up"),
-    10.0: (1.0, "ten times: another detection unit or increment system"),
-    0.1: (1.0, "a tenth: another detection unit or increment system"),
-    25.4: (0.5, "25.4 times: inch taken for mm"),
-    1.0 / 25.4: (0.02, "1/25.4: mm taken for inch"),
-    1000.0: (0.5, "a thousand times: mm taken for µm"),
-    0.001: (0.02, "a thousandth: µm taken for mm"),
+#: Factors with a known cause (sentence ``loading.factor``), and the relative probability of each.
+_FACTORS: Final[Mapping[float, float]] = {
+    2.0: 1.0,
+    0.5: 1.0,
+    10.0: 1.0,
+    0.1: 1.0,
+    25.4: 0.5,
+    1.0 / 25.4: 0.02,
+    1000.0: 0.5,
+    0.001: 0.02,
 }
 #: Most nodes by which a table may be shifted.
 _MOST_SHIFT: Final = 5
@@ -30,25 +31,29 @@ _MOST_SHIFT: Final = 5
 _OTHER: Final = 0.01
 
 
+def _apart(detail: Sentence | None = None) -> Sentence:
+    return say("loading.variant", detail=detail, backlash="apart")
+
+
 def inactive(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield hypotheses of a table that is not active: the old correction, none, or only the new
     backlash value.
     """
     kept, nothing = ways.old - ways.active_before, ways.stay - ways.active_before
-    cases = [(kept, "")]
+    cases: list[tuple[Curve, str]] = [(kept, "")]
     if ways.has_old:
-        left = "what was in the control before is still active"
-        cases = [(kept, left), (nothing, "nothing at all is active")]
+        cases = [(kept, "still"), (nothing, "nothing")]
         if np.abs(kept).max() > np.abs(nothing).max():  # idle in the tests before: as then first
-            cases = [cases[1], (kept, "what was in the control before is active")]
-    for change, detail in cases:
+            cases = [cases[1], (kept, "before")]
+    for change, kind in cases:
+        detail = say("loading.instead", active=kind) if kind else None
         yield ways.made("not_active", change, COMMON, detail)
+    alone = say("loading.instead", active="backlash")
     if np.any(ways.backlash != ways.old_backlash):
         other = ways.old - ways.old_backlash + ways.backlash - ways.active_before
-        yield ways.made("not_active", other, RARE, "the new backlash alone is active")
+        yield ways.made("not_active", other, RARE, alone)
     if np.any(ways.backlash) and ways.has_old:
-        alone = ways.total(np.zeros_like(ways.own))
-        yield ways.made("not_active", alone, RARE, "the new backlash alone is active")
+        yield ways.made("not_active", ways.total(np.zeros_like(ways.own)), RARE, alone)
 
 
 def with_existing(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
@@ -59,9 +64,11 @@ def with_existing(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
         return
     existing = ways.old - ways.stay - ways.old_backlash
     jump = ways.old_backlash
-    backlashes = [(ways.backlash - jump, ways.backlash + jump, "")]
+    backlashes: list[tuple[Curve, Curve, Sentence | None]] = [
+        (ways.backlash - jump, ways.backlash + jump, None)
+    ]
     if np.any(jump):
-        backlashes.append((ways.backlash, ways.backlash, "apart from the backlash"))
+        backlashes.append((ways.backlash, ways.backlash, _apart()))
     for less, more, detail in backlashes:
         yield ways.made("increment", ways.total(ways.own - existing, less), COMMON, detail)
         yield ways.made("on_top", ways.total(ways.own + existing, more), COMMON, detail)
@@ -75,22 +82,21 @@ def inverted(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield hypotheses of a table with the opposite sign, with and without its backlash value."""
     yield ways.made("inverted", ways.total(-ways.own, -ways.backlash), COMMON)
     if np.any(ways.backlash):
-        apart = "all but the backlash"
-        yield ways.made("inverted", ways.total(-ways.own), COMMON, apart)
+        yield ways.made("inverted", ways.total(-ways.own), COMMON, _apart())
 
 
 def scaled(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield hypotheses of a table multiplied by a factor: by one with a known cause, or by an
     unknown one.
     """
-    for factor, (share, words) in _FACTORS.items():
+    for factor, share in _FACTORS.items():
+        words = say("loading.factor", factor=f"{factor:.4g}")
         weight = COMMON * share
         curve = factor * ways.own
         more: dict[str, Any] = {"factor": factor, "inner": factor < 0.05}
         yield ways.made("scaled", ways.total(curve, factor * ways.backlash), weight, words, **more)
         if np.any(ways.backlash):
-            apart = f"{words}, apart from the backlash"
-            yield ways.made("scaled", ways.total(curve), weight, apart, **more)
+            yield ways.made("scaled", ways.total(curve), weight, _apart(words), **more)
     free: dict[str, Any] = {"inner": True}
     along = UNKNOWN_FACTOR * (ways.own + ways.backlash)
     yield ways.made("scaled", ways.total(ways.own), RARE, free=along, **free)
@@ -123,7 +129,7 @@ def mirrored(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
         # Where a control keeps the steps from node to node, these are mirrored; one node further
         # where the first or the last of its rows holds a step that is never active.
         steps = {d: v[0] + v[-1] - v[::-1] for d, v in held.items()}
-        more: dict[str, Any] = {"detail": "step by step", "inner": True}
+        more: dict[str, Any] = {"detail": say("loading.steps"), "inner": True}
         yield from ways.moved("mirrored", steps, COMMON, **more)
         for by in (1, -1):
             yield from ways.moved("mirrored", next(ways.shifts(by, steps)), RARE, **more)
@@ -137,13 +143,14 @@ def wrong_axis(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
         backlash = ways.jump(other)
         nodes = ways.table.positions.size
         by_place = ways.at(replace(other, others=(), backlash=0.0))
-        curves = [(by_place, "by position")]
+        curves = [(by_place, "position")]
         # a shorter table ends with nothing, or, where steps are kept, with its last value
         fills = (True, False) if nodes > other.positions.size else (True,)
         for held in fills if nodes else ():
             values = {d: _resized(other.curve(d), nodes, held=held) for d in Direction}
-            curves.append((ways.values(values), "by node number"))
-        for curve, more in curves:
+            curves.append((ways.values(values), "number"))
+        for curve, kind in curves:
+            more = say("loading.other_axis", by=kind)
             yield from ways.both("wrong_axis", curve, _OTHER, more, of=name)
             if np.any(backlash != ways.backlash):
                 change = ways.total(curve, backlash)

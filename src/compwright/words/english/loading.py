@@ -130,6 +130,10 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.likely": "{verdict} {percent:.0f} %",
     "loading.as_before": "The test differs by {left} from what the control showed before loading.",
     "loading.as_predicted": "The test differs by {left} from the prediction.",
+    "loading.backlash": (
+        "{kind:choose|missing=missing|twice=twice|sign=with the wrong sign|old=the old value"
+        " instead of the new one|added=the old value added to the new one}"
+    ),
     "loading.candidate": "{name} ({sure:if|more than 99|{percent:2sig}} %)",
     "loading.declared_slope": (
         "Over the travel the deviations of this test rise by {slope:+.2f} ± {error:.2f} µm/m more"
@@ -150,16 +154,34 @@ SENTENCES: Final[dict[str, str]] = {
         " from what the fault named here would show; the noise of a reading is {noise}.{effect:if|"
         " Measured: {effect}.}"
     ),
+    "loading.factor": (
+        "{factor:choose|2=twice: radius and diameter mixed up, or loaded on top of itself|0.5=half:"
+        " radius and diameter mixed up|10=ten times: another detection unit or increment"
+        " system|0.1=a tenth: another detection unit or increment system|25.4=25.4 times: inch"
+        " taken for mm|0.03937=1/25.4: mm taken for inch|1000=a thousand times: mm taken for"
+        " µm|0.001=a thousandth: µm taken for mm}"
+    ),
+    "loading.instead": (
+        "{active:choose|still=what was in the control before is still active|before=what was in the"
+        " control before is active|nothing=nothing at all is active|backlash=only the new backlash"
+        " is active}"
+    ),
     "loading.measurement": (
         "The test after loading itself seems wrong. It agrees with the first test and the plan only"
         " if {fault:choose|sign=the sign of its deviations is reversed|direction=its directions +"
         " and − are exchanged|unit=its readings are multiplied by {factor:4sig}|wrong_axis=it is a"
-        " test of axis {axis}}. {fault:choose|sign=Check sign and directions of the instrument and"
+        " test {axis}}. {fault:choose|sign=Check sign and directions of the instrument and"
         " export the test again.|direction=Check sign and directions of the instrument and export"
         " the test again.|unit=Export the test in the unit that its file states.|wrong_axis=Measure"
         " this axis, or give the file to the axis that it belongs to.}"
     ),
-    "loading.name": "{name}{detail:if|: {detail}}",
+    "loading.name": (
+        "{name:choose|loaded=loaded|not_active=not"
+        " active|inverted=inverted|scaled=scaled|shifted=shifted|mirrored=mirrored|wrong_axis=wrong"
+        " axis|one_direction=one"
+        " direction|backlash=backlash|partial=partial|increment=increment|on_top=on"
+        " top|state=state|thermal=thermal|measurement=measurement}{detail:if|: {detail}}"
+    ),
     "loading.neither": (
         "The test after loading fits neither the loaded table, nor the control as it was before,"
         " nor a known fault of loading.{loaded:if| It differs from the prediction by {loaded}, at"
@@ -169,6 +191,11 @@ SENTENCES: Final[dict[str, str]] = {
         " Measured: {effect}.}"
     ),
     "loading.no_table": "The plan contains no table for this axis: nothing was to be loaded.",
+    "loading.of_axis": "of axis {axis}",
+    "loading.one_direction": (
+        "approaches in {direction} only; in the other direction {other:choose|before=the correction"
+        " is as before|nothing=no correction is active|backlash=only the new backlash is active}"
+    ),
     "loading.open": (
         "This test cannot show what was loaded. The new table changes the deviations by {size}"
         " rms, and the noise of a reading is {noise}{needed:if|. This correction is smaller than"
@@ -176,6 +203,13 @@ SENTENCES: Final[dict[str, str]] = {
         " causes are possible: {candidates}.{off:if| But the test differs from the first of these"
         " by {off}, at worst by {worst}. That is more than noise: something else changed, or the"
         " test is at fault.}"
+    ),
+    "loading.other_axis": "matched by {by:choose|position=position|number=point number}",
+    "loading.part": (
+        "{first:if|up to|from} point {number} ({position:g}){first:if|| on},"
+        " {beyond:choose|nothing=no correction beyond|last=the last value beyond|old=the old values"
+        " beyond|old_steps=the old increments beyond|no_backlash=no correction and no backlash"
+        " beyond|before=all as before beyond}"
     ),
     "loading.rms": "{rms} rms",
     "loading.slope": (
@@ -186,6 +220,7 @@ SENTENCES: Final[dict[str, str]] = {
         " (thermal). Or let machine and instrument settle, check the instrument's temperature"
         " sensor, and measure again."
     ),
+    "loading.steps": "increments in reverse order",
     "loading.straight_line": (
         "The test after loading shows the loaded table and an additional slope. {slope} The"
         " correction itself is a straight line, so a table that is active with factor {factor:.2f}"
@@ -193,6 +228,7 @@ SENTENCES: Final[dict[str, str]] = {
         " the planned values (--loaded)|To decide, read the values back from the control and give"
         " them with --loaded}."
     ),
+    "loading.table": "the table is {active:if|active|not active}",
     "loading.thermal": (
         "The table is active. Apart from a slope, the test after loading differs by {left} from"
         " the prediction. {slope}"
@@ -200,6 +236,10 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.too_few": (
         "The test after loading has fewer than 3 measured means, which is too few to show what"
         " was loaded. Measure more targets."
+    ),
+    "loading.variant": (
+        "{detail:if|{detail}, }{backlash:choose|old=with the old backlash|apart=apart from the"
+        " backlash}"
     ),
     "loading.verdict": (
         "{verdict:choose|loaded=The table is active as planned{effect:if|: the test after"

@@ -137,6 +137,10 @@ SENTENCES: Final[dict[str, str]] = {
         "L'essai diffère de {left} de ce que la commande montrait avant le chargement."
     ),
     "loading.as_predicted": "L'essai diffère de {left} de la prévision.",
+    "loading.backlash": (
+        "{kind:choose|missing=elle manque|twice=double|sign=avec le mauvais signe|old=l'ancienne"
+        " valeur au lieu de la nouvelle|added=l'ancienne valeur ajoutée à la nouvelle}"
+    ),
     "loading.candidate": "{name} ({sure:if|plus de 99|{percent:2sig}} %)",
     "loading.declared_slope": (
         "Sur la course, les écarts de cet essai montent de {slope:+.2f} ± {error:.2f} µm/m de plus"
@@ -158,16 +162,34 @@ SENTENCES: Final[dict[str, str]] = {
         " Mesuré : {effect}.}"
     ),
     "loading.likely": "{verdict} {percent:.0f} %",
+    "loading.factor": (
+        "{factor:choose|2=double : rayon et diamètre confondus, ou chargée sur elle-même|0.5=moitié"
+        " : rayon et diamètre confondus|10=dix fois : autre unité de détection ou autre système"
+        " d'incréments|0.1=un dixième : autre unité de détection ou autre système"
+        " d'incréments|25.4=25,4 fois : pouces pris pour des mm|0.03937=1/25,4 : mm pris pour des"
+        " pouces|1000=mille fois : mm pris pour des µm|0.001=un millième : µm pris pour des mm}"
+    ),
+    "loading.instead": (
+        "{active:choose|still=ce qui était dans la commande avant est encore actif|before=ce qui"
+        " était dans la commande avant est actif|nothing=rien du tout n'est actif|backlash=seul le"
+        " nouveau jeu est actif}"
+    ),
     "loading.measurement": (
         "L'essai après chargement lui-même semble faux. Il ne concorde avec le premier essai et le"
         " plan que si {fault:choose|sign=le signe de ses écarts est inversé|direction=ses sens + et"
         " − sont permutés|unit=ses mesures sont multipliées par {factor:4sig}|wrong_axis=c'est un"
-        " essai de l'axe {axis}}. {fault:choose|sign=Vérifier signe et sens de l'instrument et"
+        " essai {axis}}. {fault:choose|sign=Vérifier signe et sens de l'instrument et"
         " exporter l'essai de nouveau.|direction=Vérifier signe et sens de l'instrument et exporter"
         " l'essai de nouveau.|unit=Exporter l'essai dans l'unité que son fichier"
         " indique.|wrong_axis=Mesurer cet axe, ou donner le fichier à l'axe auquel il appartient.}"
     ),
-    "loading.name": "{name}{detail:if| : {detail}}",
+    "loading.name": (
+        "{name:choose|loaded=chargée|not_active=non active|inverted=signe"
+        " opposé|scaled=facteur|shifted=décalée|mirrored=à l'envers|wrong_axis=mauvais"
+        " axe|one_direction=un seul sens|backlash=jeu|partial=une partie"
+        " seulement|increment=changement seulement|on_top=ajoutée|state=état"
+        " précédent|thermal=température|measurement=mesure fausse}{detail:if| : {detail}}"
+    ),
     "loading.neither": (
         "L'essai après chargement ne correspond ni à la table chargée, ni à la commande telle"
         " qu'elle était avant, ni à un défaut de chargement connu.{loaded:if| Il diffère de la"
@@ -178,6 +200,12 @@ SENTENCES: Final[dict[str, str]] = {
         " : {effect}.}"
     ),
     "loading.no_table": "Le plan n'a pas de table pour cet axe : il n'y avait rien à charger.",
+    "loading.of_axis": "de l'axe {axis}",
+    "loading.one_direction": (
+        "approches dans le sens {direction} seulement ; dans l'autre sens {other:choose|before=la"
+        " correction est comme avant|nothing=aucune correction n'est active|backlash=seul le"
+        " nouveau jeu est actif}"
+    ),
     "loading.open": (
         "Cet essai ne peut pas montrer ce qui a été chargé. La nouvelle table change les écarts"
         " de {size} (valeur efficace), et le bruit d'une mesure est {noise}{needed:if|. Cette"
@@ -185,6 +213,13 @@ SENTENCES: Final[dict[str, str]] = {
         " prouver}{effect:if|. Mesuré : {effect}}. Sont possibles : {candidates}.{off:if| Mais"
         " l'essai diffère de la première de ces causes de {off}, au pire de {worst}. C'est plus"
         " que du bruit : autre chose a changé, ou l'essai est fautif.}"
+    ),
+    "loading.other_axis": "associée par {by:choose|position=position|number=numéro de point}",
+    "loading.part": (
+        "{first:if|jusqu'au|à partir du} point {number} ({position:g}),"
+        " {beyond:choose|nothing=au-delà aucune correction|last=au-delà la dernière"
+        " valeur|old=au-delà les anciennes valeurs|old_steps=au-delà les anciens"
+        " incréments|no_backlash=au-delà ni correction ni jeu|before=au-delà tout est comme avant}"
     ),
     "loading.rms": "{rms} (valeur efficace)",
     "loading.slope": (
@@ -195,6 +230,7 @@ SENTENCES: Final[dict[str, str]] = {
         " le dossier de travail (thermal). Ou laisser machine et instrument se stabiliser, vérifier"
         " le capteur de température de l'instrument et mesurer de nouveau."
     ),
+    "loading.steps": "incréments dans l'ordre inverse",
     "loading.straight_line": (
         "L'essai après chargement montre la table chargée et une pente en plus. {slope} La"
         " correction est elle-même une droite, donc une table active avec le facteur {factor:.2f}"
@@ -202,6 +238,7 @@ SENTENCES: Final[dict[str, str]] = {
         " aux valeurs prévues (--loaded)|Pour trancher, relire les valeurs de la commande et les"
         " donner par --loaded}."
     ),
+    "loading.table": "la table {active:if|est active|n'est pas active}",
     "loading.thermal": (
         "La table est active. À part une pente, l'essai après chargement diffère de {left} de la"
         " prévision. {slope}"
@@ -209,6 +246,9 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.too_few": (
         "L'essai après chargement a moins de 3 moyennes mesurées, ce qui est trop peu pour"
         " montrer ce qui a été chargé. Mesurer plus de points visés."
+    ),
+    "loading.variant": (
+        "{detail:if|{detail}, }{backlash:choose|old=avec l'ancien jeu|apart=jeu excepté}"
     ),
     "loading.verdict": (
         "{verdict:choose|loaded=La table est active comme prévu{effect:if| : l'essai après"

@@ -137,6 +137,10 @@ SENTENCES: Final[dict[str, str]] = {
         "Die Prüfung weicht um {left} von dem ab, was die Steuerung vor dem Laden zeigte."
     ),
     "loading.as_predicted": "Die Prüfung weicht um {left} von der Vorhersage ab.",
+    "loading.backlash": (
+        "{kind:choose|missing=er fehlt|twice=doppelt|sign=mit falschem Vorzeichen|old=der alte Wert"
+        " statt des neuen|added=der alte Wert zum neuen addiert}"
+    ),
     "loading.candidate": "{name} ({sure:if|über 99|{percent:2sig}} %)",
     "loading.declared_slope": (
         "Über den Verfahrweg steigen die Abweichungen dieser Prüfung um {slope:+.2f} ± {error:.2f}"
@@ -158,17 +162,36 @@ SENTENCES: Final[dict[str, str]] = {
         " ist {noise}.{effect:if| Gemessen: {effect}.}"
     ),
     "loading.likely": "{verdict} {percent:.0f} %",
+    "loading.factor": (
+        "{factor:choose|2=doppelt: Radius und Durchmesser verwechselt oder auf sich selbst"
+        " geladen|0.5=halb: Radius und Durchmesser verwechselt|10=zehnfach: andere"
+        " Erfassungseinheit oder anderes Inkrementsystem|0.1=ein Zehntel: andere Erfassungseinheit"
+        " oder anderes Inkrementsystem|25.4=25,4-fach: Zoll für mm genommen|0.03937=1/25,4: mm für"
+        " Zoll genommen|1000=tausendfach: mm für µm genommen|0.001=ein Tausendstel: µm für mm"
+        " genommen}"
+    ),
+    "loading.instead": (
+        "{active:choose|still=was vorher in der Steuerung war, ist noch aktiv|before=was vorher in"
+        " der Steuerung war, ist aktiv|nothing=gar nichts ist aktiv|backlash=nur die neue Lose ist"
+        " aktiv}"
+    ),
     "loading.measurement": (
         "Die Prüfung nach dem Laden selbst scheint falsch zu sein. Sie passt zu erster Prüfung und"
         " Plan nur, wenn {fault:choose|sign=das Vorzeichen ihrer Abweichungen gedreht"
         " ist|direction=ihre Richtungen + und − vertauscht sind|unit=ihre Messwerte mit"
-        " {factor:4sig} multipliziert sind|wrong_axis=sie eine Prüfung der Achse {axis} ist}."
+        " {factor:4sig} multipliziert sind|wrong_axis=sie eine Prüfung {axis} ist}."
         " {fault:choose|sign=Vorzeichen und Richtungen des Messgeräts prüfen und die Prüfung neu"
         " exportieren.|direction=Vorzeichen und Richtungen des Messgeräts prüfen und die Prüfung"
         " neu exportieren.|unit=Die Prüfung in der Einheit exportieren, die ihre Datei"
         " nennt.|wrong_axis=Diese Achse messen oder die Datei der Achse geben, zu der sie gehört.}"
     ),
-    "loading.name": "{name}{detail:if|: {detail}}",
+    "loading.name": (
+        "{name:choose|loaded=geladen|not_active=nicht aktiv|inverted=umgekehrtes"
+        " Vorzeichen|scaled=Faktor|shifted=verschoben|mirrored=rückwärts|wrong_axis=falsche"
+        " Achse|one_direction=nur eine Richtung|backlash=Losewert|partial=nur ein"
+        " Teil|increment=nur die Änderung|on_top=addiert|state=vorheriger"
+        " Zustand|thermal=Temperatur|measurement=Messung falsch}{detail:if|: {detail}}"
+    ),
     "loading.neither": (
         "Die Prüfung nach dem Laden passt weder zur geladenen Tabelle noch zur Steuerung, wie sie"
         " vorher war, noch zu einem bekannten Fehler beim Laden.{loaded:if| Von der Vorhersage"
@@ -178,6 +201,12 @@ SENTENCES: Final[dict[str, str]] = {
         " im Mittel {offset} {above:if|über|unter} denen in −.}{effect:if| Gemessen: {effect}.}"
     ),
     "loading.no_table": "Der Plan enthält keine Tabelle für diese Achse: Es war nichts zu laden.",
+    "loading.of_axis": "der Achse {axis}",
+    "loading.one_direction": (
+        "nur beim Anfahren in {direction}; in der anderen Richtung {other:choose|before=ist die"
+        " Korrektur wie vorher|nothing=ist keine Korrektur aktiv|backlash=ist nur die neue Lose"
+        " aktiv}"
+    ),
     "loading.open": (
         "Diese Prüfung kann nicht zeigen, was geladen wurde. Die neue Tabelle ändert die"
         " Abweichungen um {size} (Effektivwert), und das Rauschen eines Messwerts ist"
@@ -186,6 +215,13 @@ SENTENCES: Final[dict[str, str]] = {
         " {candidates}.{off:if| Aber vom ersten davon weicht die Prüfung um {off} ab, höchstens"
         " um {worst}. Das ist mehr als Rauschen: Etwas anderes hat sich geändert, oder die"
         " Prüfung ist fehlerhaft.}"
+    ),
+    "loading.other_axis": "zugeordnet nach {by:choose|position=Position|number=Punktnummer}",
+    "loading.part": (
+        "{first:if|bis|ab} Punkt {number} ({position:g}), {beyond:choose|nothing=außerhalb keine"
+        " Korrektur|last=außerhalb der letzte Wert|old=außerhalb die alten"
+        " Werte|old_steps=außerhalb die alten Inkremente|no_backlash=außerhalb weder Korrektur noch"
+        " Lose|before=außerhalb alles wie vorher}"
     ),
     "loading.rms": "{rms} (Effektivwert)",
     "loading.slope": (
@@ -196,6 +232,7 @@ SENTENCES: Final[dict[str, str]] = {
         " seinen Koeffizienten im Auftrag (thermal) angeben. Oder Maschine und Messgerät zur Ruhe"
         " kommen lassen, den Temperaturfühler des Messgeräts prüfen und neu messen."
     ),
+    "loading.steps": "die Inkremente in umgekehrter Folge",
     "loading.straight_line": (
         "Die Prüfung nach dem Laden zeigt die geladene Tabelle und zusätzlich eine Steigung."
         " {slope} Die Korrektur ist selbst eine Gerade, deshalb zeigte eine Tabelle, die mit dem"
@@ -203,6 +240,7 @@ SENTENCES: Final[dict[str, str]] = {
         " zurückgelesenen Werte sind gleich den geplanten Werten (--loaded)|Zur Entscheidung die"
         " Werte aus der Steuerung zurücklesen und mit --loaded angeben}."
     ),
+    "loading.table": "die Tabelle ist {active:if|aktiv|nicht aktiv}",
     "loading.thermal": (
         "Die Tabelle ist aktiv. Abgesehen von einer Steigung weicht die Prüfung nach dem Laden um"
         " {left} von der Vorhersage ab. {slope}"
@@ -210,6 +248,10 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.too_few": (
         "Die Prüfung nach dem Laden hat weniger als 3 gemessene Mittelwerte, zu wenige, um zu"
         " zeigen, was geladen wurde. Mehr Zielpositionen messen."
+    ),
+    "loading.variant": (
+        "{detail:if|{detail}, }{backlash:choose|old=mit der alten Lose|apart=abgesehen von der"
+        " Lose}"
     ),
     "loading.verdict": (
         "{verdict:choose|loaded=Die Tabelle ist aktiv wie geplant{effect:if|: Die Prüfung nach"

@@ -199,12 +199,12 @@ def _loading_document(
         "factor": rounded_number(loading.factor),
         "shift_nodes": loading.shift_nodes,
         "margin": rounded_number(loading.margin, LOGARITHM),
-        "detail": loading.detail,
+        "detail": str(loading.detail or ""),
         "candidates": [
             {
                 "verdict": each.verdict,
                 "probability": rounded_number(each.probability, LOGARITHM),
-                "detail": each.detail,
+                "detail": str(each.detail or ""),
             }
             for each in loading.candidates
         ],
