@@ -16,10 +16,11 @@ from compwright.planning.axis_work import (
     start_axis,
     why_no_gain,
 )
-from compwright.planning.drift_doubts import drift_of_one_test, drift_or_reversal
+from compwright.planning.drift_doubts import drift_or_reversal
 from compwright.planning.goal_findings import goal_findings
 from compwright.planning.limiting_causes import what_limits
 from compwright.planning.point_count_tradeoff import point_count_tradeoff
+from compwright.planning.second_test import second_test_findings
 from compwright.planning.shortfalls import unheld_period
 from compwright.planning.table_verdict import no_table_finding, verdict
 from compwright.planning.unapplied_steps import unapplied_step_findings
@@ -59,7 +60,7 @@ def predict_task(
         *prediction.findings,
         *goal_findings(work, new, fresh),
         *drift_or_reversal(work, fresh),
-        *drift_of_one_test(work, new, fresh),
+        *second_test_findings(work, new, fresh),
         *(
             ()
             if fitted is None

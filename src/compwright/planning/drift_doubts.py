@@ -11,7 +11,6 @@ of it at the low end, nearly nothing at the high end.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -19,15 +18,13 @@ import numpy as np
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axis_work import AxisWork
-from compwright.planning.predicted_gain import judged_parameter
 from compwright.planning.reversal_along_travel import (
     drift_within_run,
     explained_by_drift,
     reversal_curve,
     reversal_rise,
 )
-from compwright.planning.simulated_repeat_tests import FreshTests, generator
-from compwright.prediction.active_corrections import Correction, difference
+from compwright.planning.simulated_repeat_tests import FreshTests
 from compwright.records.axis import Direction
 from compwright.records.rounding import rounded_number
 from compwright.words.sentences import Amount
@@ -36,9 +33,6 @@ from compwright.words.sentences import Amount
 #: standard deviation of one reading.
 _OF_THE_REVERSAL: Final = 0.25
 _OF_THE_NOISE: Final = 0.5
-#: A drift is there from this probability; a change of the parameter counts from this part of it.
-_CERTAIN: Final = 0.9
-_MATTERS: Final = 0.1
 
 
 def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
@@ -63,38 +57,6 @@ def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
         m = test.targets.size
         waits = (2 * m - 1 - 2 * np.arange(m)) / (2 * m)
         yield from _backlash_value(work, drift, rounded_number(-float(np.mean(waits * each))))
-
-
-def drift_of_one_test(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Finding]:
-    """Yield the finding CW-P165 if only a second test can show whether the drift of the first test
-    is repeated.
-    """
-    noise, name = fresh.draws.noise, judged_parameter(work.results[0])
-    certain = float(np.mean(noise.drift != 0.0)) >= _CERTAIN
-    if name is None or not certain or len(work.posterior.alike) != 1:
-        return
-    result = work.results[0].test
-    share = generator(result.axis, result.name, "another day").standard_normal(noise.count)
-    other = replace(noise, drift=share * noise.drift, drift_tilt=share * noise.drift_tilt)
-    change = difference(new, work.active)
-    same = fresh.quantiles(change, only=name)[name]
-    apart = fresh.with_noise(other).quantiles(change, only=name)[name]
-    if abs(same.p05 - apart.p05) < _MATTERS * abs(same.median):
-        return
-    axis = work.planned.axis
-    factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
-    yield Finding.of(
-        "CW-P165",
-        "info",
-        axis=axis.name,
-        drift=Amount(rounded_number(np.median(np.abs(noise.drift))) * factor, unit),
-        parameter=name,
-        low=same.p05 * factor,
-        high=same.p95 * factor,
-        least=apart.p05 * factor,
-        most=apart.p95 * factor,
-        unit=unit,
-    )
 
 
 def _second_table(work: AxisWork, drift: float, within: float) -> Iterator[Finding]:

@@ -354,11 +354,22 @@ SENTENCES: Final[dict[str, str]] = {
         " at least {amplitude}."
     ),
     "CW-P165": (
-        "Axis {axis}: the test drifts by {drift}, and the prediction assumes the same drift in"
-        " the next test: {parameter} {low:.2f} to {high:.2f} {unit} at new targets. If"
-        " each test has its own drift of this size, {parameter} is {least:.2f} to {most:.2f}"
-        " {unit}. To find out which is true, measure a second test in the same way, and add its"
-        " file to `before` of the axis"
+        "Axis {axis}: {seen}: {parameter} {low:.2f} to {high:.2f} {unit} at new targets."
+        " {otherwise}, {parameter} is {least:.2f} to {most:.2f} {unit}. To find out which is true,"
+        " measure a second test in the same way, and add its file to `before` of the axis"
+    ),
+    "CW-P165.drift": (
+        "the test drifts by {drift}, and the prediction assumes the same drift in the next test"
+    ),
+    "CW-P165.no_rest": "If they scatter around one place",
+    "CW-P165.other_drift": "If each test has its own drift of this size",
+    "CW-P165.other_scatter": "If each test has the scatter of one of these runs",
+    "CW-P165.rest": (
+        "the readings may lie between two limits, as with two places of rest ({probability:.0%})"
+    ),
+    "CW-P165.scatter": (
+        "the scatter of one reading is {least} to {most}, depending on the run, and the prediction"
+        " assumes the same mixture in the next test"
     ),
     "CW-P166": (
         "{plane:if|The squareness of plane {plane}|The scale of axis {axis}} is corrected, but is"

@@ -357,11 +357,23 @@ SENTENCES: Final[dict[str, str]] = {
         " à partir d'une amplitude de {amplitude}."
     ),
     "CW-P165": (
-        "Axe {axis} : l'essai dérive de {drift}, et la prévision suppose la même dérive dans le"
-        " prochain essai : {parameter} {low:.2f} à {high:.2f} {unit} à de nouveaux points visés. Si"
-        " chaque essai a sa propre dérive de cette taille, {parameter} est de {least:.2f} à"
-        " {most:.2f} {unit}. Pour le savoir, mesurer un deuxième essai de la même façon, et ajouter"
-        " son fichier à `before` de l'axe"
+        "Axe {axis} : {seen} : {parameter} {low:.2f} à {high:.2f} {unit} à de nouveaux points"
+        " visés. {otherwise}, {parameter} est de {least:.2f} à {most:.2f} {unit}. Pour le savoir,"
+        " mesurer un deuxième essai de la même façon, et ajouter son fichier à `before` de l'axe"
+    ),
+    "CW-P165.drift": (
+        "l'essai dérive de {drift}, et la prévision suppose la même dérive dans le prochain essai"
+    ),
+    "CW-P165.no_rest": "Si elles se dispersent autour d'une seule position",
+    "CW-P165.other_drift": "Si chaque essai a sa propre dérive de cette taille",
+    "CW-P165.other_scatter": "Si chaque essai a la dispersion d'un de ces parcours",
+    "CW-P165.rest": (
+        "les mesures se trouvent peut-être entre deux limites, comme avec deux positions de repos"
+        " ({probability:.0%})"
+    ),
+    "CW-P165.scatter": (
+        "la dispersion d'une mesure est de {least} à {most} selon le parcours, et la prévision"
+        " suppose le même mélange dans le prochain essai"
     ),
     "CW-P166": (
         "{plane:if|La perpendicularité du plan {plane}|L'échelle de l'axe {axis}} est corrigée,"

@@ -374,11 +374,25 @@ SENTENCES: Final[dict[str, str]] = {
         " zeigen einen solchen Fehler ab einer Amplitude von {amplitude}."
     ),
     "CW-P165": (
-        "Achse {axis}: Die Prüfung driftet um {drift}, und die Vorhersage nimmt dieselbe Drift in"
-        " der nächsten Prüfung an: {parameter} {low:.2f} bis {high:.2f} {unit} an neuen"
-        " Zielpositionen. Hat jede Prüfung eine eigene Drift dieser Größe, ist {parameter}"
-        " {least:.2f} bis {most:.2f} {unit}. Um das zu klären, eine zweite Prüfung auf dieselbe Art"
-        " messen und ihre Datei bei der Achse unter `before` angeben"
+        "Achse {axis}: {seen}: {parameter} {low:.2f} bis {high:.2f} {unit} an neuen"
+        " Zielpositionen. {otherwise}, ist {parameter} {least:.2f} bis {most:.2f} {unit}. Um das zu"
+        " klären, eine zweite Prüfung auf dieselbe Art messen und ihre Datei bei der Achse unter"
+        " `before` angeben"
+    ),
+    "CW-P165.drift": (
+        "Die Prüfung driftet um {drift}, und die Vorhersage nimmt dieselbe Drift in der nächsten"
+        " Prüfung an"
+    ),
+    "CW-P165.no_rest": "Streuen sie um einen Ort",
+    "CW-P165.other_drift": "Hat jede Prüfung eine eigene Drift dieser Größe",
+    "CW-P165.other_scatter": "Hat jede Prüfung die Streuung eines dieser Läufe",
+    "CW-P165.rest": (
+        "Die Messwerte liegen vielleicht zwischen zwei Grenzen, wie bei zwei Ruhelagen"
+        " ({probability:.0%})"
+    ),
+    "CW-P165.scatter": (
+        "Die Streuung eines Messwerts ist je nach Lauf {least} bis {most}, und die Vorhersage nimmt"
+        " dieselbe Mischung in der nächsten Prüfung an"
     ),
     "CW-P166": (
         "{plane:if|Die Rechtwinkligkeit der Ebene {plane}|Der Maßstab der Achse {axis}} wird"
