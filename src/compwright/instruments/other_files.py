@@ -18,9 +18,9 @@ from compwright.instruments.fault_list import by_profile, shown
 
 #: The forms that `read_positioning` reads, by their names in messages.
 ACCEPTED_FORMS = (
-    "a plain CSV file (columns target_mm, direction, run, deviation_um; or target_mm and one column"
-    " per traverse), target data (TGT_DATA[1]=...), or a file of laser software (.rtl, .rta, .pos,"
-    " .ren)"
+    "a plain CSV file (columns target_mm, direction, run, deviation_um; target_mm and one column"
+    " per traverse; or, of an axis at rest, time_min and deviation_um), target data"
+    " (TGT_DATA[1]=...), or a file of laser software (.rtl, .rta, .pos, .ren)"
 )
 _NEWEST_FORM = 1
 _FORM_KEY = re.compile(r"positioning\s+([0-9]{1,9})")
@@ -78,6 +78,20 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
                 expected=ACCEPTED_FORMS,
                 found=f"columns {', '.join(names[:8])}",
                 hint="give it as `environment` in the job (docs/job-file.md#environment)",
+            )
+        )
+    if names and not count and re.match(r"(elapsed|date)?[ _]?time|minutes?\b", names[0]):
+        raise InputError(
+            Fault(
+                message="the columns of a drift test (axis at rest) have other names",
+                file=file,
+                place=f"line {number}",
+                expected="time_min (minutes from the first reading) and deviation_um",
+                found=f"columns {', '.join(names[:8])}",
+                hint=(
+                    "for a drift test, name the columns so (of a rotary axis: deviation_arcsec);"
+                    f" describe any other table with {by_profile(file)}"
+                ),
             )
         )
     if _is_status_pro(names):
