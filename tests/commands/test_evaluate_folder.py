@@ -324,7 +324,7 @@ def test_a_fault_of_our_own_is_named_and_the_rest_evaluated(
     assert code == 70
     assert "t04.csv" in text.out
     assert "t05.csv: an internal error of compwright: ZeroDivisionError: by nothing" in text.err
-    assert "Please report" in text.err
+    assert "Please send this line" in text.err
 
 
 @dataclass

@@ -148,7 +148,7 @@ class TestContainer:
 
     def test_a_member_of_its_list_that_is_not_there(self) -> None:
         whole = container(member("AX_EEC.INI", EEC), also=ACTIVE + "INITIAL.INI")
-        with pytest.raises(InputError, match=r"cut off: its list names INITIAL\.INI"):
+        with pytest.raises(InputError, match=r"cut off: its table of contents names INITIAL\.INI"):
             load(whole)
 
     def test_the_first_bytes_of_it_are_refused_or_hold_all_that_acts(self) -> None:

@@ -130,7 +130,7 @@ def test_whether_it_acts_must_be_told_where_readings_hang_on_it(gone: str) -> No
     def asked(said: bool | None) -> ControlState:
         return control.read(text, [AXIS], activity=Activity(said, asking=True))
 
-    with pytest.raises(UsageError, match="Was it active"):
+    with pytest.raises(UsageError, match="is unknown whether the table was active"):
         asked(None)
     assert asked(True).stays
     slept = asked(False)

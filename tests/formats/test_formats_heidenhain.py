@@ -340,7 +340,7 @@ BAD_SHEETS = {
     "cut short": (
         "# value: error\n",
         "# value: error\n# points: 4\n",
-        "fewer points than it states.* expected 4, found 3",
+        "states a wrong number of points.* expected 4, found 3",
     ),
     "positions descend": ("1,0,0,mm", "1,-200,0,mm", "do not ascend"),
     "a point missing": ("1,0,0,mm\n", "", "numbered one by one"),
@@ -675,7 +675,7 @@ LIMITS = {
     "too steep": (
         table("X", [0, 10], [0, 0.1563]),
         {},
-        "spacing / 64, 0.15625 mm, found 0.1563 mm",
+        "spacing / 64 = 0.15625 mm, found 0.1563 mm",
     ),
     "a line beside the table": (replace(table("X", [0, 10], [0, 0]), slope=1e-6), {}, "no effect"),
     "steps between points": (

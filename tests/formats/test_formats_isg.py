@@ -206,7 +206,7 @@ def test_a_backlash_beside_two_columns_is_refused_and_one_that_is_off_is_nothing
 @pytest.mark.parametrize("where", ["kw.ssfk.manual_activation 1", "lr_param.ssfk 0"])
 def test_a_table_that_is_switched_off_acts_only_where_the_job_says_so(where: str) -> None:
     off = f"kopf.achs_nr 1\n{where}\n"
-    with pytest.raises(UsageError, match="Was it active"):
+    with pytest.raises(UsageError, match="is unknown whether the table was active"):
         read(X, a=SAMPLE, b=off)
     assert read(a=SAMPLE, b=off).axes["1"].positions.size == 0
     acting = read(X, active=True, a=SAMPLE, b=off)

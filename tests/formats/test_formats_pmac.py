@@ -210,7 +210,7 @@ def test_switches(old: str, new: str, positive: float, negative: float) -> None:
 
 def test_whether_tables_acted_is_asked_where_the_script_ends_with_them_off() -> None:
     files = [script(EXAMPLE.replace("I51=1", "I51=0"))]
-    with pytest.raises(UsageError, match="Was it active"):
+    with pytest.raises(UsageError, match="is unknown whether the table was active"):
         control().read(files, [axis()], activity=Activity(asking=True))
     state = control().read(files, [axis()], activity=Activity(stated=True, asking=True))
     assert at(state, "1", 100, PLUS) == pytest.approx(-2.0)

@@ -317,9 +317,9 @@ def names(definition: Definition) -> None:
     for line, why in (
         ("$MA_GANTRY_AXIS_TYPE[AX1]=0\n$MA_GANTRY_AXIS_TYPE[AX1]=11", "MD37100"),
         ("$MN_SCALING_USER_DEF_MASK='H0'\n$MN_SCALING_USER_DEF_MASK='H801'", "MD10220"),
-        ("$MN_SCALING_SYSTEM_IS_METRIC=FALSE", "one place says inch"),
-        ("$MN_SCALING_SYSTEM_IS_METRIC=1\n$MN_SCALING_SYSTEM_IS_METRIC=0", "one place says inch"),
-        ("INCH", "one place says inch"),
+        ("$MN_SCALING_SYSTEM_IS_METRIC=FALSE", "this line says inch"),
+        ("$MN_SCALING_SYSTEM_IS_METRIC=1\n$MN_SCALING_SYSTEM_IS_METRIC=0", "this line says inch"),
+        ("INCH", "this line says inch"),
         ("$MA_IS_ROT_AX[AX1]=1", "is linear in the job and rotary in the control's files"),
     ):
         assert why in refused(read, definition, text_of(BASE, line + "\n"), X), line

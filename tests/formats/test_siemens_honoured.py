@@ -224,7 +224,7 @@ def test_a_measuring_system_that_the_axis_has_not_is_refused() -> None:
 
 @pytest.mark.parametrize("on", ["0", "FALSE", ""])
 def test_a_table_that_may_not_have_acted_is_asked_about(on: str) -> None:
-    with pytest.raises(UsageError, match="Was it active during the test"):
+    with pytest.raises(UsageError, match="unknown whether the table was active during the test"):
         both_readers(eec(on=on), axis_of("AX1"), asking=True)
     acted = both_readers(eec(on=on), axis_of("AX1"), active=True, asking=True)
     assert acted.axes["AX1"].positive.tolist() == [0, -0.004, 0]
@@ -297,7 +297,7 @@ def test_an_answer_speaks_of_what_the_files_leave_open() -> None:
     """
     text = eec("AX1") + eec("AX2", on="0")
     axes = axis_of("AX1"), axis_of("AX2")
-    with pytest.raises(UsageError, match=r"axis AX2.*Was it active"):
+    with pytest.raises(UsageError, match=r"axis AX2.*unknown whether the table was active"):
         both_readers(text, *axes, asking=True)
     state = both_readers(text, *axes, active=False, asking=True)
     assert state.axes["AX1"].positive.tolist() == [0, -0.004, 0]

@@ -86,16 +86,16 @@ def test_the_same_machine_in_other_numbers(md: str, eec: str) -> None:
 def test_one_unit_in_upper_and_lower_case_is_no_contradiction(word: str) -> None:
     lower = EEC.replace("METRIC", word)
     assert np.array_equal(read(MD, lower).axes["AX1"].positive, read(MD, EEC).axes["AX1"].positive)
-    with pytest.raises(InputError, match="one place says inch"):
+    with pytest.raises(InputError, match="this line says inch"):
         read(MD.replace("METRIC", word), inch(EEC))
 
 
 def test_files_that_contradict_themselves_are_refused_for_every_axis() -> None:
     for md in (MD.replace(*TO_INCH), inch(MD).replace("INCH", "METRIC")):
         for axis in (X, A):
-            with pytest.raises(InputError, match=r"one place says inch.*MD10240, METRIC, INCH"):
+            with pytest.raises(InputError, match=r"this line says inch.*MD10240, METRIC, INCH"):
                 read(md, inch(EEC), axis)
-    with pytest.raises(InputError, match="one place says inch"):
+    with pytest.raises(InputError, match="this line says inch"):
         read(MD, inch(EEC))
 
 

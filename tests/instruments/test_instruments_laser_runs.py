@@ -143,7 +143,7 @@ def test_the_sign_may_be_said() -> None:
 
 @pytest.mark.parametrize(
     ("kind", "words"),
-    [("rts", "contains straightness, not positions"), ("rtz", "a type that is not known")],
+    [("rts", "contains straightness, not positions"), ("rtz", "the type of the file is unknown")],
 )
 def test_other_types(kind: str, words: str) -> None:
     assert words in refused(laser_file(TARGETS, READINGS, file_type=kind))

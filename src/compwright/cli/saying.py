@@ -108,7 +108,8 @@ def tell(line: str) -> None:
 def ask_for_report() -> None:
     """Print how to report an internal error of compwright."""
     tell(
-        f"Please report this line with the command, the input files and the version {__version__}."
+        f"Please send this line, the command, the input files and the version {__version__} to the"
+        " developers of compwright."
     )
 
 

@@ -14,8 +14,8 @@ from click.shell_completion import CompletionItem
 
 from compwright import __version__
 from compwright.cli.help_text import HelpfulCommand, OrderedGroup
-from compwright.foundations.command_words import OptionForm, Own, spread
-from compwright.foundations.errors import Fault, UsageError
+from compwright.foundations.command_words import OptionForm, Own, key_values, spread
+from compwright.foundations.errors import UsageError, raise_all
 from compwright.foundations.session import Session
 from compwright.foundations.side_by_side import Crew
 
@@ -212,32 +212,9 @@ def exiting(command: Callable[P, int]) -> Callable[P, None]:
 
 def pairs(options: Iterable[str]) -> dict[str, object]:
     """Return the options ``K=V`` as a mapping. Raises UsageError for invalid ones."""
-    given: dict[str, object] = {}
-    faults = []
-    for text in options:
-        key, mark, value = text.partition("=")
-        if not mark or not key.strip():
-            faults.append(
-                Fault(
-                    message="the value of `--option` must look like KEY=VALUE",
-                    place="--option",
-                    found=text,
-                    hint=("give one key and its value, such as `--option detection_unit=0.001`"),
-                )
-            )
-        elif key.strip() in given:
-            faults.append(
-                Fault(
-                    message="`--option` is given twice with the same key",
-                    place="--option",
-                    found=key.strip(),
-                    hint="remove one of the two",
-                )
-            )
-        given[key.strip()] = value.strip()
-    if faults:
-        raise UsageError(*faults)
-    return given
+    given, faults = key_values(options)
+    raise_all(UsageError, faults)
+    return dict(given)
 
 
 @click.group(

@@ -16,6 +16,7 @@ from compwright.formats.families.between import BetweenRequest, merged_files
 from compwright.formats.families.control_texts import texts_of
 from compwright.foundations.errors import CompwrightError, Fault, raise_all
 from compwright.foundations.findings import Finding
+from compwright.foundations.own_faults import SEND_JOB
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import ControlFile, ControlState, CrossCompensation
 from compwright.records.plan import PlannedCross
@@ -138,10 +139,7 @@ def _wrong(
                         ),
                         place=f"direction {direction.value}",
                         found=f"a difference of {worst:.3g}",
-                        hint=(
-                            "load nothing of this run, and report this line with the job and "
-                            "its files"
-                        ),
+                        hint=f"load nothing of this run, and {SEND_JOB}",
                     )
                 )
     return faults

@@ -105,8 +105,8 @@ def files_of_definition(texts: Texts) -> dict[str, bytes]:
         if PureWindowsPath(name).anchor or ".." in PureWindowsPath(name).parts:
             raise InputError(
                 Fault(
-                    message="the definition extends a file outside of its own folder, which would "
-                    "be missing in the copy with the results",
+                    message="the definition extends a file outside of its own folder, but a run "
+                    "copies only files of this folder to its results",
                     file=file,
                     place=EXTENDS,
                     found=name,

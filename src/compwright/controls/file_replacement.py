@@ -16,6 +16,7 @@ from compwright.formats.families.control_texts import all_names, under_new_entri
 from compwright.formats.text.diff import compare_files
 from compwright.formats.text.entry_sheet import EntrySheet, is_entry_sheet, read_sheet
 from compwright.foundations.errors import CompwrightError, Fault, UsageError, raise_all
+from compwright.foundations.own_faults import SEND_JOB
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import ControlFile
 from compwright.records.delivery import Delivery
@@ -38,7 +39,7 @@ def changed_neighbours(
             place=change.entry,
             expected=change.old or "",
             found=change.new or "nothing",
-            hint=("load nothing of this run, and report this line with the job and its files"),
+            hint=f"load nothing of this run, and {SEND_JOB}",
         )
         for change in compare_files(control.definition, old, new).changes
         if change.old is not None and change.address is not None and change.address not in mine
@@ -105,10 +106,7 @@ def loadable_files(
             message="an internal error of compwright: the files of `files: small` do not have the "
             "same effect as the whole archive",
             place=f"axis {axis.address}, direction {direction.value}",
-            hint=(
-                "set `files: patched` in the options, and report this line with "
-                "the job and its files"
-            ),
+            hint=f"set `files: patched` in the options, and {SEND_JOB}",
         )
         for axis in axes
         for direction in Direction

@@ -14,6 +14,7 @@ from compwright.controls.reader_comparison import probe_positions, table_positio
 from compwright.formats.families.coupled_axes import SAME_TABLE
 from compwright.foundations.errors import CapacityError, CompwrightError, Fault, raise_all
 from compwright.foundations.findings import Finding
+from compwright.foundations.own_faults import SEND_JOB
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.tables import fit_within
 from compwright.prediction.active_corrections import difference
@@ -167,9 +168,7 @@ def check_partners(axes: Sequence[tuple[Axis, FittedTable]], loaded: DecodedStat
                     message="an internal error of compwright: the table in the new files is not "
                     f"the one meant for gantry axis {axis.gantry}",
                     place=f"axis {axis.name}",
-                    hint=(
-                        "load nothing of this run, and report this line with the job and its files"
-                    ),
+                    hint=f"load nothing of this run, and {SEND_JOB}",
                 )
             )
     raise_all(CompwrightError, faults)

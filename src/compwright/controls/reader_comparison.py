@@ -26,8 +26,8 @@ EVERYWHERE = np.linspace(-5000.0, 5000.0, 2001)
 #: their sign is unknown.
 LEFT_OUT = frozenset({"CW-S011", "CW-S050", "CW-S051"})
 _HINT = (
-    "report this line with the files; until this is mended, give another file of the control that"
-    " contains the same tables"
+    "send this line and the control's files to the developers of compwright; until this is"
+    " corrected, give another file of the control that contains the same tables"
 )
 
 

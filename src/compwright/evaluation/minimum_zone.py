@@ -101,7 +101,7 @@ def minimum_zone(
         Fault(
             message="the minimum zone calculation does not converge",
             found=f"{points.shape[0]} points",
-            hint="report this line with the measurement file",
+            hint="send this line and the measurement file to the developers of compwright",
         )
     )
 

@@ -16,6 +16,7 @@ import numpy as np
 from compwright.fitting.problem import QuadraticProblem, quadrature
 from compwright.fitting.sparse import SparseMatrix
 from compwright.foundations.errors import CapacityError, Fault
+from compwright.foundations.own_faults import SEND_JOB
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
@@ -144,10 +145,7 @@ def lattice_certificate(
                 message="no certified solution: the check whether the table is the best "
                 "possible one failed",
                 found=found,
-                hint=(
-                    "report this line with the job and its files; until then try "
-                    "another `table: {spacing: ...}`"
-                ),
+                hint=f"try another `table: {{spacing: ...}}`, and {SEND_JOB}",
             )
         )
     return proof

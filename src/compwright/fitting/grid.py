@@ -106,7 +106,7 @@ def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatAr
                     "columns of other axes depend on them"
                 ),
                 place=f"table.{name}",
-                expected=f"{there:.10g} {unit}, or nothing",
+                expected=f"{name}: {there:.10g} ({unit}), or no {name}",
                 found=f"{given:.10g} {unit}",
                 hint=f"set `table: {{{name}: {there:.10g}}}`, or leave `{name}` out",
             )

@@ -248,10 +248,11 @@ def _endless_grids(
     faults = [
         Fault(
             message=(
-                "the table of an endless axis spans exactly one period from the reference position"
+                "the table of an endless axis must span exactly one period, from the reference "
+                "position on"
             ),
             place=f"table.{name}",
-            expected=f"{place:.10g} {unit}, or nothing",
+            expected=f"{name}: {place:.10g} ({unit}), or no {name}",
             found=f"{value:.12g}",
             hint=f"set `table: {{{name}: {place:.10g}}}`, or leave `{name}` out",
         )

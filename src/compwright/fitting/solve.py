@@ -22,6 +22,7 @@ from compwright.fitting.sparse import (
     sum_of,
 )
 from compwright.foundations.errors import CapacityError, Fault
+from compwright.foundations.own_faults import SEND_JOB
 from compwright.records.axis import FloatArray
 
 #: A solution whose certificate misses by more than this (mm or deg) does not count: a thousandth of
@@ -84,10 +85,7 @@ def no_solution(message: str, found: str) -> CapacityError:
             message=f"no certified solution: the solver found no optimal table ({message})",
             expected="a proven optimum",
             found=found,
-            hint=(
-                "report this line with the job and its files; until then try "
-                "another `table: {spacing: ...}`"
-            ),
+            hint=f"try another `table: {{spacing: ...}}`, and {SEND_JOB}",
         )
     )
 

@@ -1,4 +1,4 @@
-"""Options that take several values at once: ``--loaded a b c`` is ``--loaded a --loaded b --loaded
+"""Options ``KEY=VALUE``, and options that take several values at once: ``--loaded a b c`` is ``--loaded a --loaded b --loaded
 c``.
 
 The words behind such an option are its values up to the next option; the first may be set off by
@@ -11,8 +11,10 @@ many.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+
+from compwright.foundations.errors import Fault
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,6 +39,38 @@ class Own:
     needed: int
     many: bool = False
     endings: tuple[str, ...] = ()
+
+
+def key_values(options: Iterable[str]) -> tuple[dict[str, str], list[Fault]]:
+    """Return the values of ``--option KEY=VALUE`` by key, and the faults of the options.
+
+    A fault: an option without this form, or a key that an earlier option has too.
+    """
+    given: dict[str, str] = {}
+    faults = []
+    for option in options:
+        key, mark, value = (part.strip() for part in option.partition("="))
+        if not mark or not key:
+            faults.append(
+                Fault(
+                    message="the value of `--option` must look like KEY=VALUE",
+                    place="--option",
+                    found=repr(option),
+                    hint="give one key and its value, such as `--option detection_unit=0.001`",
+                )
+            )
+        elif key in given:
+            faults.append(
+                Fault(
+                    message=f"`--option` is given twice with the key {key}",
+                    place=f"--option {key}",
+                    expected="each key once",
+                    hint="remove one of the two",
+                )
+            )
+        else:
+            given[key] = value
+    return given, faults
 
 
 def spread(words: Sequence[str], options: Mapping[str, OptionForm], own: Own) -> list[str]:

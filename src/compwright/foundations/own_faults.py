@@ -8,6 +8,8 @@ from compwright.foundations.errors import Fault
 
 #: Exit code of a fault of compwright's own.
 OWN_FAULT = 70
+#: The next step for an internal error that depends on the job.
+SEND_JOB = "send this line, the job and its files to the developers of compwright"
 
 
 def own_fault(error: Exception, file: str = "") -> Fault:
@@ -24,5 +26,5 @@ def own_fault(error: Exception, file: str = "") -> Fault:
             f" ({Path(where.filename).name}, line {where.lineno})"
         ),
         file=file,
-        hint="report this line with the command and the input files",
+        hint="send this line, the command and the input files to the developers of compwright",
     )

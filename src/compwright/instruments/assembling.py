@@ -196,7 +196,7 @@ def _check_size(readings: Readings, faults: FaultList) -> None:
     if targets * traverses > MOST_CELLS:
         faults.add(
             "the readings do not form a table of targets and runs",
-            expected="each run at most of the targets",
+            expected="runs that each contain most of the targets",
             found=f"{len(readings)} readings at {targets} targets in {traverses} runs",
             hint="give each run of the test the same run number in all its rows",
         )

@@ -370,7 +370,7 @@ def _check_unique(samples: _Samples, name: str, numbered: bool, faults: FaultLis
                 expected=(
                     "each angle once per direction and run"
                     if numbered
-                    else "a column 'run' if a direction has several"
+                    else "a column 'run' if a direction has several runs"
                 ),
                 found=f"{angle:.10g} deg of {name} also in line {first}",
                 hint="remove one of the two, or add a column `run` that counts the runs",

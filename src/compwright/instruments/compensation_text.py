@@ -242,7 +242,7 @@ def _grid(found: _Text, marks: DecimalMarks, faults: FaultList) -> list[float]:
         faults.add(
             "start, end and spacing do not fit together",
             place=found.place("compensation spacing"),
-            expected="an end that is whole spacings beyond the start",
+            expected="an end that is a whole number of spacings beyond the start",
             found=f"{as_text(start)}, {as_text(end)} and {as_text(spacing)} mm",
             hint="export the table again",
         )
@@ -320,7 +320,8 @@ def _unit(
     whole = all(abs(value - round(value)) <= _MULTIPLE for value in values) and any(values)
     if whole and not of_one:
         faults.add(
-            "the values are whole numbers: mm, or counts of the compensation resolution",
+            "the values are whole numbers, so they may be mm, or counts of the compensation"
+            " resolution",
             place=found.place("compensation resolution"),
             expected="a stated unit of the values",
             found=shown(found.get("compensation resolution")),

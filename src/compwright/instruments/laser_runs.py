@@ -169,7 +169,9 @@ def _kind(sections: FileSections, faults: FaultList) -> AxisKind:
     if name not in _KINDS:
         holds = _OTHER_KINDS.get(name)
         faults.add(
-            f"contains {holds}, not positions" if holds else "is of a type that is not known",
+            f"the file contains {holds}, not positions"
+            if holds
+            else "the type of the file is unknown",
             place=where,
             expected="File type: rtl (linear) or rta (angular)",
             found=shown(written) if written else "no line 'File type' below HEADER::",

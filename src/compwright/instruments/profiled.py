@@ -351,7 +351,7 @@ def _by_order(rows: _ProfiledRows, faults: FaultList) -> Iterator[Direction | No
             faults.add(
                 "the order of the rows does not show the directions",
                 place=f"line {rows.lines[part.start]}" if part.stop > part.start else "",
-                expected="targets up and down in turns, the one at each end twice",
+                expected="targets that rise and fall in turn, the outermost ones in two rows each",
                 found=f"targets {', '.join(map(as_text, targets[:6].tolist()))}",
                 hint="name a column with the direction in the profile (`direction_from`)",
             )

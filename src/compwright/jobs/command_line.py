@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
+from compwright.foundations.command_words import key_values
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.key_faults import nearest
 from compwright.foundations.yaml_reader import YamlDocument
@@ -109,29 +110,9 @@ def _sorted_options(
 ) -> tuple[dict[str, str], list[Fault]]:
     """Put the options of the axis into ``section``; return the control's options, and faults."""
     controller: dict[str, str] = {}
-    faults: list[Fault] = []
-    seen: set[str] = set()
-    for option in options:
-        key, sign, value = (part.strip() for part in option.partition("="))
-        if not key or not sign:
-            faults.append(
-                Fault(
-                    message="the value of `--option` must look like KEY=VALUE",
-                    place="--option",
-                    found=repr(option),
-                    hint=("give one key and its value, such as `--option detection_unit=0.001`"),
-                )
-            )
-        elif key in seen:
-            faults.append(
-                Fault(
-                    message=f"`--option` is given twice with the key {key}",
-                    place=f"--option {key}",
-                    expected="each key once",
-                    hint="remove one of the two",
-                )
-            )
-        elif key not in _AXIS_KEYS and (near := nearest(key, _AXIS_KEYS, _TYPING)):
+    given, faults = key_values(options)
+    for key, value in given.items():
+        if key not in _AXIS_KEYS and (near := nearest(key, _AXIS_KEYS, _TYPING)):
             faults.append(
                 Fault(
                     message=f"the option `{key}` is unknown",
@@ -146,7 +127,6 @@ def _sorted_options(
             target[path[-1]] = _numbers(value) if is_number else value
         else:
             controller[key] = value
-        seen.add(key)
     return controller, faults
 
 

@@ -198,7 +198,7 @@ def active_files(file: ControlFile) -> Opened:
     opened.faults += _contradictions(opened.files)
     opened.faults += [
         Fault(
-            message=f"the archive is cut off: its list names {name}, which is not in it",
+            message=f"the archive is cut off: its table of contents names {name}, which is missing",
             file=file.name,
             place=name,
             expected="an archive as the control wrote it",

@@ -170,7 +170,7 @@ def _other_lengths(file: str, block: ProgramBlock, *, inch: bool) -> Iterator[Fa
     for line, inches in block.inches.items():
         if inches is not inch:
             yield Fault(
-                message="the program uses another unit of length than the control",
+                message="the program and the control use different units of length",
                 file=file,
                 place=f"line {line}",
                 expected=_EXPORT,
@@ -208,7 +208,7 @@ def _question(file: str, first: Doubt, calls: ProgramCalls) -> Fault:
         ),
         file=file,
         place=f"line {first.line}",
-        expected=f"{program}{_EXPORT}, or active: yes or active: no",
+        expected=f"{program}{_EXPORT}, or an answer (`active: yes` or `active: no`)",
         found=first.text,
         hint=(
             "export the compensation data from the control and give that file, or answer "

@@ -84,13 +84,13 @@ class Activity:
                 Fault(
                     message=(
                         f"{label}: its table is not zero, and the control's files "
-                        f"{ends}. Was it active during the test?"
+                        f"{ends}: it is unknown whether the table was active during the test"
                     ),
                     file=place.occurrence.file if place is not None else "",
                     place=place.occurrence.place if place is not None else "",
                     expected=(
-                        "states: {as_found: {files: [...], active: yes}} or active: no, one answer"
-                        " for all these tables; or files that contain their switches as they were"
+                        "one answer for all tables of these files, as in states: {as_found:"
+                        " {files: [...], active: yes}}; or files with the switches as they were"
                         " during the test"
                     ),
                     found="no answer",

@@ -151,7 +151,7 @@ def _document(session: Session, path: Path) -> Mapping[str, Any] | None:
     if not isinstance(data, dict):
         raise InputError(
             Fault(
-                message="the file is not a document of compwright",
+                message="the file is not a results file of compwright",
                 file=shown_path(path),
                 found=str(data),
                 hint="make the results again with `compwright run`",

@@ -297,7 +297,7 @@ def _axis_in(session: Session, path: str, profiles: Sequence[Path]) -> str:
     fault = Fault(
         message=f"no given profile describes the columns of {path}",
         place="--profile",
-        expected="a profile of this file, a test taken with the tables loaded",
+        expected="a profile that states the columns of this test",
         hint=f"make one with {by_profile(path)}",
     )
     raise InputError(*faults, fault)

@@ -47,7 +47,6 @@ _SEEN = 2.5
 _NEARLY_ALL = 0.9
 #: A folder with more folders than a machine has jobs is no machine's.
 _MOST_SISTERS = 30
-_AGAIN = "its correction would be added a second time"
 
 
 @dataclass(frozen=True, slots=True)
@@ -299,7 +298,8 @@ def _change(
 def _fault(job: Job, place: str, test: str, state: str, earlier: _Earlier) -> Fault:
     return Fault(
         message=(
-            f"an earlier run computed the tables of `states: {state}` from this same test: {_AGAIN}"
+            f"an earlier run computed the tables of `states: {state}` from this same test, so the"
+            " same correction would be added a second time"
         ),
         file=job.file,
         place=place,
@@ -319,8 +319,8 @@ def refuse_added_again(plan: Plan, path: Path, state: DecodedState) -> None:
     if again and any(entry.written for entry in plan.cross):
         raise UsageError(
             Fault(
-                message=f"the run that wrote this plan also made these files: {_AGAIN} between "
-                "the axes",
+                message="the run that wrote this plan also made these files, so the same "
+                "correction between axes would be added a second time",
                 file=str(path),
                 place="--state",
                 expected="the files that were in the control before, or the word none",

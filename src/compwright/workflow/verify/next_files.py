@@ -265,10 +265,11 @@ def _runs(session: Session, paths: Iterable[Path], folder: str, copies: _Copies)
     if sorted(map(sorted, senses)) != [["ccw"], ["cw"]]:
         raise InputError(
             Fault(
-                message="the files are not one for each direction, so a job cannot use them "
-                "as one circle",
+                message="the files of one circle do not contain one direction each, so the next "
+                "job cannot name them",
                 file=", ".join(map(str, files)),
-                hint="report this line with the files",
+                expected="one file with both directions, or a ccw file and a cw file",
+                hint="give the circle in such files with `--after`, or leave `--update` out",
             )
         )
     return {next(iter(sense)): name for sense, name in zip(senses, names, strict=True)}

@@ -108,7 +108,8 @@ def _impossible(
     if axis.modulo is not None and options.get("spacing_rule") == "power_of_two":
         yield Fault(
             message=(
-                "no spacing of 2^n steps of 0.0001 degrees divides a turn in 256 points or less"
+                "no spacing of 0.0001 degrees times a power of two divides a turn into 256 points "
+                "or fewer"
             ),
             place="spacing_rule",
             expected="spacing_rule: free, or a table that is typed in by hand",
@@ -209,7 +210,7 @@ def _steep_faults(
         yield Fault(
             message=f"{label}: neighbouring values at {nodes[worst]:g} {unit} differ by more "
             "than the control allows",
-            expected=f"at most the spacing / {rule}, {float(steps[worst]) / rule:.6g} {unit}",
+            expected=f"at most spacing / {rule} = {float(steps[worst]) / rule:.6g} {unit}",
             found=f"{step:.6g} {unit}",
             hint="give a wider `table: {spacing: ...}` for this axis",
         )

@@ -195,8 +195,8 @@ class _ColumnStateReader:
                     message="the files contain no compensation data of any axis",
                     file=", ".join(file.name for file in self.files),
                     hint=(
-                        "add the files with tables and compensation parameters, or use the state "
-                        "`none`"
+                        "add the files with tables and compensation parameters, or give `none` "
+                        "instead of files if the control has no compensation"
                     ),
                 )
             )

@@ -109,13 +109,13 @@ def _check_count(sheet: EntrySheet, found: int, faults: list[Fault]) -> None:
         place = f"line {sheet.lines.get('points', 1)}"
         faults.append(
             Fault(
-                message="the entry sheet contains fewer points than it states, so it may have "
-                "been cut off",
+                message="the entry sheet states a wrong number of points, so it "
+                "may have been cut off",
                 file=sheet.name,
                 place=place,
                 expected=text[:60],
                 found=str(found),
-                hint="correct this line of the entry sheet",
+                hint="give the whole sheet; if no point is missing, correct this line",
             )
         )
 

@@ -64,7 +64,7 @@ def basic_system(gathered: Gathered, notes: Notes) -> str | None:
     if "unit_word" in gathered.definition.bindings and {"mm", "inch"} <= by_word.keys():
         notes.refuse(
             "basic system",
-            f"one place says inch, {by_word['mm'].where} says metric (MD10240, METRIC, INCH)",
+            f"this line says inch, {by_word['mm'].where} says metric (MD10240, METRIC, INCH)",
             by_word["inch"],
             expected="inch or metric in all files",
             hint=KEEP_ONE,
@@ -73,8 +73,8 @@ def basic_system(gathered: Gathered, notes: Notes) -> str | None:
     if "inch" in by_word and lengths and Decimal(lengths[-1].text) != _INCH:
         notes.refuse(
             "basic system",
-            "the control works in inch, and its inch has another length (MD10250"
-            " $MN_SCALING_VALUE_INCH)",
+            "the control works in inch, and MD10250 $MN_SCALING_VALUE_INCH gives its inch a"
+            " different length",
             lengths[-1],
             expected=f"{_INCH} mm",
             hint=CORRECT_VALUE,
@@ -83,7 +83,7 @@ def basic_system(gathered: Gathered, notes: Notes) -> str | None:
     if masks and ((bits := bit_mask(masks[-1].text)) is None or bits & _USERS_LENGTHS):
         notes.refuse(
             "basic system",
-            "positions or compensation values are in a unit of the user's own (MD10220"
+            "positions or compensation values are in a user-defined unit (MD10220"
             " $MN_SCALING_USER_DEF_MASK)",
             masks[-1],
             expected="a mask without the bits 0, 1, 11 and 12",

@@ -124,8 +124,8 @@ def most_points_of_turn(axis: Axis, rows: int) -> int:
         raise CapacityError(
             Fault(
                 message=(
-                    f"axis {axis.name}: the control's table of {rows} rows leaves less than"
-                    f" {_LEAST_SECTIONS} sections for each turn"
+                    f"axis {axis.name}: the control's table of {rows} rows leaves fewer than"
+                    f" {_LEAST_SECTIONS} sections per turn"
                 ),
                 expected=(
                     f"a travel of at most {(rows - _EXTRA_ROWS) * 360 // _LEAST_SECTIONS:g} deg"

@@ -223,8 +223,8 @@ class GridReader:
         names = ", ".join(others)
         self.notes.refuse(
             f"axis {address}",
-            f"the files contain active values of {names} too, which may be another name of the"
-            " same axis: the list of names (MD10000 $MN_AXCONF_MACHAX_NAME_TAB) is in no file",
+            f"the files contain active values of {names} too. {names} may be another name of"
+            " this axis: the list of names (MD10000 $MN_AXCONF_MACHAX_NAME_TAB) is in no file",
             active[others[0]],
             expected="the machine data with MD10000 among the files",
             found=names,

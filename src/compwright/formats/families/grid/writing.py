@@ -389,7 +389,7 @@ def _first_few(faults: list[Fault], address: str) -> list[Fault]:
     rest = len(faults) - 3
     more = Fault(
         message=f"axis {address} has {rest} more values with the same fault",
-        hint="correct the values named above",
+        hint="correct them in the same way",
     )
     return faults if rest <= 0 else [*faults[:3], more]
 

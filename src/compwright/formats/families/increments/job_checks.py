@@ -94,16 +94,16 @@ def points_question(axis: Axis, answer: object) -> Iterator[Fault]:
         + (
             "a table whose points are counted from machine zero cannot be made"
             if wrong
-            else "the manuals do not state from which of the two positions the control counts its "
-            "points"
+            else "the manuals do not state from which of these two positions the control counts "
+            "its points"
         ),
         place="points_from",
-        expected="points_from: reference, after a test with one value",
+        expected="points_from: reference, if a test with one value confirms it",
         found=str(answer) if wrong else "nothing",
         hint=(
             "write one test value into the point next to the reference position; if the axis "
-            "moves by it there, set `points_from: reference` in the options (without a job: "
-            "`--option points_from=reference`)"
+            "moves by this value there, set `points_from: reference` in the options (without a "
+            "job: `--option points_from=reference`)"
         ),
     )
 

@@ -103,10 +103,10 @@ def _executed_in_any_case(definition: Definition, programs: Sequence[Found]) -> 
                 ),
                 file=found.file,
                 place=f"line {first}",
-                expected=f"{EXPORTED}; or active: yes if the control executed every line of it",
+                expected=f"{EXPORTED}; or active: yes if the control executed all assignments",
                 hint=(
                     "export the compensation data from the control and give that file, or set "
-                    "`active: yes` if every value was executed"
+                    "`active: yes` if the control executed all assignments"
                 ),
             )
 
@@ -212,10 +212,10 @@ def _omitted_value(found: Found) -> Iterator[Fault]:
             ),
             file=found.file,
             place=f"line {line}",
-            expected=f"{EXPORTED}; or active: no where none of the values was carried out",
+            expected=f"{EXPORTED}; or active: no if the control executed no assignment",
             hint=(
                 "export the compensation data from the control and give that file, or set "
-                "`active: no` if no value was executed"
+                "`active: no` if the control executed no assignment"
             ),
         )
         return
@@ -244,10 +244,10 @@ def _omitted_value(found: Found) -> Iterator[Fault]:
             ),
             file=found.file,
             place=f"line {left_out}",
-            expected=f"{EXPORTED}; or active: no where none of the values was carried out",
+            expected=f"{EXPORTED}; or active: no if the control executed no assignment",
             hint=(
                 "export the compensation data from the control and give that file, or set "
-                "`active: no` if no value was executed"
+                "`active: no` if the control executed no assignment"
             ),
         )
 
@@ -347,18 +347,18 @@ def _question(found: Found) -> Fault:
     """Return the question whether all values of a program were executed."""
     program, start, lines = found.program, found.start, found.program.span
     file, doubts = found.file, program.flow
-    message = f"this line decides about those in {lines}"
+    message = f"this line decides about the assignments in {lines}"
     if start is not None and start.call is not None:
         message = f"this line decides about line {start.call.line}, the call of {found.file}"
         file, doubts = start.file, [start.line]
     elif start is not None:
-        message = f"those in {lines} are executed only if a program calls or starts this one"
+        message = f"the assignments in {lines} are executed only if another program calls this one"
         file, doubts = start.file, [start.line, *doubts]
     more = f" ({len(doubts) - 1} more such lines)" if len(doubts) > 1 else ""
     missing = list(dict.fromkeys(one.missing for one in doubts if one.missing))
     files = f"{', '.join(missing)} among the files, where that is a program; " if missing else ""
     return Fault(
-        message=(f"the control may not have executed all values of the program: {message}{more}"),
+        message=(f"the control may not have executed the whole program: {message}{more}"),
         file=file,
         place=f"line {doubts[0].line}",
         expected=(
@@ -368,7 +368,7 @@ def _question(found: Found) -> Fault:
         found=repr(doubts[0].text),
         hint=(
             "export the compensation data from the control and give that file, or answer "
-            "`active: yes` (every value was executed) or `active: no` (none was) in this entry "
+            "`active: yes` (all were executed) or `active: no` (none was) in this entry "
             "of `states` in the job (without a job: `--option active=yes`)"
         ),
     )
