@@ -72,7 +72,7 @@ def test_what_is_said_of_a_series() -> None:
     assert codes(series([0.0, 15.0, 30.0], np.zeros(3)), 30.0) == ["CW-T026", "CW-T027"]
     (told, short) = environmental_variation(long, 45.0)[1]
     assert "within any 30 min" in told.message
-    assert "it lasts 30 min, and a positioning test of the job takes 45 min" in short.message
+    assert "it lasts 30 min, but a positioning test of the job takes 45 min" in short.message
 
 
 def test_a_file_in_any_order_with_decimal_commas() -> None:

@@ -183,21 +183,16 @@ def _in_part(
 
     found = read_axis_by_axis(control, unread.files, view, named, (InputError, UsageError))
     if found.state is None:
-        return replace(
-            unread, findings=(*unread.findings, _unread_finding(name, "these files", error))
-        )
-    unread_axes = [
-        _unread_finding(name, f"axis {each}", why) for each, why in found.refused.items()
-    ]
+        return replace(unread, findings=(*unread.findings, _unread_finding(name, None, error)))
+    unread_axes = [_unread_finding(name, each, why) for each, why in found.refused.items()]
     findings = tuple(dict.fromkeys((*unread.findings, *seen, *unread_axes)))
     return replace(unread, state=found.state, findings=findings, unread=frozenset(found.refused))
 
 
-def _unread_finding(name: str, what: str, error: InputError | UsageError) -> Finding:
-    faults = "; ".join(str(fault) for fault in error.faults[:_MOST_FAULTS])
-    more = len(error.faults) - _MOST_FAULTS
-    faults += f"; and {more} more" if more > 0 else ""
-    return Finding.of("CW-S080", "warning", files=name, what=what, faults=faults)
+def _unread_finding(name: str, axis: str | None, error: InputError | UsageError) -> Finding:
+    faults = [str(fault) for fault in error.faults[:_MOST_FAULTS]]
+    more = len(error.faults[_MOST_FAULTS:])
+    return Finding.of("CW-S080", "warning", files=name, axis=axis, faults=faults, more=more)
 
 
 def _with_data(

@@ -1,5 +1,5 @@
-"""Options ``KEY=VALUE``, and options that take several values at once: ``--loaded a b c`` is ``--loaded a --loaded b --loaded
-c``.
+"""Options that take several values at once: ``--loaded a b c`` is ``--loaded a --loaded b --loaded
+c``; options ``KEY=VALUE``.
 
 The words behind such an option are its values up to the next option; the first may be set off by
 ``=``. Three things hold words back from it: what does not look like a value of it

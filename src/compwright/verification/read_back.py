@@ -9,6 +9,7 @@ import numpy as np
 
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.verification import ReadBack
+from compwright.words.sentences import SentenceText, say
 
 Correction = Callable[[FloatArray, Direction], FloatArray]
 _Curves = dict[Direction, FloatArray]
@@ -18,15 +19,7 @@ SAME = 1e-6
 #: Most nodes by which a loaded table may be shifted and still be recognised.
 _MOST_SHIFT = 5
 #: Factors with a known cause.
-_FACTORS = {
-    2.0: "twice: radius and diameter mixed up, loaded on top of itself, or twice the magnification",
-    0.5: "half: radius and diameter mixed up",
-    10.0: "ten times: another detection unit or increment system",
-    0.1: "a tenth: another detection unit or increment system",
-    25.4: "25.4 times: inch taken for mm",
-    1000.0: "a thousand times: mm taken for µm",
-    0.001: "a thousandth: µm taken for mm",
-}
+_FACTORS = (2.0, 0.5, 10.0, 0.1, 25.4, 1000.0, 0.001)
 
 
 def judge_read_back(
@@ -46,89 +39,66 @@ def judge_read_back(
     index = int(np.argmax(gaps[side]))
     worst = float(gaps[side][index])
     if worst <= SAME:
-        return ReadBack(
-            worst,
-            float(where[index]),
-            side,
-            "loaded",
-            "the table in the control is the planned table",
-        )
+        return ReadBack(worst, float(where[index]), side, "loaded", _cause("loaded"))
     for verdict, message in _explanations(wish, found, where, planned, old, spacing):
         return ReadBack(worst, float(where[index]), side, verdict, message)
     off = sum(int(np.sum(gaps[side] > SAME)) for side in Direction)
-    return ReadBack(
-        worst,
-        float(where[index]),
-        side,
-        "other",
-        f"the values differ at {off} of {2 * where.size} nodes, directions counted apart; no single"
-        " mistake explains all of them",
-    )
+    message = SentenceText(say("read_back.other", off=off, number=2 * where.size))
+    return ReadBack(worst, float(where[index]), side, "other", message)
+
+
+def _cause(cause: str, *, backlash: bool = True) -> SentenceText:
+    """Return the sentence that states the cause. ``backlash``: it explains the backlash too."""
+    return SentenceText(say("read_back.cause", cause=cause, apart=not backlash))
 
 
 @dataclass(frozen=True, slots=True)
 class _Mistake:
-    """A possible mistake of loading: the correction after it, and the sentences that state it."""
+    """A possible mistake of loading: the correction after it, and the sentences that state it.
+
+    ``apart``: the sentence if it explains all but a constant for each direction.
+    """
 
     verdict: str
     curves: _Curves
-    exact: str
-    apart: str
+    exact: SentenceText
+    apart: SentenceText
+
+
+def _mistake(verdict: str, curves: _Curves, cause: str) -> _Mistake:
+    return _Mistake(verdict, curves, _cause(cause), _cause(cause, backlash=False))
 
 
 def _causes(
     wish: _Curves, where: FloatArray, planned: Correction, old: Correction, spacing: float
 ) -> Iterator[_Mistake]:
-    yield _Mistake(
-        "not_active",
-        {side: old(where, side) for side in Direction},
-        "what was in the control before is still there",
-        "the table that was in the control before is still there; only the backlash differs from"
-        " before",
-    )
-    yield _Mistake(
-        "not_active",
-        {side: np.zeros(where.shape) for side in Direction},
-        "nothing is active: the table is off or empty",
-        "no table is active: it is off or empty; only backlash is",
-    )
     before = {side: old(where, side) for side in Direction}
+    yield _mistake("not_active", before, "before")
+    yield _mistake("not_active", {side: np.zeros(where.shape) for side in Direction}, "nothing")
     if any(np.any(np.abs(values) > SAME) for values in before.values()):
-        yield _Mistake(
-            "increment",
-            {side: wish[side] - before[side] for side in Direction},
-            "only the change to the existing table was loaded: load the total",
-            "only the change to the existing table was loaded, apart from the backlash: load the"
-            " total",
-        )
-        yield _Mistake(
-            "on_top",
-            {side: wish[side] + before[side] for side in Direction},
-            "the new total was added to the existing table: clear the table and load it again",
-            "the new total was added to the existing table, apart from the backlash: clear the"
-            " table and load it again",
-        )
-    yield _Mistake(
-        "inverted",
-        {side: -wish[side] for side in Direction},
-        "every value has the opposite sign",
-        "every value of the table has the opposite sign, apart from the backlash",
-    )
-    for factor, says in _FACTORS.items():
-        yield _Mistake(
-            "scaled",
-            {side: factor * wish[side] for side in Direction},
-            f"every value is {says}",
-            f"every value of the table, apart from the backlash, is {says}",
-        )
+        change = {side: wish[side] - before[side] for side in Direction}
+        yield _mistake("increment", change, "increment")
+        both = {side: wish[side] + before[side] for side in Direction}
+        yield _mistake("on_top", both, "on_top")
+    yield _mistake("inverted", {side: -wish[side] for side in Direction}, "inverted")
+    for factor in _FACTORS:
+        multiplied = {side: factor * wish[side] for side in Direction}
+        yield _mistake("scaled", multiplied, f"{factor:g}")
     for nodes in (shift * sign for shift in range(1, _MOST_SHIFT + 1) for sign in (1, -1)):
-        points = "1 point" if abs(nodes) == 1 else f"{abs(nodes)} points"
-        sits = f"the table sits {points} too far to {'+' if nodes > 0 else '-'}"
         yield _Mistake(
             "shifted",
             {side: _shifted(planned, where, side, nodes * spacing) for side in Direction},
-            sits,
-            f"{sits} and counts from its own zero: another number or position of the reference",
+            *(
+                SentenceText(
+                    say(
+                        "read_back.shifted",
+                        points=abs(nodes),
+                        towards="+" if nodes > 0 else "-",
+                        apart=apart,
+                    )
+                )
+                for apart in (False, True)
+            ),
         )
 
 
@@ -166,14 +136,10 @@ def _one_side(wish: _Curves, found: _Curves) -> Iterator[tuple[str, str]]:
         return
     other = same[0].opposite
     if float(np.ptp(found[other] - wish[other])) <= SAME:
-        yield (
-            "backlash",
-            f"arriving in {other.value} everything is off by one constant: another backlash value",
-        )
+        yield "backlash", SentenceText(say("read_back.backlash", direction=other.value))
     theirs = np.abs(found[other] - wish[other]) <= SAME
     if 2 * int(np.sum(theirs)) < theirs.size:  # else single values differ, not the direction
-        arriving = f"only the values for arriving in {same[0].value} equal the planned values"
-        yield "one_direction", arriving
+        yield "one_direction", SentenceText(say("read_back.one_side", direction=same[0].value))
 
 
 def _shifted(planned: Correction, where: FloatArray, side: Direction, by: float) -> FloatArray:

@@ -7,7 +7,7 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "CW-D001": (
         "only one direction was measured, so causes of deviation that depend on the direction"
-        " cannot be separated from the others. Standard errors that become larger by this:"
+        " cannot be separated from the others. Standard errors that become larger because of this:"
         " {causes:if|{causes}|none}"
     ),
     "CW-D001.cause": (
@@ -16,7 +16,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-D002": (
         "an arc of {arc:g}° separates the causes of deviation less well than a full circle."
-        " Standard errors that become larger by this: {causes:if|{causes}|none}"
+        " Standard errors that become larger because of this: {causes:if|{causes}|none}"
     ),
     "CW-D003": (
         "the length of the bar was not calibrated, so the scale of single axes is not given. Only"

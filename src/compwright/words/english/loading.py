@@ -33,10 +33,10 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V020.gap": "over {gap} of the travel there is no target",
     "CW-V020.range": "it covers {range}",
     "CW-V021": (
-        "Repeated readings scatter by {scatter}, {ratio:3sig} times {less:if|less|more} than in"
-        " the first test ({first}). Even where the noise of two tests differs by a factor of up"
-        " to {factor:g}, this happens by chance in less than one of 1000 tests. Check unit and"
-        " readings. Measure again with the instrument set as for the first test."
+        "Repeated readings scatter by {scatter}, {ratio:3sig} times {less:if|less|more} than in the"
+        " first test ({first}). By chance this happens in less than one of 1000 tests, even if the"
+        " noise of the two tests differs by a factor of up to {factor:g}. Check unit and readings."
+        " Measure again with the instrument set as for the first test."
     ),
     "CW-V022": (
         "The job was edited after the run: {what:choose|standard=the standard|rule=the decision"
@@ -128,7 +128,9 @@ SENTENCES: Final[dict[str, str]] = {
         "Undecided: the tests do not show whether the table is active or the limits are met"
     ),
     "loading.likely": "{verdict} {percent:.0f} %",
-    "loading.as_before": "The test differs by {left} from what the control showed before loading.",
+    "loading.as_before": (
+        "The test differs by {left} from a test with the control as it was before loading."
+    ),
     "loading.as_predicted": "The test differs by {left} from the prediction.",
     "loading.backlash": (
         "{kind:choose|missing=missing|twice=twice|sign=with the wrong sign|old=the old value"
@@ -145,9 +147,9 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.effect": "{part:.2f} ± {error:.2f} of the planned effect",
     "loading.equivalent": (
         "These faults would give the same test: {names}. No measurement of this axis can tell them"
-        " apart. {read_back:if|The values that were read back from the control can: they equal the"
-        " planned values (--loaded)|Read the values back from the control and give them with"
-        " --loaded}."
+        " apart. {read_back:if|The values that were read back from the control decide this: they"
+        " equal the planned values (--loaded)|Read the values back from the control and give them"
+        " with --loaded}."
     ),
     "loading.evidence": (
         "The test differs from the prediction by {off}, at worst by {worst}. It differs by {left}"
@@ -320,4 +322,39 @@ SENTENCES: Final[dict[str, str]] = {
         '={name}}{of:if| ({of})}", not "loaded"'
     ),
     "next.written": "a new table is written",
+    "read_back.backlash": (
+        "all values for arriving in {direction} differ by the same amount: the backlash value is"
+        " not the planned one"
+    ),
+    "read_back.cause": (
+        "{cause:choose|loaded=the table in the control is the planned table|before=what was in the"
+        " control before is still there|nothing=no table is active: it is off or"
+        " empty|increment=only the change to the existing table was loaded: load the"
+        " total|on_top=the new total was added to the existing table: clear the table and load it"
+        " again|inverted=every value has the opposite sign|2=every value is twice as large as"
+        " planned: radius and diameter mixed up, the table loaded on top of itself, or twice the"
+        " magnification|0.5=every value is half as large as planned: radius and diameter mixed"
+        " up|10=every value is ten times as large as planned: a different detection unit or"
+        " increment system|0.1=every value is a tenth of the planned one: a different detection"
+        " unit or increment system|25.4=every value is 25.4 times as large as planned: inch taken"
+        " for mm|1000=every value is 1000 times as large as planned: mm taken for µm|0.001=every"
+        " value is a thousandth of the planned one: µm taken for mm}{apart:if| (apart from the"
+        " backlash)|}"
+    ),
+    "read_back.one_side": ("only the values for arriving in {direction} equal the planned values"),
+    "read_back.other": (
+        "the values differ at {off} of {number} positions (each direction counted); no known"
+        " mistake explains all of these differences"
+    ),
+    "read_back.own": (
+        "the files that compwright run wrote contain the planned table. They do not show what is in"
+        " the control"
+    ),
+    "read_back.partly": (
+        "only {loaded:and} was loaded: load {missing:and} too, before the axis moves; {why}"
+    ),
+    "read_back.shifted": (
+        "the table is {points} {points:plural|point|points} too far to {towards}{apart:if|, apart"
+        " from a constant: the reference point has a different number or position|}"
+    ),
 }

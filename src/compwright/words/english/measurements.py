@@ -157,9 +157,9 @@ SENTENCES: Final[dict[str, str]] = {
         " ..}. Some programs fill the way back of a test in one direction with zeros."
     ),
     "CW-R055": (
-        "Even runs were taken as the way back (direction {back}), only because of their number:"
-        " the rows of run {run} are in the same order as those of run 1. If all runs of the test"
-        " went the same way, its reversal and backlash values are meaningless."
+        "Even runs were taken as the way back (direction {back}), only because their numbers are"
+        " even: the rows of run {run} are in the same order as those of run 1. If all runs of the"
+        " test went the same way, its reversal and backlash values are meaningless."
     ),
     "CW-R056": (
         "The file does not state the unit of its deviations, so microradian was assumed. The"

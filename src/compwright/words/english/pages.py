@@ -27,11 +27,11 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.effects": "Effect, peak to peak, in µm; whiskers 95 %",
     "circle.fit": "fit: path of each run, calculated from all causes of deviation",
     "circle.job": (
-        "Add these lines to a job: they correct, by tables and backlash compensation, those causes"
-        " that can be corrected so. To make the job from the control's files: `compwright new"
-        " --from FILE... --format ID --out job.yaml`. Name a positioning test of each axis in it"
-        " (its slope corrects the scale), add the lines{file:if| and put the file of each direction"
-        " in place of FILE|}, then `compwright run job.yaml`."
+        "Add these lines to a job. It then corrects, by tables and backlash compensation, the"
+        " causes that can be corrected in this way. To make the job from the control's files:"
+        " `compwright new --from FILE... --format ID --out job.yaml`. Name a positioning test of"
+        " each axis in it (its slope corrects the scale), add the lines{file:if| and put the file"
+        " of each direction in place of FILE|}, then `compwright run job.yaml`."
     ),
     "circle.least_squares": "least-squares circle, radius {base} µm from nominal",
     "circle.magnified": "{setting}\nMagnification {magnification} : 1, rings in µm",
@@ -64,7 +64,7 @@ SENTENCES: Final[dict[str, str]] = {
         " {start:.4g}°|}"
     ),
     "circle.share": "Share",
-    "circle.shares": "Causes, share of all\npale: less than twice its standard error",
+    "circle.shares": "Causes, share of all effects\n(pale: less than twice its standard error)",
     "circle.software": "Software of the instrument",
     "circle.start": "start of {sense}",
     "circle.step": (
@@ -289,7 +289,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "run.comparison": "Before and predicted",
     "run.comparison_note": (
-        "Before and, on the same scale, what a test at the same targets is expected to show."
+        "The deviations before and, on the same scale, the deviations that a test at the same"
+        " targets is expected to show."
     ),
     "run.compensation": "Compensation",
     "run.correction": "Correction: what the control adds to the command.",
@@ -364,7 +365,7 @@ SENTENCES: Final[dict[str, str]] = {
         " Reasons why a file of the control is refused are in English."
     ),
     "verify.legend": (
-        "Grey: before. Blue: predicted 5 to 95 %, upright line: measured after loading. Dashed:"
+        "Grey: before. Blue: predicted 5 to 95 %, vertical line: measured after loading. Dashed:"
         " limit."
     ),
     "verify.look_at": "Look at:",

@@ -79,8 +79,8 @@ SENTENCES: Final[dict[str, str]] = {
         "the samples are too far apart to show a pitch: sample faster or lower the feed"
     ),
     "undetermined.prior": (
-        "{value:+3sig} ± {error:2sig} {unit} is too uncertain: the samples show hardly more than"
-        " the range that is usual on machines anyway (±{width:g}, standard deviation)"
+        "{value:+3sig} ± {error:2sig} {unit} is too uncertain: on machines ±{width:g} (standard"
+        " deviation) is usual anyway, and the samples hardly narrow this range"
     ),
     "undetermined.spike": (
         "the samples after the reversal are too few to tell a spike from lost motion: sample faster"

@@ -234,12 +234,17 @@ SENTENCES: Final[dict[str, str]] = {
         "The slope of {slope} stays in the table. At the table points an error of {left} rms is"
         " left without the separate linear parameter, and {with_line} would be left with it"
     ),
-    "CW-P143.none": "No second (cyclic) table is written for {period}",
-    "CW-P143.period": (
-        "the period of {period:g} {unit}, which is too short for table points {sections:g} {unit}"
-        " apart. Without the second table an error of {left} rms is left, with it {with_it}"
+    "CW-P143.none": (
+        "No cyclic table (a second table, which repeats with the period) is written. {period}"
     ),
-    "CW-P143.second": "A second (cyclic) table is written for {period}",
+    "CW-P143.period": (
+        "The error has a period of {period:g} {unit}, which is too short for table points"
+        " {sections:g} {unit} apart. Without a cyclic table an error of {left} rms is left, with it"
+        " {with_it}"
+    ),
+    "CW-P143.second": (
+        "A cyclic table (a second table, which repeats with the period) is written too. {period}"
+    ),
     "CW-P144": (
         "Axis {axis}: the points have to be typed by hand, so the table has few of them: {few},"
         " {mine}. The other choice is {many}, {other}. To use it, set start: {start:.10g}, end:"
@@ -272,11 +277,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P152.parameter": "{parameter} {value:.2f}{other:if| ({other:.2f})}",
     "CW-P153": (
-        "Axis {axis}: the second table may contain the drift of this test. The reversal changes by"
-        " {risen} along the travel. The readings drift by {drifted} from the first run to the last."
-        " If this drift goes on within every run, out and back, it would produce {shown} of that"
-        " change even if the backlash is constant. Warm the axis up and measure again before you"
-        " load two tables, or use one table (mode: single)"
+        "Axis {axis}: the difference between the two tables (one for each direction) may contain"
+        " the drift of this test. The reversal changes by {risen} along the travel. The readings"
+        " drift by {drifted} from the first run to the last. If this drift goes on within every"
+        " run, out and back, it alone changes the reversal by {shown}, even if the backlash is"
+        " constant. Warm the axis up and measure again before you load two tables, or use one table"
+        " (mode: single)"
     ),
     "CW-P154": (
         "Axis {axis}: the backlash value may contain the drift of this test. The mean reversal is"

@@ -278,8 +278,9 @@ SENTENCES: Final[dict[str, str]] = {
         " and backlash values count as not loaded"
     ),
     "CW-S080": (
-        "{files}: for {what}, the correction that the control applies cannot be calculated from the"
-        " files ({faults}). Only the entries of the files are compared, one by one"
+        "{files}: for {axis:if|axis {axis}|these files}, the correction that the control applies"
+        " cannot be calculated from the files ({faults:join|; }{more:if|; and {more} more|}). Only"
+        " the entries of the files are compared, one by one"
     ),
     "CW-S081": (
         "{files}: compwright reads such files with two independent readers. Only one of them"

@@ -227,13 +227,13 @@ SENTENCES: Final[dict[str, str]] = {
         "{of:choose|scale=scale|workpiece=workpiece|instrument=instrument} {kelvin:+2sig} K"
     ),
     "CW-T026.whole": (
-        "The environmental variation E_VE is {E_VE}: the largest range of {file} within all of"
-        " its {minutes:g} min. E_VE belongs to the duration of a positioning test. If your test"
-        " takes less time, give its duration as duration_min."
+        "The environmental variation E_VE is {E_VE}: the range of the readings in {file} over the"
+        " whole record of {minutes:g} min. E_VE should cover only the duration of one positioning"
+        " test. If your test takes less time, give its duration as duration_min."
     ),
     "CW-T026.within": (
-        "The environmental variation E_VE is {E_VE}: the largest range of {file} within any"
-        " {minutes:g} min."
+        "The environmental variation E_VE is {E_VE}: the largest range of the readings in {file}"
+        " within any {minutes:g} min."
     ),
     "CW-T027": (
         "The drift test {file} (axis at rest) cannot show the whole environmental variation"
@@ -244,8 +244,8 @@ SENTENCES: Final[dict[str, str]] = {
         "up to {minutes:g} min lie between two readings, so changes in between are missed"
     ),
     "CW-T027.short": (
-        "it lasts {minutes:g} min, and {test:if|a positioning test of the job takes {test:g} min|no"
-        " positioning test is so short}: the drift of a test is larger"
+        "it lasts {minutes:g} min, but a positioning test {test:if|of the job takes {test:g} min|"
+        "takes longer}, so the drift of a test is larger"
     ),
     "CW-T028": (
         "The effect of the air on the laser wavelength was removed: {least:+.3f}{most:if| to"
@@ -338,10 +338,10 @@ SENTENCES: Final[dict[str, str]] = {
         " machine works with, and look for windup and friction."
     ),
     "CW-T041": (
-        "The lost motion of {file} shows no dependence on the"
-        " {over:choose|distance=distance|speed=speed} beyond its scatter: {constant} leaves up to"
-        " ±{left}.{few:if| So few readings cannot show one: measure at eight values or more, or"
-        " repeat each.|}"
+        "The lost motion of {file} shows no dependence on the {over:choose|distance=distance|"
+        "speed=speed} beyond its scatter: one constant value, {constant}, leaves up to"
+        " ±{left}.{few:if| So few readings cannot show a dependence: measure at eight values or"
+        " more, or repeat each.|}"
     ),
     "reason.cannot_be_formed": "cannot be calculated from these readings",
     "reason.no_common_angle": "the two directions have no angle in common",

@@ -33,10 +33,9 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V020.range": "il couvre {range}",
     "CW-V021": (
         "Les mesures répétées se dispersent de {scatter}, {ratio:3sig} fois {less:if|moins|plus}"
-        " que dans le premier essai ({first}). Si le bruit des deux essais ne différait que de"
-        " {factor:g} fois au plus, le hasard seul le ferait dans moins d'un essai sur 1000."
-        " Vérifier unité et mesures. Mesurer de nouveau, l'instrument réglé comme au premier"
-        " essai."
+        " que dans le premier essai ({first}). Par hasard, cela arrive dans moins d'un essai sur"
+        " 1000, même si le bruit des deux essais diffère d'un facteur allant jusqu'à {factor:g}."
+        " Vérifier unité et mesures. Mesurer de nouveau, l'instrument réglé comme au premier essai."
     ),
     "CW-V022": (
         "Le dossier de travail a été modifié après le calcul : {what:choose|standard=la"
@@ -134,7 +133,7 @@ SENTENCES: Final[dict[str, str]] = {
         "Non décidé : les essais ne montrent pas si la table est active ou les limites respectées"
     ),
     "loading.as_before": (
-        "L'essai diffère de {left} de ce que la commande montrait avant le chargement."
+        "L'essai diffère de {left} d'un essai avec la commande dans l'état d'avant le chargement."
     ),
     "loading.as_predicted": "L'essai diffère de {left} de la prévision.",
     "loading.backlash": (
@@ -152,9 +151,9 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.effect": "{part:.2f} ± {error:.2f} de l'effet prévu",
     "loading.equivalent": (
         "Ces défauts donneraient le même essai : {names}. Aucune mesure de cet axe ne peut les"
-        " distinguer. {read_back:if|Les valeurs relues de la commande le peuvent : elles sont"
-        " égales aux valeurs prévues (--loaded)|Relire les valeurs de la commande et les donner"
-        " par --loaded}."
+        " distinguer. {read_back:if|Les valeurs relues de la commande en décident : elles sont"
+        " égales aux valeurs prévues (--loaded)|Relire les valeurs de la commande et les donner par"
+        " --loaded}."
     ),
     "loading.evidence": (
         "L'essai diffère de la prévision de {off}, au pire de {worst}. Il diffère de {left} de ce"
@@ -339,4 +338,42 @@ SENTENCES: Final[dict[str, str]] = {
         " décidé|={name}}{of:if| ({of})} », pas « chargée »"
     ),
     "next.written": "une table de plus est écrite",
+    "read_back.backlash": (
+        "toutes les valeurs pour l'arrivée en {direction} diffèrent de la même quantité : la valeur"
+        " de jeu n'est pas celle prévue"
+    ),
+    "read_back.cause": (
+        "{cause:choose|loaded=la table dans la commande est la table prévue|before=ce qui était"
+        " avant dans la commande y est encore|nothing=aucune table n'est active : elle est"
+        " désactivée ou vide|increment=seule la modification de la table existante a été chargée :"
+        " charger le total|on_top=le nouveau total a été ajouté à la table existante : effacer la"
+        " table et la charger de nouveau|inverted=chaque valeur a le signe opposé|2=chaque valeur"
+        " est le double de celle prévue : rayon et diamètre confondus, table chargée sur elle-même,"
+        " ou double grossissement|0.5=chaque valeur est la moitié de celle prévue : rayon et"
+        " diamètre confondus|10=chaque valeur est dix fois celle prévue : autre unité de détection"
+        " ou autre système d'incréments|0.1=chaque valeur est un dixième de celle prévue : autre"
+        " unité de détection ou autre système d'incréments|25.4=chaque valeur est 25,4 fois celle"
+        " prévue : pouces pris pour des mm|1000=chaque valeur est 1000 fois celle prévue : mm pris"
+        " pour des µm|0.001=chaque valeur est un millième de celle prévue : µm pris pour des"
+        " mm}{apart:if| (jeu mis à part)|}"
+    ),
+    "read_back.one_side": (
+        "seules les valeurs pour l'arrivée en {direction} sont égales aux valeurs prévues"
+    ),
+    "read_back.other": (
+        "les valeurs diffèrent à {off} positions sur {number} (chaque sens compté) ; aucune erreur"
+        " connue n'explique toutes ces différences"
+    ),
+    "read_back.own": (
+        "les fichiers écrits par compwright run contiennent la table prévue. Ils ne montrent pas ce"
+        " que contient la commande"
+    ),
+    "read_back.partly": (
+        "seul {loaded:and} a été chargé : charger aussi {missing:and}, avant que l'axe ne se"
+        " déplace ; {why}"
+    ),
+    "read_back.shifted": (
+        "la table est décalée de {points} {points:plural|point|points} vers {towards}{apart:if|, à"
+        " une constante près : le point de référence a un autre numéro ou une autre position|}"
+    ),
 }

@@ -164,10 +164,10 @@ SENTENCES: Final[dict[str, str]] = {
         " dans un seul sens."
     ),
     "CW-R055": (
-        "Les parcours pairs ont été pris comme retours (sens {back}) à cause de leur numéro seul"
-        " : les lignes du parcours {run} sont dans le même ordre que celles du parcours 1. Si"
-        " tous les parcours de l'essai allaient dans le même sens, ses valeurs de réversibilité"
-        " et de jeu ne veulent rien dire."
+        "Les parcours pairs ont été pris comme retours (sens {back}) seulement parce que leur"
+        " numéro est pair : les lignes du parcours {run} sont dans le même ordre que celles du"
+        " parcours 1. Si tous les parcours de l'essai allaient dans le même sens, ses valeurs de"
+        " réversibilité et de jeu ne veulent rien dire."
     ),
     "CW-R056": (
         "Le fichier n'indique pas l'unité de ses écarts, donc le microradian a été supposé. Le"

@@ -63,7 +63,7 @@ SENTENCES: Final[dict[str, str]] = {
         " {start:.4g}°|}"
     ),
     "circle.share": "Part",
-    "circle.shares": "Causes, part de l'ensemble\npâle : moins de deux erreurs types",
+    "circle.shares": "Causes, part de tous les effets\n(pâle : moins de deux erreurs types)",
     "circle.software": "Logiciel de l'instrument",
     "circle.start": "départ {sense}",
     "circle.step": (
@@ -308,7 +308,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "run.comparison": "Avant et prévu",
     "run.comparison_note": (
-        "Avant et, à la même échelle, ce qu'un essai aux mêmes points visés devrait montrer."
+        "Les écarts avant et, à la même échelle, les écarts qu'un essai aux mêmes points visés"
+        " devrait montrer."
     ),
     "run.compensation": "Compensation",
     "run.correction": "Correction : ce que la commande ajoute à la consigne.",

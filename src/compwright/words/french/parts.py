@@ -81,8 +81,9 @@ SENTENCES: Final[dict[str, str]] = {
         " vite ou réduire l'avance"
     ),
     "undetermined.prior": (
-        "{value:+3sig} ± {error:2sig} {unit} est trop incertain : les points de mesure ne montrent"
-        " guère plus que la plage déjà usuelle sur les machines (±{width:g}, écart-type)"
+        "{value:+3sig} ± {error:2sig} {unit} est trop incertain : sur les machines ±{width:g}"
+        " (écart-type) est usuel de toute façon, et les points de mesure ne resserrent guère cette"
+        " plage"
     ),
     "undetermined.spike": (
         "les points de mesure après l'inversion sont trop peu pour distinguer un pic d'un jeu :"

@@ -232,13 +232,19 @@ SENTENCES: Final[dict[str, str]] = {
         "La pente de {slope} reste dans la table. Aux points de la table, il reste sans droite à"
         " part une erreur de {left} (valeur efficace), et avec elle il resterait {with_line}"
     ),
-    "CW-P143.none": "Aucune seconde table (cyclique) n'est écrite pour {period}",
+    "CW-P143.none": (
+        "Aucune table cyclique (seconde table, qui se répète à chaque période) n'est écrite."
+        " {period}"
+    ),
     "CW-P143.period": (
-        "la période de {period:g} {unit}, trop courte pour des points de table espacés de"
-        " {sections:g} {unit}. Sans la seconde table il reste une erreur de {left} (valeur"
+        "L'erreur a une période de {period:g} {unit}, trop courte pour des points de table espacés"
+        " de {sections:g} {unit}. Sans table cyclique il reste une erreur de {left} (valeur"
         " efficace), avec elle {with_it}"
     ),
-    "CW-P143.second": "Une seconde table (cyclique) est écrite pour {period}",
+    "CW-P143.second": (
+        "Une table cyclique (seconde table, qui se répète à chaque période) est écrite aussi."
+        " {period}"
+    ),
     "CW-P144": (
         "Axe {axis} : les points doivent être saisis à la main, donc la table en a peu : {few},"
         " {mine}. L'autre choix est {many}, {other}. Pour l'utiliser, mettre start: {start:.10g},"
@@ -272,11 +278,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P152.parameter": "{parameter} {value:.2f}{other:if| ({other:.2f})}",
     "CW-P153": (
-        "Axe {axis} : la seconde table peut contenir la dérive de cet essai. La réversibilité varie"
-        " de {risen} le long de la course. Les mesures dérivent de {drifted} du premier au dernier"
-        " parcours. Si cette dérive continue dans chaque parcours, aller et retour, elle produirait"
-        " {shown} de cette variation même à jeu constant. Mettre l'axe en température et mesurer de"
-        " nouveau avant de charger deux tables, ou utiliser une seule table (mode: single)"
+        "Axe {axis} : la différence entre les deux tables (une par sens) peut contenir la dérive de"
+        " cet essai. La réversibilité varie de {risen} le long de la course. Les mesures dérivent"
+        " de {drifted} du premier au dernier parcours. Si cette dérive continue dans chaque"
+        " parcours, aller et retour, elle seule change la réversibilité de {shown}, même à jeu"
+        " constant. Mettre l'axe en température et mesurer de nouveau avant de charger deux tables,"
+        " ou utiliser une seule table (mode: single)"
     ),
     "CW-P154": (
         "Axe {axis} : la valeur de jeu peut contenir la dérive de cet essai. La réversibilité"
@@ -291,13 +298,13 @@ SENTENCES: Final[dict[str, str]] = {
         " qu'un essai ne diffère du suivant."
     ),
     "CW-P156": (
-        "Axe {axis} : la commande n'applique jamais un saut de la correction plus grand que"
-        " {least:.2f} {unit} et pas plus grand que {most:.2f} {unit}. La réversibilité de la"
-        " table est un tel saut : {reversal:.2f}{reversal_to:if| à {reversal_to:.2f}} {unit}."
-        " Après une inversion, l'ancienne correction reste donc jusqu'à ce que la table elle-même"
-        " change assez ; la prévision en tient compte. Pour que ces sauts soient appliqués,"
-        " mettre la limite d'accélération de l'axe en dessous de {low:3sig} fois l'actuelle, ou à"
-        " {high:3sig} fois au moins, et refaire le calcul"
+        "Axe {axis} : la commande n'applique jamais un saut de la correction dont la grandeur est"
+        " entre {least:.2f} {unit} et {most:.2f} {unit}. La réversibilité de la table est un tel"
+        " saut : {reversal:.2f}{reversal_to:if| à {reversal_to:.2f}} {unit}. Après une inversion,"
+        " l'ancienne correction reste donc jusqu'à ce que la table elle-même change assez ; la"
+        " prévision en tient compte. Pour que ces sauts soient appliqués, mettre la limite"
+        " d'accélération de l'axe en dessous de {low:3sig} fois l'actuelle, ou à {high:3sig} fois"
+        " au moins, et refaire le calcul"
     ),
     "CW-P160": (
         "Les mesures de l'essai {test} ne vont pas avec son fichier et l'état indiqué de la"

@@ -290,8 +290,9 @@ SENTENCES: Final[dict[str, str]] = {
         " (active: no). Ses tables et valeurs de jeu comptent comme non chargées"
     ),
     "CW-S080": (
-        "{files} : pour {what}, la correction qu'applique la commande ne peut pas être calculée à"
-        " partir des fichiers ({faults}). Seules les entrées des fichiers sont comparées, une à une"
+        "{files} : pour {axis:if|l'axe {axis}|ces fichiers}, la correction qu'applique la commande"
+        " ne peut pas être calculée à partir des fichiers ({faults:join| ; }{more:if| ; et {more}"
+        " autres|}). Seules les entrées des fichiers sont comparées, une à une"
     ),
     "CW-S081": (
         "{files} : compwright lit de tels fichiers de deux manières indépendantes. Une seule a pu"

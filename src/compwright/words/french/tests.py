@@ -238,13 +238,13 @@ SENTENCES: Final[dict[str, str]] = {
         " {kelvin:+2sig} K"
     ),
     "CW-T026.whole": (
-        "La variation de l'environnement E_VE est de {E_VE} : la plus grande étendue de {file}"
-        " sur toutes ses {minutes:g} min. E_VE vaut pour la durée d'un essai de positionnement."
-        " Si votre essai est plus court, donner sa durée comme duration_min."
+        "La variation de l'environnement E_VE est de {E_VE} : l'étendue des mesures de {file} sur"
+        " tout l'enregistrement de {minutes:g} min. E_VE ne doit couvrir que la durée d'un essai de"
+        " positionnement. Si votre essai est plus court, donner sa durée comme duration_min."
     ),
     "CW-T026.within": (
-        "La variation de l'environnement E_VE est de {E_VE} : la plus grande étendue de {file} en"
-        " {minutes:g} min."
+        "La variation de l'environnement E_VE est de {E_VE} : la plus grande étendue des mesures de"
+        " {file} en {minutes:g} min."
     ),
     "CW-T027": (
         "L'essai à l'arrêt {file} ne peut pas montrer toute la variation de l'environnement E_VE"
@@ -255,9 +255,8 @@ SENTENCES: Final[dict[str, str]] = {
         "jusqu'à {minutes:g} min séparent deux mesures, donc les changements entre elles échappent"
     ),
     "CW-T027.short": (
-        "il dure {minutes:g} min, et {test:if|un essai de positionnement du dossier de travail dure"
-        " {test:g} min|aucun essai de positionnement n'est si court} : la dérive d'un essai est"
-        " plus grande"
+        "il dure {minutes:g} min, mais un essai de positionnement {test:if|du dossier de travail"
+        " dure {test:g} min|dure plus longtemps}, donc la dérive d'un essai est plus grande"
     ),
     "CW-T028": (
         "L'effet de l'air sur la longueur d'onde du laser a été retiré : {least:+.3f}{most:if| à"
@@ -353,10 +352,10 @@ SENTENCES: Final[dict[str, str]] = {
         " et frottement."
     ),
     "CW-T041": (
-        "Le jeu à l'inversion de {file} ne dépend pas visiblement"
-        " {over:choose|distance=du déplacement|speed=de la vitesse} : {constant} laisse jusqu'à"
-        " ±{left}.{few:if| Si peu de lectures ne peuvent pas le montrer : mesurer à huit valeurs ou"
-        " plus, ou répéter chacune.|}"
+        "Le jeu à l'inversion de {file} ne dépend pas visiblement {over:choose|distance=du"
+        " déplacement|speed=de la vitesse} : une valeur constante, {constant}, laisse jusqu'à"
+        " ±{left}.{few:if| Si peu de lectures ne peuvent pas montrer de dépendance : mesurer à huit"
+        " valeurs ou plus, ou répéter chacune.|}"
     ),
     "reason.cannot_be_formed": "ne peut être calculé à partir de ces mesures",
     "reason.no_common_angle": "les deux sens n'ont aucun angle en commun",

@@ -31,11 +31,11 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V020.gap": "{gap} des Verfahrwegs sind ohne Zielposition",
     "CW-V020.range": "sie umfasst {range}",
     "CW-V021": (
-        "Wiederholte Messwerte streuen um {scatter}, {ratio:3sig}-mal {less:if|weniger|mehr} als"
-        " in der ersten Prüfung ({first}). Unterschiede sich das Rauschen beider Prüfungen um"
-        " höchstens {factor:g}-mal, käme das zufällig in weniger als einer von 1000 Prüfungen"
-        " vor. Einheit und Messwerte prüfen. Neu messen, mit dem Messgerät eingestellt wie bei"
-        " der ersten Prüfung."
+        "Wiederholte Messwerte streuen um {scatter}, {ratio:3sig}-mal {less:if|weniger|mehr} als in"
+        " der ersten Prüfung ({first}). Zufällig kommt das in weniger als einer von 1000 Prüfungen"
+        " vor, selbst wenn sich das Rauschen beider Prüfungen um einen Faktor bis {factor:g}"
+        " unterscheidet. Einheit und Messwerte prüfen. Neu messen, mit dem Messgerät eingestellt"
+        " wie bei der ersten Prüfung."
     ),
     "CW-V022": (
         "Der Auftrag wurde nach der Berechnung geändert: {what:choose|standard=die Norm|rule=die"
@@ -134,7 +134,8 @@ SENTENCES: Final[dict[str, str]] = {
         " eingehalten sind"
     ),
     "loading.as_before": (
-        "Die Prüfung weicht um {left} von dem ab, was die Steuerung vor dem Laden zeigte."
+        "Die Prüfung weicht um {left} von einer Prüfung mit der Steuerung im Zustand vor dem Laden"
+        " ab."
     ),
     "loading.as_predicted": "Die Prüfung weicht um {left} von der Vorhersage ab.",
     "loading.backlash": (
@@ -152,9 +153,9 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.effect": "{part:.2f} ± {error:.2f} der geplanten Wirkung",
     "loading.equivalent": (
         "Diese Fehler ergäben dieselbe Prüfung: {names}. Keine Messung dieser Achse kann sie"
-        " unterscheiden. {read_back:if|Die aus der Steuerung zurückgelesenen Werte können es: Sie"
-        " sind gleich den geplanten Werten (--loaded)|Die Werte aus der Steuerung zurücklesen und"
-        " mit --loaded angeben}."
+        " unterscheiden. {read_back:if|Die aus der Steuerung zurückgelesenen Werte entscheiden das:"
+        " Sie sind gleich den geplanten Werten (--loaded)|Die Werte aus der Steuerung zurücklesen"
+        " und mit --loaded angeben}."
     ),
     "loading.evidence": (
         "Die Prüfung weicht um {off} von der Vorhersage ab, höchstens um {worst}. Von dem, was der"
@@ -343,4 +344,41 @@ SENTENCES: Final[dict[str, str]] = {
         " ({of})}“, nicht „geladen“"
     ),
     "next.written": "eine Tabelle für die nächste Runde ist geschrieben",
+    "read_back.backlash": (
+        "alle Werte für die Annäherung in {direction} weichen um denselben Betrag ab: Der Losewert"
+        " ist nicht der geplante"
+    ),
+    "read_back.cause": (
+        "{cause:choose|loaded=die Tabelle in der Steuerung ist die geplante|before=was vorher in"
+        " der Steuerung war, ist noch da|nothing=keine Tabelle ist aktiv: Sie ist ausgeschaltet"
+        " oder leer|increment=nur die Änderung zur vorhandenen Tabelle wurde geladen: die Summe"
+        " laden|on_top=die neue Summe wurde zur vorhandenen Tabelle addiert: die Tabelle löschen"
+        " und neu laden|inverted=jeder Wert hat das entgegengesetzte Vorzeichen|2=jeder Wert ist"
+        " doppelt so groß wie geplant: Radius und Durchmesser verwechselt, Tabelle auf sich selbst"
+        " geladen oder doppelte Vergrößerung|0.5=jeder Wert ist halb so groß wie geplant: Radius"
+        " und Durchmesser verwechselt|10=jeder Wert ist zehnmal so groß wie geplant: andere"
+        " Erfassungseinheit oder anderes Inkrementsystem|0.1=jeder Wert ist ein Zehntel des"
+        " geplanten: andere Erfassungseinheit oder anderes Inkrementsystem|25.4=jeder Wert ist"
+        " 25,4-mal so groß wie geplant: Zoll für mm gehalten|1000=jeder Wert ist 1000-mal so groß"
+        " wie geplant: mm für µm gehalten|0.001=jeder Wert ist ein Tausendstel des geplanten: µm"
+        " für mm gehalten}{apart:if| (abgesehen von der Lose)|}"
+    ),
+    "read_back.one_side": (
+        "nur die Werte für die Annäherung in {direction} sind gleich den geplanten Werten"
+    ),
+    "read_back.other": (
+        "die Werte weichen an {off} von {number} Positionen ab (jede Richtung gezählt); kein"
+        " bekannter Fehler erklärt alle diese Abweichungen"
+    ),
+    "read_back.own": (
+        "die Dateien, die compwright run geschrieben hat, enthalten die geplante Tabelle. Sie"
+        " zeigen nicht, was in der Steuerung ist"
+    ),
+    "read_back.partly": (
+        "nur {loaded:and} wurde geladen: auch {missing:and} laden, bevor die Achse fährt; {why}"
+    ),
+    "read_back.shifted": (
+        "die Tabelle liegt {points} {points:plural|Punkt|Punkte} zu weit in {towards}{apart:if|,"
+        " abgesehen von einer Konstanten: Der Referenzpunkt hat eine andere Nummer oder Position|}"
+    ),
 }

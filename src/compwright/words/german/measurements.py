@@ -166,9 +166,9 @@ SENTENCES: Final[dict[str, str]] = {
         " ..}. Manche Programme füllen den Rückweg einer Prüfung in einer Richtung mit Nullen."
     ),
     "CW-R055": (
-        "Gerade Läufe gelten nur wegen ihrer Nummer als Rückweg (Richtung {back}): Die Zeilen von"
-        " Lauf {run} stehen in derselben Reihenfolge wie die von Lauf 1. Gingen alle Läufe der"
-        " Prüfung in dieselbe Richtung, bedeuten ihre Werte für Umkehr und Lose nichts."
+        "Gerade Läufe gelten nur wegen ihrer geraden Nummer als Rückweg (Richtung {back}): Die"
+        " Zeilen von Lauf {run} stehen in derselben Reihenfolge wie die von Lauf 1. Gingen alle"
+        " Läufe der Prüfung in dieselbe Richtung, bedeuten ihre Werte für Umkehr und Lose nichts."
     ),
     "CW-R056": (
         "Die Datei nennt die Einheit ihrer Abweichungen nicht, deshalb wurde Mikroradiant"

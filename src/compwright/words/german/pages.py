@@ -67,7 +67,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {start:.4g}°|}"
     ),
     "circle.share": "Anteil",
-    "circle.shares": "Ursachen, Anteil an allen\nblass: unter dem doppelten Standardfehler",
+    "circle.shares": (
+        "Ursachen, Anteil an allen Wirkungen\n(blass: unter dem doppelten Standardfehler)"
+    ),
     "circle.software": "Software des Messgeräts",
     "circle.start": "Beginn {sense}",
     "circle.step": (
@@ -300,8 +302,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "run.comparison": "Vorher und Vorhersage",
     "run.comparison_note": (
-        "Vorher und, im gleichen Maßstab, was eine Prüfung an den gleichen Zielpositionen"
-        " voraussichtlich zeigt."
+        "Die Abweichungen vorher und, im gleichen Maßstab, die Abweichungen, die eine Prüfung an"
+        " den gleichen Zielpositionen voraussichtlich zeigt."
     ),
     "run.compensation": "Kompensation",
     "run.correction": "Korrektur: was die Steuerung zum Sollwert addiert.",

@@ -82,8 +82,8 @@ SENTENCES: Final[dict[str, str]] = {
         " abtasten oder den Vorschub senken"
     ),
     "undetermined.prior": (
-        "{value:+3sig} ± {error:2sig} {unit} ist zu unsicher: Die Messpunkte zeigen kaum mehr als"
-        " den Bereich, der an Maschinen ohnehin üblich ist (±{width:g}, Standardabweichung)"
+        "{value:+3sig} ± {error:2sig} {unit} ist zu unsicher: An Maschinen ist ohnehin ±{width:g}"
+        " (Standardabweichung) üblich, und die Messpunkte engen diesen Bereich kaum ein"
     ),
     "undetermined.spike": (
         "die Messpunkte nach der Umkehr sind zu wenige, um eine Spitze von Umkehrspiel zu"

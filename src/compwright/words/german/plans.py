@@ -247,13 +247,19 @@ SENTENCES: Final[dict[str, str]] = {
         "Die Steigung von {slope} bleibt in der Tabelle. An den Tabellenpunkten bleibt ohne"
         " getrennte Gerade ein Fehler von {left} (Effektivwert), mit ihr blieben {with_line}"
     ),
-    "CW-P143.none": "Keine zweite (zyklische) Tabelle wird geschrieben für {period}",
-    "CW-P143.period": (
-        "die Periode von {period:g} {unit}, die für Tabellenpunkte im Abstand von {sections:g}"
-        " {unit} zu kurz ist. Ohne die zweite Tabelle bleibt ein Fehler von {left} (Effektivwert),"
-        " mit ihr {with_it}"
+    "CW-P143.none": (
+        "Keine zyklische Tabelle (zweite Tabelle, die sich mit jeder Periode wiederholt) wird"
+        " geschrieben. {period}"
     ),
-    "CW-P143.second": "Eine zweite (zyklische) Tabelle wird geschrieben für {period}",
+    "CW-P143.period": (
+        "Der Fehler hat eine Periode von {period:g} {unit}, die für Tabellenpunkte im Abstand von"
+        " {sections:g} {unit} zu kurz ist. Ohne zyklische Tabelle bleibt ein Fehler von {left}"
+        " (Effektivwert), mit ihr {with_it}"
+    ),
+    "CW-P143.second": (
+        "Auch eine zyklische Tabelle (zweite Tabelle, die sich mit jeder Periode wiederholt) wird"
+        " geschrieben. {period}"
+    ),
     "CW-P144": (
         "Achse {axis}: Die Punkte müssen von Hand eingetippt werden, deshalb hat die Tabelle"
         " wenige: {few}, {mine}. Die andere Wahl ist {many}, {other}. Dafür start: {start:.10g},"
@@ -287,12 +293,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P152.parameter": "{parameter} {value:.2f}{other:if| ({other:.2f})}",
     "CW-P153": (
-        "Achse {axis}: Die zweite Tabelle kann die Drift dieser Prüfung enthalten. Die Umkehrspanne"
-        " ändert sich um {risen} über den Verfahrweg. Die Messwerte driften um {drifted} vom ersten"
-        " zum letzten Lauf. Geht diese Drift in jedem Lauf weiter, hin und zurück, ergäbe sie"
-        " allein {shown} dieser Änderung, auch wenn das Spiel überall gleich ist. Die Achse"
-        " warmfahren und neu messen, bevor zwei Tabellen geladen werden, oder eine Tabelle"
-        " verwenden (mode: single)"
+        "Achse {axis}: Der Unterschied der beiden Tabellen (eine je Richtung) kann die Drift dieser"
+        " Prüfung enthalten. Die Umkehrspanne ändert sich um {risen} über den Verfahrweg. Die"
+        " Messwerte driften um {drifted} vom ersten zum letzten Lauf. Geht diese Drift in jedem"
+        " Lauf weiter, hin und zurück, ändert sie allein die Umkehrspanne um {shown}, auch wenn das"
+        " Spiel überall gleich ist. Die Achse warmfahren und neu messen, bevor zwei Tabellen"
+        " geladen werden, oder eine Tabelle verwenden (mode: single)"
     ),
     "CW-P154": (
         "Achse {axis}: Der Losewert kann die Drift dieser Prüfung enthalten. Die mittlere"
@@ -307,13 +313,13 @@ SENTENCES: Final[dict[str, str]] = {
         " weniger, als sich eine Prüfung von der nächsten unterscheidet."
     ),
     "CW-P156": (
-        "Achse {axis}: Die Steuerung führt eine Stufe der Korrektur nie aus, die größer als"
-        " {least:.2f} {unit} und nicht größer als {most:.2f} {unit} ist. Die Umkehrspanne der"
-        " Tabelle ist eine solche Stufe: {reversal:.2f}{reversal_to:if| bis {reversal_to:.2f}}"
-        " {unit}. Nach einer Umkehr bleibt deshalb die alte Korrektur, bis sich die Tabelle"
-        " selbst genug ändert; die Vorhersage berücksichtigt das. Damit die Steuerung diese"
-        " Stufen ausführt, die Beschleunigungsgrenze der Achse unter das {low:3sig}-Fache der"
-        " jetzigen setzen oder auf mindestens das {high:3sig}-Fache und neu rechnen"
+        "Achse {axis}: Die Steuerung führt eine Stufe der Korrektur nie aus, deren Größe zwischen"
+        " {least:.2f} {unit} und {most:.2f} {unit} liegt. Die Umkehrspanne der Tabelle ist eine"
+        " solche Stufe: {reversal:.2f}{reversal_to:if| bis {reversal_to:.2f}} {unit}. Nach einer"
+        " Umkehr bleibt deshalb die alte Korrektur, bis sich die Tabelle selbst genug ändert; die"
+        " Vorhersage berücksichtigt das. Damit die Steuerung diese Stufen ausführt, die"
+        " Beschleunigungsgrenze der Achse unter das {low:3sig}-Fache der jetzigen setzen oder auf"
+        " mindestens das {high:3sig}-Fache und neu rechnen"
     ),
     "CW-P160": (
         "Die Messwerte der Prüfung {test} passen nicht zu ihrer Datei und zum Inhalt der"

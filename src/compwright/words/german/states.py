@@ -293,8 +293,9 @@ SENTENCES: Final[dict[str, str]] = {
         " Tabellen und Losewerte gelten als nicht geladen"
     ),
     "CW-S080": (
-        "{files}: Für {what} lässt sich die Korrektur, die die Steuerung ausführt, aus den Dateien"
-        " nicht berechnen ({faults}). Verglichen werden nur die einzelnen Einträge der Dateien"
+        "{files}: Für {axis:if|Achse {axis}|diese Dateien} lässt sich die Korrektur, die die"
+        " Steuerung ausführt, aus den Dateien nicht berechnen ({faults:join|; }{more:if|; und"
+        " {more} weitere|}). Verglichen werden nur die einzelnen Einträge der Dateien"
     ),
     "CW-S081": (
         "{files}: compwright liest solche Dateien auf zwei unabhängige Arten. Nur eine davon"

@@ -235,13 +235,13 @@ SENTENCES: Final[dict[str, str]] = {
         " {kelvin:+2sig} K"
     ),
     "CW-T026.whole": (
-        "Die Umgebungsschwankung E_VE ist {E_VE}: die größte Spanne von {file} in allen"
-        " {minutes:g} min. E_VE gilt für die Dauer einer Positionierprüfung. Ist Ihre Prüfung"
-        " kürzer, deren Dauer als duration_min angeben."
+        "Die Umgebungsschwankung E_VE ist {E_VE}: die Spanne der Messwerte in {file} über die ganze"
+        " Aufzeichnung von {minutes:g} min. E_VE soll nur die Dauer einer Positionierprüfung"
+        " abdecken. Ist Ihre Prüfung kürzer, deren Dauer als duration_min angeben."
     ),
     "CW-T026.within": (
-        "Die Umgebungsschwankung E_VE ist {E_VE}: die größte Spanne von {file} innerhalb von"
-        " {minutes:g} min."
+        "Die Umgebungsschwankung E_VE ist {E_VE}: die größte Spanne der Messwerte in {file}"
+        " innerhalb von {minutes:g} min."
     ),
     "CW-T027": (
         "Die Stillstandsprüfung {file} kann die Umgebungsschwankung E_VE nicht ganz zeigen:"
@@ -253,8 +253,8 @@ SENTENCES: Final[dict[str, str]] = {
         " also verpasst"
     ),
     "CW-T027.short": (
-        "sie dauert {minutes:g} min, und {test:if|eine Positionierprüfung des Auftrags dauert"
-        " {test:g} min|so kurz ist keine Positionierprüfung}: Die Drift einer Prüfung ist größer"
+        "sie dauert {minutes:g} min, eine Positionierprüfung {test:if|des Auftrags aber {test:g}"
+        " min|aber länger}, deshalb ist die Drift einer Prüfung größer"
     ),
     "CW-T028": (
         "Der Einfluss der Luft auf die Laserwellenlänge wurde entfernt: {least:+.3f}{most:if| bis"
@@ -351,10 +351,10 @@ SENTENCES: Final[dict[str, str]] = {
         " Verwindung und Reibung suchen."
     ),
     "CW-T041": (
-        "Das Umkehrspiel in {file} hängt nicht erkennbar"
-        " {over:choose|distance=vom Weg|speed=von der Geschwindigkeit} ab: {constant} lässt bis zu"
-        " ±{left} übrig.{few:if| So wenige Messwerte können das nicht zeigen: bei acht oder mehr"
-        " Werten messen oder jeden wiederholen.|}"
+        "Das Umkehrspiel in {file} hängt nicht erkennbar {over:choose|distance=vom Weg|speed=von"
+        " der Geschwindigkeit} ab: Ein fester Wert, {constant}, lässt bis zu ±{left} übrig.{few:if|"
+        " So wenige Messwerte können eine Abhängigkeit nicht zeigen: bei acht oder mehr Werten"
+        " messen oder jeden wiederholen.|}"
     ),
     "reason.cannot_be_formed": "lässt sich aus diesen Messwerten nicht berechnen",
     "reason.no_common_angle": "die beiden Richtungen haben keinen gemeinsamen Winkel",

@@ -34,6 +34,7 @@ from compwright.records.correction import ControlFile
 from compwright.records.job import AS_FOUND
 from compwright.records.plan import Plan, PlannedAxis
 from compwright.verification.read_back import SAME, judge_read_back
+from compwright.words.sentences import SentenceText, say
 from compwright.workflow.run.written import write_fitted
 
 #: Why values cannot be read: a fault, or a question that the changed values raise.
@@ -99,7 +100,9 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
     }
     states = [one.state for one in found.values() if isinstance(one, DecodedState)]
     of_states = (finding for state in states for finding in state.findings)
-    own = not_read_back(plan_file, loaded)
+    own = tuple(not_read_back(plan_file, loaded))
+    if own:
+        compared = {name: _not_read_back(axis) for name, axis in compared.items()}
     findings = tuple(dict.fromkeys((*control.findings, *own, *of_states, *read_back.findings)))
     assumed = tuple(dict.fromkeys(one for state in states for one in state.assumed))
     wanted = () if wish is None else wish.state.findings
@@ -215,7 +218,7 @@ def _compared(
     """
     axis = entry.axis
     if isinstance(found, (InputError, UsageError)):
-        why = f"{_partly(partly)}; {found}" if partly else str(found)
+        why = _partly(partly, str(found)) if partly else str(found)
         return ComparedAxis(axis.address, axis.kind, why, tuple(own.get(axis.name, ())))
     read_back = judge_read_back(
         judged_correction(wish, axis),
@@ -225,7 +228,7 @@ def _compared(
     )
     look_at = _look_at(control, entry, read_back.verdict)
     if partly is not None and read_back.verdict != "loaded":
-        message = f"{_partly(partly)}; {read_back.message}"
+        message = _partly(partly, read_back.message)
         read_back = replace(read_back, verdict="partial", message=message)
     texts = own.get(axis.name, ())
     values = tuple(_values(entry, wish, found)) if read_back.verdict != "loaded" or texts else ()
@@ -238,10 +241,18 @@ def _compared(
     )
 
 
-def _partly(load: PartialLoad) -> str:
-    """Return a text that names the loaded files and the planned files that must be loaded too."""
-    missing, loaded = " and ".join(load.missing), " and ".join(load.loaded)
-    return f"only {loaded} was loaded: load {missing} too, before the axis moves"
+def _not_read_back(axis: ComparedAxis) -> ComparedAxis:
+    """Return an axis whose message says that the planned table is in files of run only."""
+    found = axis.read_back
+    if isinstance(found, str) or found.verdict != "loaded":
+        return axis
+    return replace(axis, read_back=replace(found, message=SentenceText(say("read_back.own"))))
+
+
+def _partly(load: PartialLoad, why: str) -> SentenceText:
+    """Return the next step for files that were not loaded, and what was read back."""
+    loaded, missing = list(load.loaded), list(load.missing)
+    return SentenceText(say("read_back.partly", loaded=loaded, missing=missing, why=why))
 
 
 def _look_at(control: Control, entry: PlannedAxis, verdict: str) -> tuple[str, ...]:
