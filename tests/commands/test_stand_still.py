@@ -188,7 +188,7 @@ def test_the_run_says_which_range_it_took_and_carries_the_file(
     (tmp_path / "job.yaml").write_text(JOB.format(given="drift.csv"))
     assert compwright(["run", str(tmp_path / "job.yaml")]) == 0
     said = " ".join(capsys.readouterr().out.split())
-    assert "E_VE is 1.20 µm: the largest range of drift.csv" in said
+    assert "E_VE is 1.20 µm: the range of the readings in drift.csv" in said
     assert "it lasts 2 min" in said
     plan, evaluation = (
         json.loads((tmp_path / "job" / f"{name}.json").read_text(encoding="utf-8"))

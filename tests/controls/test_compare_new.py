@@ -132,9 +132,12 @@ def test_what_run_wrote_is_not_what_was_read_back(done: Path, tmp_path: Path) ->
     answer = tmp_path / "own.json"
     plan, own = str(done / "out" / "plan.json"), str(done / "out" / "tables" / "fanuc-30i")
     assert compwright(["compare", plan, "--loaded", own, "--json", str(answer)]) == 0
-    told = [one for one in json.loads(answer.read_text())["findings"] if one["code"] == "CW-S085"]
+    own_files = json.loads(answer.read_text())
+    told = [one for one in own_files["findings"] if one["code"] == "CW-S085"]
     assert [one["severity"] for one in told] == ["warning"]
+    assert "They do not show what is in the control" in own_files["axes"]["X"]["message"]
     _, read_back = compare(done, tmp_path, tables(done))
+    assert read_back["axes"]["X"]["message"] == "the table in the control is the planned table"
     assert "CW-S085" not in {one["code"] for one in read_back["findings"]}
 
 
@@ -398,7 +401,7 @@ def test_single_wrong_values_are_not_a_direction(wrong: int) -> None:
     nothing = correction(np.zeros(9), backlash=0.0)
     answer = judge_read_back(correction(), mistyped, nothing, NODES, 50.0)
     assert answer.verdict == "other"
-    assert f"at {wrong} of 18 nodes" in answer.message
+    assert f"at {wrong} of 18 positions" in answer.message
 
 
 def test_a_table_without_shape_is_not_called_shifted_or_inverted() -> None:

@@ -279,7 +279,7 @@ def test_an_axis_is_not_the_joint_of_another_axis(
     shutil.rmtree(tmp_path / "job")
     assert run(tmp_path, 'B: {address: "4", kind: rotary, ', TABLE_OF_TWO, "deg") == 3
     text = capsys.readouterr().err
-    assert "address 4 is another axis in the control's files" in text
+    assert "address 4 belongs to a different axis in the control's files" in text
     assert "XYZBC: joint 4 is C" in text
     assert not (tmp_path / "job").exists()
 

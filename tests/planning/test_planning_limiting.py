@@ -240,7 +240,7 @@ def test_where_a_table_helps_some_the_rest_is_told() -> None:
     assert code == "CW-P151"
     found = limits_of(fitted(known))
     assert f"{100 * (1 - found.then / found.now):.0f} %" in message
-    assert f"{100 * found.least / found.now:.0f} % of it is scatter" in message
+    assert f"{100 * found.least / found.now:.0f} % of the present value is scatter" in message
 
 
 class Restless(KnownAxis):

@@ -277,7 +277,7 @@ def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
     lettered = all(map(_AXIS_NAME.fullmatch, (letter, own)))
     if lettered and letter[0] != own[0]:
         yield Fault(
-            message=f"address {axis.address} is another axis in the control's files "
+            message=f"address {axis.address} belongs to a different axis in the control's files "
             f"(`states: {state}`)",
             place=f"{place}.address",
             expected=f"the axis {axis.name} of the control",

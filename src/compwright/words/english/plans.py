@@ -262,8 +262,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P151.scatter": (
         "Axis {axis}: {parameter} at new targets, between the measured ones, is {now} now, and the"
-        " table reduces it by {taken:.0%}. {scatter:.0%} of it is scatter of the readings, which no"
-        " table reduces"
+        " table reduces it by {taken:.0%}. {scatter:.0%} of the present value is scatter of the"
+        " readings, which no table reduces"
     ),
     "CW-P152": (
         "Axis {axis}: {tables:choose|left=the table with the least expected squared error is used;"

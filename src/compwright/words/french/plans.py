@@ -262,8 +262,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P151.scatter": (
         "Axe {axis} : {parameter} à de nouveaux points visés, entre les points mesurés, est de"
-        " {now} à présent, et la table le réduit de {taken:.0%}. {scatter:.0%} en est de la"
-        " dispersion des mesures, qu'aucune table ne réduit"
+        " {now} à présent, et la table le réduit de {taken:.0%}. {scatter:.0%} de la valeur"
+        " actuelle est de la dispersion des mesures, qu'aucune table ne réduit"
     ),
     "CW-P152": (
         "Axe {axis} : {tables:choose|left=la table à plus petite erreur quadratique attendue est"

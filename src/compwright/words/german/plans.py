@@ -277,8 +277,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P151.scatter": (
         "Achse {axis}: {parameter} an neuen Zielpositionen, zwischen den gemessenen, ist jetzt"
-        " {now}, und die Tabelle verringert es um {taken:.0%}. {scatter:.0%} davon ist Streuung der"
-        " Messwerte, die keine Tabelle verringert"
+        " {now}, und die Tabelle verringert es um {taken:.0%}. {scatter:.0%} des jetzigen Wertes"
+        " ist Streuung der Messwerte, die keine Tabelle verringert"
     ),
     "CW-P152": (
         "Achse {axis}: {tables:choose|left=verwendet wird die Tabelle mit dem kleinsten erwarteten"

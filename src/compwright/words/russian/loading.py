@@ -338,7 +338,8 @@ SENTENCES: Final[dict[str, str]] = {
         " в УЧПУ"
     ),
     "read_back.partly": (
-        "загружен только {loaded:and}: загрузите также {missing:and}, прежде чем ось двинется; {why}"
+        "загружен только {loaded:and}: загрузите также {missing:and}, прежде чем ось двинется;"
+        " {why}"
     ),
     "read_back.shifted": (
         "таблица сдвинута на {points} {points:plural|точку|точки|точек} к {towards}{apart:if|, не"
