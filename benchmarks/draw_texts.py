@@ -3,9 +3,10 @@
     python benchmarks/draw_texts.py [SEED] [TREE]
 
 60 messages (sentences of findings and labels with their fields, errors with their next step, help
-texts) and 20 first paragraphs of docstrings. The reader marks each: understood at first reading.
-A message without a subject is drawn behind the place that is printed before it. An error whose
-sentence a helper gets from its caller is drawn where the caller gives the next step too.
+texts) and 20 first paragraphs of docstrings behind the name and the arguments. The reader marks
+each: understood at first reading. A message without a subject is drawn behind the place that is
+printed before it. An error whose sentence a helper gets from its caller is drawn where the caller
+gives the next step too.
 """
 
 from __future__ import annotations
@@ -59,11 +60,21 @@ def messages(tree: ast.AST, path: Path) -> Iterator[str]:
                 yield words["help"]
 
 
-def docstrings(tree: ast.AST) -> Iterator[str]:
-    """Yield the first paragraph of each docstring of a module."""
+def docstrings(tree: ast.AST, path: Path) -> Iterator[str]:
+    """Yield the first paragraph of each docstring of a module, behind what it belongs to."""
     for node in ast.walk(tree):
-        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
-            yield from filter(None, [(ast.get_docstring(node) or "").split("\n\n")[0]])
+        if isinstance(node, ast.Module):
+            head = "/".join(path.parts[-2:])
+        elif isinstance(node, ast.ClassDef):
+            head = f"class {node.name}"
+        elif isinstance(node, ast.FunctionDef):
+            names = [each.arg for each in (*node.args.args, *node.args.kwonlyargs)]
+            head = f"def {node.name}({', '.join(names)})"
+        else:
+            continue
+        text = (ast.get_docstring(node) or "").split("\n\n")[0]
+        if text:
+            yield f"{head}: {text}"
 
 
 def main() -> None:
@@ -82,7 +93,7 @@ def main() -> None:
             if len(text.split()) >= FEWEST_WORDS
         }
     )
-    documented = sorted({text for _, module in modules for text in docstrings(module)})
+    documented = sorted({text for path, module in modules for text in docstrings(module, path)})
     for kind, texts, count in (
         ("message", sentences, MESSAGES),
         ("docstring", documented, DOCSTRINGS),

@@ -363,7 +363,10 @@ def hand_worked(*points: tuple[float, float, float]) -> str:
         ("other: {}\n", "expect is missing"),
         ("expect: []\n", "line 181, expect: there is no hand-worked expectation"),
         (hand_worked((50, 1.5, -10.5), (100, 3, -9)), "has too few positions"),
-        (hand_worked((0, 0, -12), (100, 3, -9), (200, -2, -14)), "only nodes are worked by hand"),
+        (
+            hand_worked((0, 0, -12), (100, 3, -9), (200, -2, -14)),
+            "only table points are worked by hand",
+        ),
         (
             hand_worked((50, 1.5, 10.5), (100, 3, -9), (250, -2, -14)),
             "line 190, expect, mine: the correction at 50 arriving in - is not the one",

@@ -371,7 +371,7 @@ def test_other_versions_are_refused(version: str) -> None:
         ("table: {spacing: automatic}", "axes.X.table.spacing", "a number"),
         ("table: {spacing: Auto}", "axes.X.table.spacing", "a number"),
         ("table: {spacing: [10]}", "axes.X.table.spacing", "a number"),
-        ("table: {spacing: 0.001}", "axes.X.table.spacing", "100000 nodes"),  # 500 mm / 1 µm
+        ("table: {spacing: 0.001}", "axes.X.table.spacing", "100000 points"),  # 500 mm / 1 µm
         ("table: {mode: both}", "axes.X.table.mode", "bidirectional"),
         ("table: {goal: R}", "axes.X.table.goal", "'expected', 'A', 'E' or 'M'"),
         ("table: [1]", "axes.X.table", "a mapping"),

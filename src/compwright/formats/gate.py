@@ -146,7 +146,7 @@ def _unproven(definition: Definition, shown: Sequence[AxisCompensation]) -> Iter
     if not any(point.positive or point.negative for _, point in pairs):
         yield "nothing but zeros is worked by hand: this shows no sign"
     if all(point.position in table.positions for table, point in pairs):
-        yield "only nodes are worked by hand: add a position between two, or beyond the ends"
+        yield "only table points are worked by hand: add a position between two, or beyond the ends"
     two = definition.layout.pairing == "two_columns" or "backlash" in definition.bindings
     if two and all(point.positive == point.negative for _, point in pairs):
         yield "no position is worked by hand at which the two directions differ"

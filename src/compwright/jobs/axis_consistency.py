@@ -22,7 +22,7 @@ ISO_PARAMETERS = (
 )
 VDI_PARAMETERS = ("P", "Ps_max", "Ps_mean", "Pa", "U_max", "U_mean")
 _NOT_IN_1988 = ("E", "E_positive", "E_negative", "M", "B")
-_MOST_NODES = 100_000  # no control holds a tenth of that; a finer grid is a slip of the unit
+_MOST_POINTS = 100_000  # no control holds a tenth of that; a finer grid is a slip of the unit
 
 
 def axis_contradictions(
@@ -63,12 +63,12 @@ def _geometry(section: Mapping[str, Any], path: KeyPath) -> Iterator[KeyFault]:
         first is not None
         and last is not None
         and spacing is not None
-        and 0 < spacing * _MOST_NODES < last - first
+        and 0 < spacing * _MOST_POINTS < last - first
     ):
         yield KeyFault(
             (*path, "table", "spacing"),
-            f"asks for more than {_MOST_NODES} nodes",
-            f"at least {(last - first) / _MOST_NODES:g} mm or deg",
+            f"asks for more than {_MOST_POINTS} points",
+            f"at least {(last - first) / _MOST_POINTS:g} mm or deg",
             f"{spacing:g}",
         )
     if section.get("kind") == "rotary" and section.get("programmed") == "diameter":

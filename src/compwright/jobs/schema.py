@@ -182,11 +182,11 @@ class TableSection(JobMapping):
     """
 
     start: float | None = None
-    """First and last node, start < end. Unit: mm, deg. Default: by travel and control."""
+    """First and last table point, start < end. Unit: mm, deg. Default: by travel and control."""
     end: float | None = None
-    """First and last node, start < end. Unit: mm, deg. Default: by travel and control."""
+    """First and last table point, start < end. Unit: mm, deg. Default: by travel and control."""
     spacing: Spacing | None = None
-    """Distance of the nodes, above 0; more than 100 000 nodes are refused; `auto`: compwright
+    """Distance of the points, above 0; more than 100 000 points are refused; `auto`: compwright
     chooses. Unit: mm, deg. Default: the grid that is in the control stays; chosen where there
     is none.
     """

@@ -397,7 +397,7 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.next_round": "{written:if|Tour suivant|Pas de tour suivant}",
     "verify.no_further_table": "pas de table pour la prochain tour",
     "verify.outside": "hors",
-    "verify.shift": "décalage en nœuds",
+    "verify.shift": "décalage en points",
     "verify.table_of": "table de l'axe",
     "verify.within": "dans",
     "worth.caption": (

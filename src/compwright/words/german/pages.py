@@ -394,7 +394,7 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.next_round": "{written:if|Nächste Runde|Keine nächste Runde}",
     "verify.no_further_table": "keine Tabelle für die nächste Runde",
     "verify.outside": "außerhalb",
-    "verify.shift": "Verschiebung in Stützpunkten",
+    "verify.shift": "Verschiebung in Tabellenpunkten",
     "verify.table_of": "Tabelle der Achse",
     "verify.within": "innerhalb",
     "worth.caption": (

@@ -376,7 +376,7 @@ SENTENCES: Final[dict[str, str]] = {
     "verify.next_round": "{written:if|Следующий цикл|Следующего цикла нет}",
     "verify.no_further_table": "таблицы для следующего шага нет",
     "verify.outside": "вне",
-    "verify.shift": "сдвиг в узлах",
+    "verify.shift": "сдвиг в точках",
     "verify.table_of": "таблица оси",
     "verify.within": "в пределах",
     "worth.caption": (
