@@ -659,7 +659,7 @@ def test_the_verification_shows_before_predicted_and_after() -> None:
         ({"verdict": "scaled", "factor": 2.0, "message": "Twice."}, "✗ scaled Twice. factor 2"),
         (
             {"verdict": "shifted", "shift_nodes": -1, "message": "Moved."},
-            "✗ shifted Moved. shift in nodes −1",
+            "✗ shifted Moved. shift in points −1",
         ),
         ({"verdict": "wrong_axis", "of": "Y", "message": "Y."}, "✗ wrong axis Y. table of axis Y"),
         ({"verdict": "undecided", "message": "Too little."}, "? undecided Too little."),

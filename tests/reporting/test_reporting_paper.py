@@ -521,7 +521,7 @@ def test_each_number_of_a_verification_is_that_of_the_json_with_its_unit() -> No
         equal(cells, [*band, circle["after"][key], *([9.3] if key == "G_ccw" else [])])
     text = " ".join("".join(ET.fromstring(page.decode()).itertext()).split())  # noqa: S314
     assert f"U (k = 2) of the test after loading: A 1.90 {MICRONS}, E 1.70 {MICRONS}." in text
-    assert "shift in nodes −3" in text
+    assert "shift in points −3" in text
     axis["loading"] |= {"verdict": "scaled", "factor": 2.54}
     assert re.search(r"factor <b>2\.54</b>", verify_report(view).decode())
 
