@@ -1,1 +1,1 @@
-"""Open a control's files, decode them with two independent readers, and compare the results."""
+"""Open control files, decode them with two independent file readers, and compare the results."""

@@ -105,8 +105,8 @@ def _axis(
 
 
 def _numbering(numbered: NumberedSections | None) -> dict[str, Any] | None:
-    """Return the point number of each table section as plain data; None if sections have no
-    numbers.
+    """Return the numbers of a table's sections (with their positions) as plain data for the card;
+    None if the control does not number sections.
     """
     if numbered is None:
         return None
@@ -160,7 +160,8 @@ def _rows(
     new: tuple[AxisCompensation | None, float],
     typed: tuple[str, str],
 ) -> list[dict[str, str]]:
-    """Return a row for each property of a table that changes, with old value, new value and unit.
+    """Return the card's rows on an axis' table (points, range, corrections, backlash): old value,
+    new value and unit.
 
     ``old``, ``new``: table and backlash; ``typed``: the old and the new backlash as the control's
     parameter.
@@ -224,7 +225,9 @@ def changes_document(
 
 
 def unconfirmed_diameters(control: Control, axes: Sequence[Axis]) -> list[str]:
-    """Return for each axis programmed in diameter a text on what is unconfirmed about its table."""
+    """Return, for each axis programmed in diameter, the definition's text on what is unconfirmed
+    about tables of such axes.
+    """
     return [
         ControlText(control.definition.diameter.card, {"name": axis.name})
         for axis in axes
@@ -238,7 +241,9 @@ def step_documents(
     loaded: DecodedState,
     between: Sequence[Mapping[str, Any]],
 ) -> list[Mapping[str, Any]]:
-    """Return the card's steps from the control's definition, then those of cross-axis tables."""
+    """Return the card's steps for loading the new tables: those of the control's definition, then
+    those for cross-axis tables.
+    """
     tells = any("{gantry}" in rule.text for rule in control.definition.card)
     steps = [
         {
@@ -260,7 +265,7 @@ def step_documents(
 def restore_steps(
     control: Control, written: Mapping[str, AxisWork], loaded: DecodedState
 ) -> list[dict[str, Any]]:
-    """Return the card's steps that restore the old values, from the control's definition."""
+    """Return the card's steps for restoring the old values, made from the control's definition."""
     axes = _with_values(control, written, loaded)
     return _plain(card_steps_of_all(control.definition, axes, control.definition.restore))
 
@@ -268,7 +273,8 @@ def restore_steps(
 def _with_values(
     control: Control, written: Mapping[str, AxisWork], loaded: DecodedState
 ) -> list[tuple[Axis, Mapping[str, str]]]:
-    """Return each axis, and each gantry slave, with the values to insert into its card's texts.
+    """Return each axis and each gantry slave with the values that its texts on the card contain,
+    such as file names.
 
     A slave gets the same table or the same change, with axis number and files of its own.
     """
@@ -301,7 +307,9 @@ def _with_all_files(
     between: Sequence[Mapping[str, Any]],
     files: Sequence[ControlFile],
 ) -> list[dict[str, Any]]:
-    """Return the steps, in which the loading step also names the files that no other step names."""
+    """Return the card's steps; the first step that loads or enters tables also names each file that
+    no step names yet.
+    """
     named = " ".join(f"{step['text']} {step.get('rows')}" for step in (*steps, *between))
     left = [file.name for file in files if file.name not in named]
     loading = next((step for step in steps if step["title"].startswith(("Load", "Enter"))), None)
@@ -333,7 +341,8 @@ def restore_texts(
     steps: bool,
     between: bool,
 ) -> list[str]:
-    """Return texts on how to restore the old state by loading the old ``files`` or ``back``.
+    """Return the card's texts on how to restore the old state by loading files: ``back`` if there
+    are any, else ``files``.
 
     ``files``: the control's own; ``back``: small files with the old values.
 

@@ -76,7 +76,9 @@ def _contents(session: Session, paths: Sequence[Path]) -> Iterator[tuple[str, by
 
 
 def _judge(definition: Definition) -> Iterator[Fault]:
-    """Yield a fault for each hand-worked correction that the independent reader refutes."""
+    """Yield a fault for each hand-worked example in which the virtual control finds a different
+    correction.
+    """
     for index, expectation in enumerate(definition.expect):
         try:
             yield from disagreements(
@@ -98,8 +100,8 @@ def _judge(definition: Definition) -> Iterator[Fault]:
 def _judged(
     definition: Definition, expectation: Expectation
 ) -> Callable[[FloatArray, Direction], FloatArray]:
-    """Return the correction that the independent reader finds in the files of a hand-worked
-    example.
+    """Return the correction of the virtual control (independent file reader) from the files of a
+    hand-worked example.
     """
     control = virtual_control(
         definition.id,
@@ -113,7 +115,8 @@ def _judged(
 
 @dataclass(frozen=True, slots=True)
 class HandWorked:
-    """The largest difference between a reader's result and the corrections worked out by hand.
+    """How far the corrections that a file reader of compwright finds deviate at most from those
+    worked out by hand.
 
     ``count``: how many corrections; ``reader``: ``formats`` or ``controllers``.
     """
@@ -127,8 +130,8 @@ class HandWorked:
 
 
 def hand_worked(checked: CheckedDefinition) -> Iterator[HandWorked]:
-    """Yield the results of both readers for each hand-worked table of a definition. Raises
-    CompwrightError for unreadable files.
+    """Yield, for each hand-worked example of a definition, how far each of compwright's two file
+    readers deviates. Raises CompwrightError for unreadable files.
     """
     definition = checked.definition
     if definition is None:

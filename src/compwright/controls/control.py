@@ -1,4 +1,4 @@
-"""A control for a command: its definition, its options, and its files decoded by two readers.
+"""A control for a command: its definition, its options, and its files decoded by two file readers.
 
 Every set of files is read by ``formats`` (from the definition) and by ``controllers`` (the judge).
 Where the two do not agree nothing is done with the files.
@@ -129,8 +129,8 @@ class Control:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """Findings that apply to all results for this control, such as a missing independent
-        reader.
+        """Findings that apply to all results for this control, for example that no independent file
+        reader (virtual control) exists for it.
         """
         if self.definition.judged == "independent":
             return self.notes
@@ -143,7 +143,9 @@ class Control:
         return (judged, *self.notes)
 
     def look_at(self, axis: Axis, table: AxisCompensation) -> Mapping[LoadingName, tuple[str, ...]]:
-        """Return what to check at the control, by verdict on the effect of the loaded ``table``."""
+        """Return what the user has to check at the control, for each verdict on how the new
+        ``table`` was loaded.
+        """
         return look_at(self.format, axis, table)
 
     def in_state(self, state: ControlState) -> Control:
@@ -157,7 +159,8 @@ class Control:
             raise self.origin.named(error) from error
 
     def assumed(self, *states: ControlState, axes: Sequence[Axis] = ()) -> tuple[Assumption, ...]:
-        """Return an assumption for each option at its default, neither given nor stated by files.
+        """Return an assumption for each option that has its default value because neither job,
+        command line nor files state it.
 
         ``axes``: those of a job; without them, all axes of the states. An option that the job or
         the files state for each of these axes is not left at its default.
@@ -265,7 +268,8 @@ def decode(
     carried_out: bool = False,
     drafting: bool = False,
 ) -> DecodedState:
-    """Read control files with both readers and compare their results.
+    """Decode a control's files with compwright's two independent file readers, and compare their
+    results.
 
     ``axes``: those of a job; ``address``: the one axis wanted. Either names the axis of a table
     that does not. ``written``: compwright has just written these files. ``active``: whether
@@ -348,7 +352,9 @@ def decode(
 
 
 def _judged_at(definition: Definition, axis: Axis) -> Mapping[str, str]:
-    """Return the motion (feed or rapid) for an axis' backlash; empty if backlash is the same."""
+    """Return the motion (rapid) at which an axis was measured, if the control has another backlash
+    for it; else an empty mapping.
+    """
     differs = "backlash_rapid" in definition.bindings and axis.motion != "feed"
     return {"motion": axis.motion} if differs else {}
 

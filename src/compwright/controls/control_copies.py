@@ -1,4 +1,5 @@
-"""Copy a control's files without private names, and check each copy with the readers.
+"""Copy a control's files without private names, and check that each copy is decoded as the original
+is.
 
 The contents show the control.
 """
@@ -57,7 +58,9 @@ class ControlCopy:
 
 @dataclass(frozen=True, slots=True)
 class ControlCopies:
-    """The copies by file name, faults of files without a copy, files of unknown controls."""
+    """The result of copying: the copies by file name, the faults of files that were not copied, and
+    the names of files of unknown controls.
+    """
 
     made: Mapping[str, ControlCopy]
     faults: tuple[Fault, ...]
@@ -93,7 +96,9 @@ def control_copies(
 def _decoded_otherwise(
     session: Session, files: Sequence[ControlFile], copies: Mapping[str, ControlCopy]
 ) -> Iterator[str]:
-    """Yield the files whose copies, read together, give another correction than the originals."""
+    """Yield the names of files whose copies, decoded together, give a different correction from the
+    originals.
+    """
     shipped = shipped_definitions(session)
     shapes = {
         name: shipped[copy.control].layout.shape
@@ -255,7 +260,8 @@ def _same_decoding(
     new: Sequence[ControlFile],
     renamed: Mapping[str, str],
 ) -> bool:
-    """Return whether both readers find the same corrections in the copies and in the originals.
+    """Return whether both file readers of compwright find the same corrections in the copies and in
+    the originals.
 
     True where the originals alone do not make a state of a control. ``renamed``: new names of axes
     by the old ones, in capitals.
@@ -275,7 +281,9 @@ def _same_decoding(
 def _ways_to_read(
     shipped: Mapping[str, Definition], control_id: str
 ) -> Iterator[tuple[str, dict[str, object]]]:
-    """Yield trial options for each control with the same file layout, ``control_id`` first."""
+    """Yield the controls whose files have the same layout (``control_id`` first), each with options
+    that may make the files readable.
+    """
     shape = shipped[control_id].layout.shape
     relatives = [name for name, one in shipped.items() if one.layout.shape == shape]
     for name in sorted(relatives, key=lambda name: name != control_id):
@@ -326,7 +334,8 @@ def _decoded(
 
 
 def texts_in(file: ControlFile) -> tuple[ControlFile, ...]:
-    """Return the texts in an archive that state the control's settings; none for another file.
+    """Return the text files in an archive that state the control's settings; empty if ``file`` is
+    no archive.
 
     A copy of the container itself cannot be made: its checksum is not understood. Raises InputError
     for one that cannot be opened.

@@ -85,7 +85,8 @@ def read_files(session: Session, paths: Sequence[Path]) -> tuple[ControlFile, ..
 def files_for_job(
     session: Session, definition: Definition, files: Sequence[Path]
 ) -> tuple[list[Path], tuple[str, ...]]:
-    """Return the files that a job uses, and a line of text for each file of a folder left out.
+    """Return the files that a job uses, and a message for each file in a folder that is ignored
+    because it has no data of this control.
 
     A folder of which all is taken stays a folder; a file that is named is always taken.
     """

@@ -1,4 +1,5 @@
-"""Records of the corrections that two independent readers decoded from a control's files.
+"""Records of the corrections that compwright's two independent file readers decoded from a
+control's files.
 
 A user's own control has no independent reader (judge): the values of its one reader are used.
 """
@@ -16,7 +17,9 @@ from compwright.records.correction import ControlFile, ControlState
 
 @dataclass(frozen=True, slots=True)
 class SingleReader:
-    """The corrections, mm or deg, of a control that has a definition but no independent reader."""
+    """The corrections (mm or deg) of a control that only one file reader of compwright can decode,
+    by the control's definition.
+    """
 
     state: ControlState
 
@@ -49,7 +52,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class DecodedState:
-    """Control files as decoded by both readers; without files no compensation is active."""
+    """A control's files, with the corrections that both file readers of compwright decoded from
+    them; no files means no compensation.
+    """
 
     files: tuple[ControlFile, ...]
     state: ControlState
@@ -59,12 +64,16 @@ class DecodedState:
 def judged_values(
     state: DecodedState, address: str, positions: FloatArray, direction: Direction
 ) -> FloatArray:
-    """Return the independent reader's correction at ``positions``, mm or deg (0: unknown axis)."""
+    """Return an axis' correction at ``positions``, mm or deg, as the independent file reader
+    decodes it; 0 if it does not find the axis.
+    """
     if state.judge is None or not judge_knows_axis(state.judge, address):
         return np.zeros(np.shape(positions))
     return state.judge.correction(address, positions, direction)
 
 
 def judge_knows_axis(judge: VirtualControl | SingleReader, address: str) -> bool:
-    """Return whether the independent reader finds an axis in the files, in any letter case."""
+    """Return whether the independent file reader ``judge`` found the axis in the files; upper and
+    lower case are equal.
+    """
     return address.casefold() in {known.casefold() for known in judge.addresses()}

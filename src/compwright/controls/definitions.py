@@ -31,7 +31,8 @@ def is_path(name: str) -> bool:
 
 
 def definition_named(session: Session, name: str, folder: Path) -> Definition:
-    """Return the supplied definition with an id, or a user's own if it passes its checks.
+    """Return the definition that ``name`` states: a supplied one by its id, or a user's own by its
+    path after its checks.
 
     ``folder``: what its path is relative to.
 

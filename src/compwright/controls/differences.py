@@ -1,5 +1,5 @@
-"""Compare two sets of a control's files: their corrections, and every value by the control's own
-names.
+"""Compare two sets of a control's files: the corrections of the axes, and each value under the name
+that the control uses for it.
 
 One axis that cannot be read hides no other.
 """
@@ -23,7 +23,8 @@ from compwright.records.correction import AxisCompensation, ControlFile, Control
 
 @dataclass(frozen=True, slots=True)
 class AxisReadings:
-    """The compensation of all axes that could be read.
+    """The compensation (``state``) of those axes that could be read; ``state`` is None if no axis
+    could be read.
 
     ``refused``: by address, why another axis could not.
     """
@@ -39,7 +40,8 @@ def read_axis_by_axis(
     among: Collection[str] | None = None,
     caught: type[InputError] | tuple[type[InputError], type[UsageError]] = InputError,
 ) -> AxisReadings:
-    """Return the compensation in ``files``, each axis read separately; None if that is impossible.
+    """Return the compensation in ``files`` after reading each axis separately; axes that cannot be
+    read are listed with their errors.
 
     ``among`` these if given.
 
@@ -172,7 +174,9 @@ def compared_side(
 def _in_part(
     control: Control, unread: ComparedSide, name: str, error: InputError | UsageError
 ) -> ComparedSide:
-    """Return one compared set of files with those axes that can be read, if not all can be read."""
+    """Return a compared set of files, which as a whole cannot be read, with the state of those axes
+    that can be read separately.
+    """
     named = {entry.axis for entry in unread.entries.values() if entry.relevant}
     seen: list[Finding] = []
 
@@ -198,7 +202,8 @@ def _unread_finding(name: str, axis: str | None, error: InputError | UsageError)
 def _with_data(
     control: Control, files: Sequence[ControlFile], entries: FileValues
 ) -> tuple[tuple[ControlFile, ...], str]:
-    """Return the files that contain compensation, and as text the names of the others.
+    """Return the files that contain compensation, and the names (one text) of the files that
+    contain no value of the control.
 
     A folder may contain notes too. A later file may repeat an entry.
     """
@@ -221,7 +226,9 @@ def _with_data(
 def _viewed(
     control: Control, files: Sequence[ControlFile], name: str, address: str | None = None
 ) -> tuple[ControlState, tuple[Finding, ...]]:
-    """Return the contents of the files by both readers, or by one if the other cannot read them."""
+    """Return the compensation in the files, checked by both file readers; if they disagree or one
+    fails, that of one reader with a warning.
+    """
     try:
         return decode(control, files, address=address).state, ()
     except CompwrightError as error:
@@ -274,7 +281,9 @@ def _placed(
 def _corrections(
     before: ComparedSide, after: ComparedSide, old: ControlState, new: ControlState
 ) -> dict[str, CorrectionChange]:
-    """Return the largest change of each axis that both sets of files contain."""
+    """Return, for each axis that is in both sets of files and could be read, the largest change of
+    its correction.
+    """
     stated = [
         {entry.axis for entry in side.entries.values() if entry.relevant} | set(state.axes)
         for side, state in ((before, old), (after, new))

@@ -72,7 +72,8 @@ def _sheet(file: ControlFile) -> EntrySheet | None:
 def contents_after_loading(
     before: Sequence[ControlFile], back: tuple[ControlFile, ...]
 ) -> tuple[ControlFile, ...]:
-    """Return the control's contents after loading, from the files that were read ``back``.
+    """Return the control's contents after loading, from the files ``back`` that the user read back
+    from the control.
 
     An archive in ``before`` that was not read back stays, with the files ``back`` over it.
     """
@@ -88,7 +89,8 @@ def loadable_files(
     axes: Sequence[Axis],
     image: DecodedState | None,
 ) -> Delivery:
-    """Return those of the written ``files`` that have to be loaded into the control.
+    """Return the files that the user has to load into the control: the written ``files`` or smaller
+    files made from them.
 
     Raises UsageError if the files cannot be had in the requested form, and CompwrightError (a fault
     of our own) if small files have another effect than the whole ``image`` that they replace.

@@ -45,8 +45,8 @@ _ANSWERS = (
 def partner_questions(
     job: Job, states: Mapping[str, DecodedState]
 ) -> tuple[list[Fault], list[Fault]]:
-    """Return two lists of faults: differences between gantry axes that the job must decide, and
-    differences that changed since the test.
+    """Return two lists of faults of gantries: two different tables, for which the job must decide
+    what the slave gets; and a difference that has changed since the first test.
 
     The job decides by ``gantry_table`` what the slave gets.
     """
@@ -125,7 +125,8 @@ def differing(axis: Axis, state: ControlState) -> list[str]:
 def with_partners(
     control: Control, fitted: FittedAxes, as_found: DecodedState
 ) -> list[tuple[Axis, FittedTable]]:
-    """Return all tables; a gantry slave's table gets the same change as its master's table.
+    """Return the fitted tables, and a table for each gantry slave that gets the same change as the
+    table of its master.
 
     Raises CapacityError where the control cannot hold one.
     """
@@ -144,7 +145,8 @@ def with_partners(
 
 
 def check_partners(axes: Sequence[tuple[Axis, FittedTable]], loaded: DecodedState) -> None:
-    """Raise CompwrightError if the independent reader finds a wrong table on a gantry slave.
+    """Raise CompwrightError if the independent file reader (virtual control) finds a wrong table on
+    a gantry slave.
 
     A fault of our own; ``axes``: as `with_partners` returns them.
     """
@@ -250,7 +252,9 @@ def _both(axis: Axis, state: ControlState) -> tuple[AxisCompensation, AxisCompen
 
 
 def _grid(table: AxisCompensation, idle: Sequence[float]) -> FloatArray:
-    """Return the positions of a table's points; ``idle`` if it has fewer than two active points."""
+    """Return the positions of a table's points; for a table with fewer than two points return the
+    positions ``idle``.
+    """
     return table.positions if table.positions.size > 1 else np.array(idle, dtype=np.float64)
 
 
@@ -326,7 +330,8 @@ def _by_node(
     capacity: Capacity,
     idle: Sequence[float],
 ) -> AxisCompensation | None:
-    """Return the slave's ``own`` table plus the master's change at its points; None if impossible.
+    """Return the slave's ``own`` table plus the master's change at each point; None if the control
+    cannot store the sum.
 
     From ``old`` to ``new``.
 
@@ -366,7 +371,9 @@ def _by_node(
 
 
 def _rounded(table: AxisCompensation, capacity: Capacity) -> AxisCompensation | None:
-    """Return a table as the control can store it (one or two curves, and backlash), else None."""
+    """Return a table rounded to values that the control can store; None if it needs two curves and
+    the control has one.
+    """
     quantum, step = capacity.quantum, capacity.backlash_quantum
     lost = 0.0 if step is None else round(table.backlash / step) * step
     single = replace(table, backlash=lost)

@@ -131,7 +131,8 @@ def completed_by_files(job: Job, states: Mapping[str, DecodedState], as_found: s
 
 
 def completed_axis(axis: Axis, states: Sequence[ControlState], given: Mapping[str, object]) -> Axis:
-    """Return an axis with options, lead and steps not applied by the control, as the files state.
+    """Return an axis with what the control's files state: its options, the screw lead, and the
+    reversal steps that the control leaves out.
 
     ``given``: the options of the whole control, which take precedence.
     """
@@ -175,7 +176,8 @@ def _with_zero_of_homing(job: Job, as_found: DecodedState) -> Job:
 def with_counted_turns(
     job: Job, control: Control, tests: Mapping[str, Sequence[PlannedTest]]
 ) -> tuple[Job, tuple[Assumption, ...]]:
-    """Return the job with rotary axes that travel several turns assumed to be endless.
+    """Return the job in which rotary axes that travel several turns are treated as endless, and the
+    assumptions made for that.
 
     Measured over less than half of their travel, where the control's table takes that turn again
     and again.
@@ -203,7 +205,8 @@ def with_counted_turns(
 
 
 def unknown_zeros(job: Job, control: Control, state: ControlState | None) -> Iterator[Fault]:
-    """Yield a fault for each axis with fixed positions if the zero of its correction is unknown.
+    """Yield a fault for each axis in the job's ``fixed_positions`` if neither job nor files state
+    where homing sets its correction to 0.
 
     Only the control's homing sets it, and neither files nor job state it.
     """
@@ -269,7 +272,9 @@ def _with_systems_in_use(job: Job, state: ControlState) -> Job:
 
 
 def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
-    """Yield a fault if the files assign the joint to another axis, or two joints to the axis."""
+    """Yield a fault if the control's files assign the joint given as the axis' address to another
+    axis, or two joints to this axis.
+    """
     letters, letter, own = facts.letters, (facts.name or "").upper(), axis.name.upper()
     place, stated = f"axes.{axis.name}", f"{letters}: joint {axis.address} is {letter}"
     if not letters:
@@ -316,7 +321,8 @@ def length_unit(definition: Definition) -> tuple[OptionRule, str] | None:
 
 
 def keys_with_effect(definition: Definition) -> dict[str, bool]:
-    """Return by name whether some groups of job keys have an effect on this control.
+    """Return, for three groups of job keys by name, whether the keys have an effect on this
+    control.
 
     Measuring systems, axis numbers, backlash at rapid traverse; used by `idle_keys`.
     """

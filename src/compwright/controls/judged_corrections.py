@@ -1,4 +1,6 @@
-"""The active corrections of a job's axes and axis pairs, by the independent reader."""
+"""The active corrections of a job's axes and axis pairs, as the independent file reader (virtual
+control) decodes them.
+"""
 
 from __future__ import annotations
 
@@ -21,12 +23,16 @@ from compwright.records.correction import CrossCompensation
 
 
 def judged_correction(decoded: DecodedState | None, axis: Axis) -> Correction:
-    """Return the correction of an axis by the independent reader; zero without files."""
+    """Return the correction of an axis as the independent file reader decodes it; zero if there are
+    no files.
+    """
     return no_correction if decoded is None else partial(judged_values, decoded, axis.address)
 
 
 def applied_correction(decoded: DecodedState | None, axis: Axis) -> Correction:
-    """Return an axis' correction without the steps that the control never applies."""
+    """Return an axis' correction without the reversal steps that are in its table but that the
+    control leaves out.
+    """
     correction = judged_correction(decoded, axis)
     held = None if decoded is None else decoded.state.axes.get(axis.address)
     if held is None or axis.unapplied_steps is None:
@@ -42,7 +48,9 @@ def applied_correction(decoded: DecodedState | None, axis: Axis) -> Correction:
 
 
 def active_corrections(decoded: DecodedState | None, axes: Mapping[str, Axis]) -> ActiveCorrections:
-    """Return the active corrections of axes and axis pairs; none without an independent reader."""
+    """Return the active corrections of axes and axis pairs as the independent file reader decodes
+    them; none without files.
+    """
     if decoded is None or decoded.judge is None:
         return NO_CORRECTIONS
     names = {axis.address: name for name, axis in axes.items()}
@@ -66,7 +74,8 @@ def _across(decoded: DecodedState, pair: tuple[str, str]) -> Correction:
 def judged_cross(
     decoded: DecodedState, at: FloatArray | None = None
 ) -> tuple[CrossCompensation, ...]:
-    """Return each axis pair's correction by the independent reader, at ``at`` or at table points.
+    """Return each axis pair's correction as the independent file reader decodes it, at the
+    positions ``at`` or, without them, at the table points.
 
     Each pair of axes once, with the sum of all its active tables.
     """

@@ -74,7 +74,9 @@ def statements_at_start(file: ControlFile, definition: Definition) -> int:
 
 
 def _reads(definition: Definition, file: ControlFile) -> bool:
-    """Return whether a file has a statement typical of a control, or only readable table rows."""
+    """Return whether a control can have written a file: it has a statement typical of the control,
+    or only table rows that can all be read.
+    """
     faults: list[Fault] = []
     read = text_reader(definition).read(file, faults)
     if read is None:

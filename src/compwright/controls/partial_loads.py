@@ -1,4 +1,6 @@
-"""What happens if only some of the planned files are loaded, and how reading back shows it."""
+"""What happens if only some of the planned files are loaded, and how the values read back show
+which files were loaded.
+"""
 
 from __future__ import annotations
 
@@ -68,7 +70,9 @@ def harmful_parts(
 
 
 def _worse(work: AxisWork, new: Correction) -> str:
-    """Return as text how much worse the first test would be with ``new``; empty if it is not."""
+    """Return a text on how much worse the result of the first test would be with the correction
+    ``new``; empty if it would not be worse.
+    """
     first, axis = work.results[0], work.planned.axis
     name = judged_parameter(first)
     if name is None:
@@ -94,7 +98,8 @@ def _worse(work: AxisWork, new: Correction) -> str:
 
 
 def partial_load(before: FileValues, planned: FileValues, back: FileValues) -> PartialLoad | None:
-    """Return which planned files were loaded and which were not; None if nothing shows that.
+    """Return which planned files were loaded and which were not; None if the values read back do
+    not show such a partial load.
 
     From the values in the control's files ``before``, the ``planned`` and the read ``back`` ones.
     None: all were, none was, something else is wrong, or a value belongs to no file by its name.

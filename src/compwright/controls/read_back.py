@@ -41,7 +41,9 @@ class ReadBackDifferences:
 
 
 def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
-    """Yield a warning for each path in the folder of `run`: it was not read from the control."""
+    """Yield a warning for each path that is in the output folder ``tables`` of `run`, because such
+    a file was not read from the control.
+    """
     own = storage.resolved(plan_file.parent / "tables")
     for path in loaded:
         if own in (there := storage.resolved(path), *there.parents):
@@ -51,7 +53,8 @@ def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
 def pairs_not_read_back(
     planned: Iterable[PlannedCross], whole: Differences, found: ComparedSide
 ) -> dict[tuple[str, str], Finding]:
-    """Return a finding for each written cross-axis table of which values were not read back.
+    """Return, for each written cross-axis table that was not completely read back, a finding that
+    names a missing value.
 
     By addresses of the axis pair; ``whole``: differences between planned and ``found`` files. A
     control may name one of the axes in a value, or none: these count where no table of the pair was
@@ -119,7 +122,9 @@ def read_back_differences(
 
 
 def _compared(placed: Placed, known: set[str]) -> bool:
-    """Return whether a difference counts: the value was read back, and is expected or not 0."""
+    """Return whether a difference is reported: the value was read back, and it was expected or is
+    not 0 in an expected file.
+    """
     change = placed.change
     if change.new is None:
         return False
@@ -129,7 +134,9 @@ def _compared(placed: Placed, known: set[str]) -> bool:
 
 
 def _between_axes(placed: Placed, read: set[str]) -> bool:
-    """Return whether a value missing in a file that was read back concerns more than one axis."""
+    """Return, for a value that was not read back, whether it belongs to several axes (a cross-axis
+    table) and the file that should contain it was read back.
+    """
     old = placed.change.old
     return len(set(placed.axes)) > 1 and old is not None and old.file in read
 
@@ -143,7 +150,9 @@ def _difference(placed: Placed, axis: str) -> Difference:
 def _corrections(
     whole: Differences, compensating: list[Placed], names: Mapping[str, str]
 ) -> Iterator[Difference]:
-    """Yield the changed corrections of other axes and axis pairs that a compared value concerns."""
+    """Yield the changed corrections of axes outside the plan and of axis pairs, where a compared
+    value belongs to these axes.
+    """
     touched = [set(one.axes) for one in compensating]
     for address, change in whole.corrections.items():
         if address not in names and any(address in axes for axes in touched):
@@ -184,7 +193,9 @@ def _not_read(whole: Differences) -> list[Placed]:
 
 
 def _partly_read(control: Control, whole: Differences, found: ComparedSide) -> list[Placed]:
-    """Return the missing values of tables and lists of which other values were read back."""
+    """Return the values that were not read back although other values of the same table or list
+    were read back.
+    """
     missing = _not_read(whole)
     groups = {one.entry.group for one in missing}
     whereabouts = control.format.listing.value_location

@@ -1,4 +1,4 @@
-"""Find where the two readers of a control's files disagree."""
+"""Find where compwright's two file readers decode different corrections from a control's files."""
 
 from __future__ import annotations
 
@@ -32,7 +32,9 @@ _HINT = (
 
 
 def disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
-    """Return a fault for each table that the independent reader reads differently."""
+    """Return a fault for each axis and axis pair for which the independent file reader ``judge``
+    finds a different correction.
+    """
     faults = []
     unseen = sorted(
         address for address in state.axes if not judge_knows_axis(judge, address)
@@ -147,7 +149,8 @@ def probe_positions(nodes: FloatArray) -> FloatArray:
 
 
 def table_positions(nodes: FloatArray, travel: tuple[float, float]) -> FloatArray:
-    """Return positions for the comparison of tables, within the table or within the travel.
+    """Return the positions at which two tables are compared: the probe positions between the
+    outermost ends of table and travel, and both ends of the travel.
 
     Beyond both, a plan's table keeps its end values, whatever the control does (it may repeat).
     """
