@@ -14,7 +14,9 @@ class OfLine:
 
     @property
     def shown(self) -> str:
-        """The text that a fault shows as found, unless the fault is given another text."""
+        """The value as text for faults; a fault shows it as ``found`` unless `fault` is given
+        another text.
+        """
         return ""
 
     def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:

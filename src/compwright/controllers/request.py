@@ -47,7 +47,8 @@ class Request:
         }
 
     def is_active(self, switches: Sequence[float | None]) -> bool:
-        """Return whether a table is active by the values of its activation parameters.
+        """Return whether a table is active by ``switches``, the values of the parameters that
+        activate it.
 
         None: not in the files; on, unless `active` of the job states otherwise.
         """
@@ -60,7 +61,8 @@ class Request:
         return {**self.options, **(by_address(self.axis_options, address) or {})}
 
     def returning(self, address: str) -> tuple[Direction, Assumption | None]:
-        """Return the direction of an axis' reference return (default ``+``), and the assumption.
+        """Return the direction of an axis' reference return (default ``+``), with an assumption if
+        an option or the default states it.
 
         Raises UsageError when the option ``reference_return`` is neither ``+`` nor ``-``.
         """
@@ -76,7 +78,8 @@ class Request:
         return direction, Assumption(f"reference_return of {address}", direction.value, evidence)
 
     def referenced(self, address: str) -> tuple[float, Assumption | None]:
-        """Return an axis' reference position, mm or deg (default 0), and the assumption.
+        """Return an axis' reference position, mm or deg (default 0), with an assumption if an
+        option or the default states it.
 
         Raises UsageError when it is not a finite number.
         """
@@ -120,8 +123,8 @@ def by_address(table: Mapping[str, Entry], address: str) -> Entry | None:
 
 
 def wrong_choice(name: str, found: object, choices: Iterable[str], owner: str = "") -> UsageError:
-    """Return the error for an option whose value is none of ``choices``. ``owner``: of which
-    axis.
+    """Return the error for an option whose value is none of ``choices``. ``owner``: which axis has
+    the option, as text.
     """
     return UsageError(
         Fault(

@@ -105,7 +105,8 @@ class Cycle:
 
 @dataclass(frozen=True, slots=True)
 class Bend:
-    """Straightness compensation of the axis ``bent`` by ``lines`` over the position of ``moving``.
+    """Straightness compensation: the position of the axis ``moving`` corrects the axis ``bent`` by
+    amounts along ``lines``.
 
     ``entry``: the parameter of the pair.
     """
@@ -124,7 +125,7 @@ def inclination(machine: Machine, axis: int, faults: list[Fault]) -> InclinedLin
 
 
 def cyclic_numbers(machine: Machine, axis: int) -> range:
-    """Return the point numbers that the second table of an axis uses."""
+    """Return the point numbers of an axis' second (cyclic) pitch error table; empty without one."""
     first, last = (machine.entry(number, axis) for number in CYCLIC[:2])
     low, high = (0 if entry is None else entry.whole or 0 for entry in (first, last))
     return range(low, high + 1) if 0 <= low < high else range(0)
@@ -175,7 +176,9 @@ def refusing(machine: Machine, axis: int) -> Iterator[Fault]:
 
 
 def left_out(machine: Machine, axis: int, counted: frozenset[str]) -> Iterator[str]:
-    """Yield a note for each active function of an axis that is not in ``counted`` (evaluated)."""
+    """Yield a note for each compensation function that is active on an axis but not evaluated (not
+    in ``counted``).
+    """
     by_axis = {
         "inclination": ("inclination compensation", _INCLINED),
         "cyclic": ("the second (cyclic) pitch error table", CYCLIC[1:]),
@@ -239,7 +242,9 @@ def _lines(
 
 
 def _of(machine: Machine, number: int, owner: Owner) -> MachineEntry | None:
-    """Return a parameter's value for the path ``owner``; without one, its value for the machine."""
+    """Return the value of a parameter for ``owner``; if the files give none, the value for the
+    whole machine.
+    """
     found = machine.entries.get(number, {})
     return found.get(owner, found.get(MACHINE))
 
@@ -261,7 +266,9 @@ def _one_axis(
 
 
 def _naming(machine: Machine, numbers: Iterable[int], axis: int) -> Iterator[MachineEntry]:
-    """Yield the values of parameters ``numbers`` that are axis numbers and may mean this axis."""
+    """Yield those of the parameters ``numbers`` whose value is an axis number that may mean this
+    axis.
+    """
     for number in numbers:
         for owner, entry in machine.entries.get(number, {}).items():
             if entry.zero:

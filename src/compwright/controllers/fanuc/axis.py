@@ -61,8 +61,8 @@ class AxisLoader:
             return self.grid(axis, options)
 
     def grid(self, axis: int, options: Options) -> IncrementGrid | None:
-        """Return an axis' point numbers and interval; None without pitch compensation or with a
-        fault.
+        """Return an axis' point numbers and interval; None if it has no pitch error compensation,
+        or, with a fault, if they are invalid.
         """
         before = len(self.memory.faults)
         for remark in left_out(self.memory.machine, axis, options.counted):
@@ -141,7 +141,9 @@ class AxisLoader:
         return True if by_address(self.request.modulo, str(axis)) is not None else None
 
     def rotary(self, axis: int) -> bool:
-        """Return whether an axis is rotary: by 1006#0, else the request, else a turn in 3625."""
+        """Return whether an axis is rotary: by 1006#0, else by the request, else because 3625
+        states a travel per turn.
+        """
         bit = self.memory.bit(1006, 0, axis)
         requested = by_address(self.request.kinds, str(axis))
         if bit is not None:
@@ -229,7 +231,9 @@ class AxisLoader:
         return grid
 
     def _is_endless(self, axis: int) -> bool:
-        """Return whether the files define an endless axis: a turn in 3625, and 1006#1 not set."""
+        """Return whether the files define an endless axis: 3625 states its travel per turn, and
+        1006#1 is not set.
+        """
         return bool(self.memory.length(3625, axis, rotary=True)) and not self.memory.bit(
             1006, 1, axis
         )

@@ -1,4 +1,6 @@
-"""Faults that prevent reading a FANUC axis: different paths, table off, unknown functions."""
+"""Check a FANUC axis for settings that prevent reading it: unclear paths, a table that is not used,
+functions of unknown effect.
+"""
 
 from __future__ import annotations
 
@@ -35,7 +37,9 @@ def inclined_without_grid(memory: Memory, axis: int) -> Iterator[Fault]:
 
 
 def not_used(memory: Memory, axis: int) -> Iterator[Fault]:
-    """Yield a fault if the control does not use the table in the files, or may not use it."""
+    """Yield a fault if the control does not use the table in the files, or if the files leave it
+    uncertain.
+    """
     series, machine = memory.series, memory.machine
     totals, apart = machine.entry(_TOTALS, axis), machine.either(_TOTALS, axis)
     if apart is not None:
@@ -62,7 +66,9 @@ def not_used(memory: Memory, axis: int) -> Iterator[Fault]:
 
 
 def _deciding_bits(memory: Memory, axis: int, *, rotary: bool) -> Iterator[Fault]:
-    """Yield a fault for each needed bit that cannot be read or that depends on the unknown path."""
+    """Yield a fault for each required bit that cannot be read, or that differs between paths if the
+    axis' path is unknown.
+    """
     machine = memory.machine
     moves = memory.moves(axis)
     bits: list[tuple[int, int]] = [(1006, 0)] if moves else []

@@ -104,7 +104,8 @@ def backlash(loader: AxisLoader, axis: int, options: Options) -> int:
 def cycle(
     loader: AxisLoader, axis: int, grid: IncrementGrid | None, options: Options
 ) -> Cycle | None:
-    """Return the second (cyclic) table of an axis; None without one, or if it is not evaluated.
+    """Return an axis' second (cyclic) table; None if it has none, if the options exclude it, or,
+    with a fault, if it is invalid.
 
     ``grid``: the grid of the axis' main table.
     """

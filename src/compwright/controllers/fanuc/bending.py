@@ -49,7 +49,8 @@ class Bending:
 def bending_of(
     loader: AxisLoader, grids: Mapping[int, IncrementGrid | None], options: Mapping[int, Options]
 ) -> Iterator[Bending]:
-    """Yield the straightness compensations that an option includes and that concern the job's axes.
+    """Yield the straightness compensations of the job's axes, if the options ask to evaluate
+    straightness.
 
     Open questions about such a pair become faults of the memory.
     """

@@ -1,4 +1,4 @@
-"""Parameters of a FANUC by axis, path or machine: paths, units, turns, and any other.
+"""Parameters of a FANUC, stored by axis, path or machine, and what they mean: paths, units, turns.
 
 Stated from the manuals and from a real backup, independently of the room that writes the files:
 
@@ -153,7 +153,9 @@ class Machine:
         return next((found[owner] for owner in owners if owner in found), None)
 
     def either(self, number: int, axis: int, bit: int | None = None) -> Fault | None:
-        """Return a fault if the axis' path is unknown and a value differs between paths."""
+        """Return a fault if an axis' path is unknown and a parameter (or its ``bit``) differs
+        between the paths; else None.
+        """
         found = self.entries.get(number, {})
         if self.path(axis) is not None or ("A", axis) in found:
             return None

@@ -73,7 +73,7 @@ class Memory:
         )
 
     def given(self, number: int, axis: int) -> bool:
-        """Return whether the files contain a parameter of an axis."""
+        """Return whether the files contain the parameter ``number`` for an axis."""
         return bool(self._settings.get((number, axis, None)))
 
     def setting(self, number: int, axis: int) -> ParameterSetting:
@@ -128,8 +128,8 @@ class Memory:
         return self._one((number, axis, bit), lambda setting: setting.text == "1")
 
     def length(self, number: int, axis: int, *, rotary: bool) -> float | None:
-        """Return 3624 or 3625 in mm or deg. None if it is missing, or is invalid (then with a
-        fault).
+        """Return parameter 3624 (interval) or 3625 (travel per turn), mm or deg; None if it is
+        missing or, with a fault, invalid.
         """
         return self._one((number, axis, None), lambda setting: self._length(setting, rotary=rotary))
 
@@ -209,7 +209,9 @@ class Memory:
         key: tuple[int, int | None, int | None],
         convert: Callable[[ParameterSetting], Value | None],
     ) -> Value | None:
-        """Return the value that all settings with ``key`` share; other values are a fault."""
+        """Return the value of the settings with ``key``, None if there is none; settings that
+        contradict it become faults.
+        """
         first: Value | None = None
         settings = self._settings.get(key, [])
         for setting in settings:

@@ -22,7 +22,8 @@ from compwright.records.axis import FloatArray
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class IncrementGrid:
-    """The table parameters 3605#0 and 3620 to 3627: point numbers, interval, turn.
+    """The point numbers, interval and travel per turn of an axis' table (parameters 3605#0 and 3620
+    to 3627).
 
     ``interval``, ``turn``: mm or deg; ``offset``: detection units.
 
@@ -41,8 +42,8 @@ class IncrementGrid:
     offset: int = 0
 
     def starts(self) -> tuple[int, ...]:
-        """Return the first point number of the set, and of the second set for travel towards - if
-        any.
+        """Return the first point number of the table, and that of the second set (for travel
+        towards -) if the table has one.
         """
         return (self.lowest,) if self.negative_from is None else (self.lowest, self.negative_from)
 
@@ -94,7 +95,8 @@ class PitchTable:
 
 
 def totals(increments: list[int], before_reference: int) -> FloatArray:
-    """Return total corrections (k + 1,) at the section ends from ``increments`` (k,).
+    """Return the total corrections (k + 1,) at the ends of the sections whose increments are
+    ``increments`` (k,).
 
     The total is 0 behind the first ``before_reference`` increments.
     """

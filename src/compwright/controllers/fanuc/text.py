@@ -144,7 +144,7 @@ class _Unreadable(Exception):  # noqa: N818  # a signal inside this module
 
 
 class _TapeReader:
-    """Reads a file line by line.
+    """Reads a FANUC text file (parameters or pitch error data) line by line.
 
     ``marks``: the number of ``%`` so far; odd ones open a tape section, even ones close it.
     """
@@ -194,8 +194,8 @@ class _TapeReader:
                 self._wrong(number, raw, "the block cannot be read", str(error))
 
     def finish(self, *, ends_with_break: bool) -> None:
-        """Add faults for what the whole file lacks, and decide whether records without Q are
-        points.
+        """Check the file as a whole (``%`` at start and end), and decide whether records without Q
+        are points or parameters.
 
         These are parameters if other parameters occur among them.
         """

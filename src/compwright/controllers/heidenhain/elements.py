@@ -53,7 +53,8 @@ class Generation:
     numbers: Mapping[int, str] = field(default_factory=dict)
 
     def axis(self, number: int) -> str:
-        """Return the name of the axis with a number (from 1), from the job or the usual order.
+        """Return the name of the axis with a number (from 1): by the job, else by the letter usual
+        for that number.
 
         The number itself where no letter is fixed, or the letter was given another number.
         """

@@ -36,7 +36,9 @@ class LoadedContents:
     faults: list[Fault] = field(default_factory=list)
 
     def kind(self, address: str) -> AxisKind:
-        """Return whether an axis is linear or rotary, from job, entry sheet, turn or letter."""
+        """Return whether an axis is linear or rotary: by the job, its entry sheet, a stated travel
+        per turn, or its letter.
+        """
         requested = by_address(self.request.kinds, address)
         by_unit = next(
             (sheet for sheet in self.sheets if sheet.address == address and sheet.kind is not None),
@@ -85,7 +87,8 @@ class AxisAssignment:
         self.given = given
 
     def moving_axes(self) -> list[tuple[Com, str | None]]:
-        """Return every .COM table with its moving axis, None if it is not active.
+        """Return each .COM table with the axis whose position selects its rows; None for a table
+        that is not active.
 
         A .COM that is active twice is listed twice.
         """
@@ -152,7 +155,8 @@ class AxisAssignment:
             ]
 
     def _named_axis(self, com: Com) -> str | None:
-        """Return the moving axis of a .COM table by its name, if there is no .CMA table.
+        """Return the moving axis of a .COM table if there is no .CMA table; None, with a fault, if
+        it is unclear.
 
         Named in its head or its file name, else the option ``axis``.
         """

@@ -39,7 +39,7 @@ class Loader:
 
     @property
     def crossed(self) -> dict[tuple[str, str], CorrectionCurve]:
-        """The tables by which one axis corrects another."""
+        """The cross-axis tables: a correction curve for each pair (moving axis, corrected axis)."""
         return self.tables.crossed
 
     @property

@@ -63,7 +63,9 @@ def is_sheet(file: ControlFile) -> bool:
 
 
 def read_sheet(file: ControlFile, generation: Generation) -> tuple[JudgedSheet | None, list[Fault]]:
-    """Return the contents of an entry sheet, None if it has faults, and all its faults."""
+    """Return the contents of an entry sheet, and its faults; if there are faults, the contents are
+    None.
+    """
     fault = binary_fault(file.name, file.content)
     if fault is not None:
         return None, [fault]
@@ -234,8 +236,8 @@ class _SheetLines:
         self.kind = kind
 
     def sheet(self) -> JudgedSheet | None:
-        """Return the entry sheet after its last line; None, with a fault, if it is empty or
-        unclear.
+        """Return the entry sheet after its last line; None, with a fault, if it has no values or
+        lacks a required comment.
         """
         before = len(self.faults)
         head = LinePlace(self.file, self.header.line if self.header else 1)

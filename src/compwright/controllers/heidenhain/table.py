@@ -64,7 +64,7 @@ class Com:
 
 @dataclass(frozen=True, slots=True)
 class Cma:
-    """One .CMA table: the .COM table that its active line names for each moving axis.
+    """One .CMA table: its active line, which names a .COM table for each moving axis.
 
     Moving axis -> name of its .COM (capitals, no ending); ``axes`` are all its axis columns.
     """
@@ -181,7 +181,9 @@ def _names(block: TableBlock, stem: str | None) -> frozenset[str]:
 
 
 def _values(grid: CellGrid, columns: dict[str, str], faults: list[Fault]) -> FloatArray:
-    """Return a table as numbers (rows, columns); a blank end of a used column is a fault."""
+    """Return a table's columns as numbers (rows, columns); a column with values must not be blank
+    in its first or last row.
+    """
     table = np.full((len(grid.rows), len(columns)), np.nan)
     for index, name in enumerate(columns):
         cells = grid.column(name)

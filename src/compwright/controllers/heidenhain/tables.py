@@ -128,7 +128,9 @@ class OwnTableLoader:
         self.crossed: dict[tuple[str, str], CorrectionCurve] = {}
 
     def load_com(self, com: Com, moving: str) -> None:
-        """Read the columns of a .COM table over the position of ``moving``, for any axis."""
+        """Load each column of a .COM table as the correction of its axis over the position of the
+        axis ``moving``.
+        """
         nodes = self._nodes(com, moving)
         sign = self._sign(com, moving)
         if nodes is None:
@@ -342,7 +344,9 @@ class OwnTableLoader:
         return curve
 
     def one_table(self, address: str) -> OwnTable | None:
-        """Return the axis' own table; a .COM table and an entry sheet of the axis must agree."""
+        """Return the axis' own table, None without one; if the files contain several, a difference
+        between them is a fault.
+        """
         stated = self.own.get(address, [])
         for place, table in stated[1:]:
             first = stated[0][1]

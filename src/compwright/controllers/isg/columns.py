@@ -25,7 +25,8 @@ Entries = dict[str, dict[int, ListStatement]]
 def table_entries(
     axis: AxisLists, prefix: str, keys: Sequence[str], columns: Sequence[str]
 ) -> Entries:
-    """Return the entries of a table in a list by column and index.
+    """Return the entries of a table in an ISG list (the statements ``PREFIX[i].column``), by column
+    and index.
 
     Any other entry that is not 0 is refused by name: it may be an active compensation.
     """
@@ -43,7 +44,7 @@ def table_entries(
 def column(
     axis: AxisLists, entries: Mapping[int, ListStatement], count: int, name: str, largest: float
 ) -> FloatArray | None:
-    """Return one table column (count,) as numbers in the unit of the list.
+    """Return the ``count`` values of one table column, in the unit of the ISG list.
 
     None with faults where an entry is missing, not a number, too large, or beyond the last index.
     """
@@ -89,7 +90,8 @@ def largest_value(request: Request, address: str, axis: AxisLists, section: str)
 
 
 def unit_of(axis: AxisLists, name: str, request: Request, addresses: Sequence[str]) -> list[float]:
-    """Return mm or deg per unit of the list for each axis; empty, with a fault, if not stated.
+    """Return, for each axis, how many mm or deg one unit of the list is; empty, with a fault, if
+    the list does not state its unit.
 
     Raises UsageError where the list counts encoder increments and the option ``encoder_increment``
     of an axis is missing, or is not a positive number.

@@ -85,7 +85,8 @@ def read_cross(
 
 
 def _entries(axis: AxisLists, request: Request) -> tuple[str, FloatArray, FloatArray] | None:
-    """Return the master axis, its positions and the values (k,), in units of the list.
+    """Return the master axis, its positions (k,) and the slave's corrections (k,), both in the unit
+    of the list.
 
     None without a valid table.
     """
@@ -164,7 +165,9 @@ def refuse_plane(
 
 
 def refuse_others(axis: AxisLists) -> None:
-    """Add a fault for any other kind of compensation in a list with values that are not 0."""
+    """Add a fault for each value other than 0 of a compensation that is neither leadscrew nor
+    cross-axis compensation.
+    """
     for name, statement in axis.section("kw.").items():
         known = name.startswith(("ssfk.", "crosscomp.", "crosscomp2."))
         if not known and statement.number() != 0.0:

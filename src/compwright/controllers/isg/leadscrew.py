@@ -140,7 +140,9 @@ def _count(axis: AxisLists, entries: Entries) -> int:
 
 
 def _positions(axis: AxisLists, entries: Entries, count: int) -> FloatArray | None:
-    """Return the positions (count,) in units of the list. None with a fault."""
+    """Return the positions (count,) of the table entries in the unit of the list; None, with a
+    fault, if invalid.
+    """
     interval = _required_number(axis, "interval", "listed or equal spacing is not given", 0.0)
     if interval is None:
         return None

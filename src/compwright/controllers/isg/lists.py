@@ -303,7 +303,9 @@ def _address(
 def _loaded(
     name: str, found: list[ListStatement], started: dict[str, str] | None, lists: ControlLists
 ) -> bool:
-    """Return whether the control loads a list: a start-up list, if given, must name it."""
+    """Return whether the control loads a compensation list: if there is a start-up list, it must
+    name the list.
+    """
     if started is None or name.casefold() in started:
         return True
     if not any(statement.name.startswith("kw.") for statement in found):

@@ -1,5 +1,5 @@
-"""LinuxCNC: corrections that HAL files add to an axis, and changes of a joint's backlash during
-operation.
+"""LinuxCNC: settings in HAL files that correct an axis in addition to its table, or change a
+joint's backlash while the control runs.
 
 Words of halcmd(1): ``setp PIN VALUE``, ``net SIGNAL PIN ..``, ``linkps``, ``linksp``, ``linkpp``;
 an INI holds such lines as ``HALCMD = ..``. Pins of motion(9): ``axis.L.eoffset-counts`` times

@@ -206,7 +206,8 @@ def joint_number(address: str) -> str:
 
 
 def letters_of_joints(ini: IniFile) -> str:
-    """Return the axis letter of each joint in one word, such as XYYZ.
+    """Return the axis letters in the order of the joints as one word; ``XYYZ``: joints 1 and 2 both
+    move Y.
 
     Those given to the kinematics; for kinematics other than trivkins the machine's axes, if each
     has one joint; else all letters in order.

@@ -179,7 +179,9 @@ def _scales(
     assumed: list[Assumption],
     card: Card,
 ) -> dict[int, MotorScale]:
-    """Return the encoder counts per axis unit by motor, if known; the job's motors need them."""
+    """Return the counts per axis unit of each motor for which the job states them; the job's own
+    motors must have them.
+    """
     wanted = {number for number in numbers if request.is_under_work(str(number))}
     wanted |= {source for source, target in crossing if target in wanted}
     scales = {}

@@ -115,7 +115,7 @@ class Judged:
         self.enabled = self._enabled()
 
     def motors(self) -> dict[int, Motor]:
-        """Return every motor with a correction, or with a backlash set by the scripts."""
+        """Return every motor that has a table or whose backlash a script sets, by motor number."""
         numbers = {table.target for table in self.card.tables.values() if table.kind != "TCOMP"}
         numbers |= {number // 100 for number in self.card.variables if number != ENABLE}
         return {number: self._motor(number) for number in sorted(numbers)}
@@ -179,7 +179,7 @@ class Judged:
         self._turn(table)
 
     def _turn(self, table: CardTable) -> None:
-        """Check that the table of an endless axis repeats with its turn."""
+        """Check that one turn of an endless axis is a whole number of repetitions of its table."""
         turn = by_address(self.request.modulo, str(table.source))
         options = self.request.options_of(str(table.source))
         counts = abs(finite_number(options.get("counts_per_unit")) or 0.0) * (turn or 0.0)

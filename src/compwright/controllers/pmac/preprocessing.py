@@ -35,7 +35,7 @@ Block = tuple[int, int, tuple[bool, str, int], bool]
 
 
 def apart(here: Sequence[Block], there: Sequence[Block]) -> bool:
-    """Return whether conditional blocks exclude that both places of a script are sent."""
+    """Return whether two places of a script are in conditional branches that exclude each other."""
     return any(
         branch != its if begun == other else queried == question and answered is not answer
         for begun, branch, queried, answered in here

@@ -232,7 +232,9 @@ class _Script:
         return self._unknown(rest, place)
 
     def _unknown(self, rest: str, place: ScriptPlace) -> int | None:
-        """Return the end of an unknown command that is harmless; else None, with a fault."""
+        """Return the position after an unknown command if it is harmless; None, with a fault, if it
+        may have an effect.
+        """
         expanded = self.sending.put_in(rest)
         certain = expanded != rest and not self.sending.may_differ(rest)
         if certain and _HARMLESS.fullmatch(expanded.strip()):
@@ -246,7 +248,8 @@ class _Script:
         return None
 
     def _sent(self, what: str, motor: int, place: ScriptPlace) -> bool:
-        """Record a compensation command; return False if an excluding branch has the same one.
+        """Record a compensation command; return False, with a fault, if an alternative branch
+        contains the same command.
 
         False, with a fault, if another branch of a block has the same: the card did not get both.
         """

@@ -1,4 +1,6 @@
-"""Calls between a SINUMERIK's programs: which calls are certain, which assignments come last."""
+"""Calls between a SINUMERIK's programs: which calls are certainly executed, and which assignment of
+a variable is executed last.
+"""
 
 from __future__ import annotations
 
@@ -56,8 +58,8 @@ class ProgramCalls:
         return found
 
     def _spread(self) -> None:
-        """Find the programs that assign a value, directly or by calls, and those that certainly
-        start.
+        """Find the programs that assign a value themselves or by calls, and the programs that the
+        control certainly starts.
         """
         waiting = [one for one in self.blocks if one.block.branches]
         while waiting:
@@ -97,7 +99,9 @@ class ProgramCalls:
         return block.title in self._sites
 
     def trail(self, block: ProgramBlock) -> list[Line]:
-        """Return a program's lines; a call that certainly returns counts as a line without jump."""
+        """Return a program's lines; a call that certainly returns is treated as a line after which
+        the next line is executed.
+        """
         back = {one.line for one in (*block.doubts, *block.late) if self._always_returns(one.call)}
         called = {line.number for line in self.calls_of(block)}
         return [
@@ -131,7 +135,8 @@ class ProgramCalls:
         )
 
     def loads(self, placed: PlacedBlock, above: Collection[str] = ()) -> list[int]:
-        """Return lines that load a correction other than 0; every run executes at least one.
+        """Return those lines that set a correction other than 0, if every run of the program
+        executes at least one of them.
 
         Empty if none exist.
         """
@@ -152,7 +157,9 @@ class ProgramCalls:
         return self._loads[id(placed.block)]
 
     def lasts(self, placed: PlacedBlock) -> dict[str, VariableAssignment]:
-        """Return the last assignment of each variable if a program and its calls run."""
+        """Return the last assignment of each variable if a program and the programs that it calls
+        are executed line by line.
+        """
         key = id(placed.block)
         if key not in self._lasts:
             self._lasts[key] = {}

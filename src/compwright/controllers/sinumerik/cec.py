@@ -118,7 +118,8 @@ def _note_sign(sign: int, request: Request, remarks: Remarks) -> None:
 
 
 def _without_products(tables: Mapping[int, SagTable], remarks: Remarks) -> list[SagTable]:
-    """Return the tables that are not multiplied by another table; the others are reported.
+    """Return the tables that are not multiplied by another table; add a note for each multiplied
+    table.
 
     No page says what a product gives with a table that SD41300 switches off, or with weight 0. So
     only a table whose values are all zero certainly gives none.

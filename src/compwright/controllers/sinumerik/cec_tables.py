@@ -120,7 +120,8 @@ class CecTableLoader:
         ]
 
     def without_cut_sums(self, tables: Sequence[SagTable]) -> list[SagTable]:
-        """Return the tables without unchanged ones whose sum the control may limit (MD32720).
+        """Return the tables, except those of an output axis on which only unchanged tables exceed
+        the limit of their sum (MD32720).
 
         The part that the limit cuts off stays the same and is not evaluated.
         """
@@ -146,8 +147,8 @@ class CecTableLoader:
         return last_value(self.by_axis.get(axis.upper(), []), name)
 
     def switched_off(self, output: str) -> bool:
-        """Return whether the last value of MD32710 deactivates the tables on an axis, and report
-        it.
+        """Return whether the last value of MD32710 deactivates the CEC tables of an output axis; if
+        so, add a note.
         """
         enabled = self.of_axis(output, "MA_CEC_ENABLE")
         if enabled is None:
@@ -278,7 +279,8 @@ class CecTableLoader:
         return not isinstance(named, list | tuple) or index not in named
 
     def _is_active(self, entries: Sequence[VariableAssignment], output: str, *, own: bool) -> bool:
-        """Return whether a table is active; the job may state it for an axis' own position.
+        """Return whether a table is active: by the files or, if it corrects an axis by its own
+        position, also by the job.
 
         It does not if the leadscrew table of the axis is on: then it refers to that table, and a
         CEC table that is switched off was not active.

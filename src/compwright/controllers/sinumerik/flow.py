@@ -97,7 +97,7 @@ class ProgramBlock:
 
     @classmethod
     def named(cls, name: str, line: int, *, behind: bool = False) -> ProgramBlock:
-        """Return an empty program with the name in a program header or file name.
+        """Return an empty program, named by ``name``: the text of a program header or a file name.
 
         ``behind``: other programs precede it in the file.
         """

@@ -41,7 +41,9 @@ class Lengths:
         return not self.rotary.get(axis.upper(), False)
 
     def in_mm(self, entry: VariableAssignment) -> VariableAssignment:
-        """Return an assignment with a linear axis' length converted to mm; others as they are."""
+        """Return an assignment with its length converted to mm if the files are in inch; any other
+        value stays as it is.
+        """
         if not self.inch or entry.name not in _LENGTHS or not self.is_linear(entry.axis):
             return entry
         return replace(entry, value=entry.value * _MM)
@@ -66,8 +68,8 @@ def inches_in_mm(
 def lengths_of(
     contents: Sequence[ProgramContent], names: MachineAxisNames, request: Request
 ) -> tuple[Lengths, list[Fault]]:
-    """Return the length units of all files, with faults if they contradict, are user-defined or
-    leave the kind of an axis unknown.
+    """Return the length units of the files; it is a fault if files contradict each other, units are
+    user-defined, or an axis may be linear or rotary.
 
     If no file states the basic system, the option ``units`` does (``inch``), else it is metric.
     """

@@ -77,7 +77,9 @@ class Cases:
 
 
 def question_of(words: Words) -> Question | None:
-    """Return the condition that these words form; None if they are too many or form none."""
+    """Return the condition that these words of a program line form; None if it cannot be evaluated
+    or has too many words.
+    """
     found = _question_of(words) if len(words) <= _MOST_WORDS else None
     return None if found is None else replace(found, words=words)
 
@@ -121,7 +123,8 @@ def answered(
     assigning: Mapping[int, Mapping[str, Words | None]],
     behind: Callable[[int], int],
 ) -> Iterator[dict[int, int]]:
-    """Yield, for each possible combination of results, the lines that follow each condition.
+    """Yield, for each possible combination of results of linked conditions, the next lines (as
+    bits) of each conditional line.
 
     ``assigning``: the variables that lines assign; ``behind``: the lines after a line, as bits.
     """
@@ -160,7 +163,8 @@ def ways_by_values(
     forks: Mapping[int, Fork | Cases],
     assigned: Sequence[Mapping[str, Words | None]],
 ) -> list[int]:
-    """Return each line's possible next lines (a bit for each), by values of variables before it.
+    """Return each line's possible next lines (a bit for each), given the values that the variables
+    may have at that line.
 
     ``every``: the next lines regardless of values. Each line collects the values that a variable
     may have before it, None among them if any value may be; lines that no run reaches stay as they

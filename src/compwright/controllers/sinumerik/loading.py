@@ -58,7 +58,9 @@ class Loaded:
         return [*_within_new_ends(kept, over), *over]
 
     def unanswered(self, names: MachineAxisNames) -> list[Fault]:
-        """Return a fault for each variable that a file gives as ``n/a`` and none assigns."""
+        """Return a fault for each variable whose value is ``n/a`` in one file and that no file
+        assigns.
+        """
         open_entries = [entry for content in self.contents for entry in content.not_given]
         assigned = {_variable(e) for e in self.assignments(names)} if open_entries else set()
         return [
@@ -93,7 +95,8 @@ def _variable(entry: VariableAssignment) -> tuple[str, int, int | None, str]:
 def _within_new_ends(
     kept: list[VariableAssignment], over: Sequence[VariableAssignment]
 ) -> list[VariableAssignment]:
-    """Return an archive's assignments without points beyond a smaller table end set later.
+    """Return an archive's assignments without the table points beyond the end of a table that a
+    later file has shortened.
 
     The control keeps those points and does not use them.
     """
@@ -162,7 +165,8 @@ def is_container(content: bytes) -> bool:
 
 @lru_cache(maxsize=_KEPT)
 def active_files(file: ControlFile) -> Opened:
-    """Return the members of an archive that form the control's state, equal repetitions once.
+    """Return the members of an archive that form the control's state; members that are equal are
+    returned once.
 
     Nothing is raised: a container that is cut short or has wrong sizes, and two members of one name
     that differ, are faults. The result is cached by content: do not change it.

@@ -62,7 +62,8 @@ def check_programs(
 
 
 def without_programs(contents: Sequence[ProgramContent]) -> list[ProgramContent]:
-    """Return the contents without the assignments of programs that were certainly not executed.
+    """Return the contents without the assignments of programs that may not have been executed, for
+    a job that states ``active: no``.
 
     Raises InputError where every run of a program executes some of them, and for jumps to an
     ambiguous label.
@@ -125,7 +126,9 @@ def _out_of_order(
     renamed: Mapping[tuple[str, int], VariableAssignment],
     request: Request,
 ) -> Iterator[Fault]:
-    """Yield a fault for each variable whose last value depends on the order of calls."""
+    """Yield a fault for each variable whose last assignment in the files is not the last that the
+    programs execute.
+    """
     by_line: dict[str, VariableAssignment] = {}
     by_call: dict[str, VariableAssignment] = {}
     for placed in calls.blocks:
@@ -145,7 +148,7 @@ def _out_of_order(
 
 
 def _not_all(placed: PlacedBlock, calls: ProgramCalls) -> Iterator[Fault]:
-    """Yield a fault if no single run can execute all assignments and calls of a program."""
+    """Yield a fault if no single run of a program can execute all its assignments and calls."""
     block = placed.block
     if not (calls.doubts(block) or calls.calls_of(block)):
         return

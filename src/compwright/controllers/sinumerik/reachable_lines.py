@@ -119,7 +119,8 @@ def _conflict(short: Sequence[Line], ways: Sequence[int]) -> tuple[int, int] | N
 
 
 def inevitable(lines: Sequence[Line], among: Collection[int]) -> list[int]:
-    """Return line numbers of ``among``, at least one of which is executed in every run.
+    """Return those lines of ``among`` that runs execute, if every run of the program executes at
+    least one of them.
 
     Empty if a run may do without them.
     """
@@ -157,7 +158,8 @@ def _inevitable(
 
 
 def _in_step(lines: Sequence[Line]) -> Iterator[list[int]]:
-    """Yield each line's possible next lines for each combination of linked conditions' results.
+    """Yield each line's possible next lines (as bits), once for each possible combination of
+    results of linked conditions.
 
     Motions and switching functions go on to the next line.
     """
@@ -174,7 +176,9 @@ def _in_step(lines: Sequence[Line]) -> Iterator[list[int]]:
 
 
 def _possible(lines: Sequence[Line]) -> tuple[list[int], dict[int, Fork]]:
-    """Return each line's possible next lines, and the conditions whose result is not known."""
+    """Return each line's possible next lines (as bits), and the conditions whose result the
+    program's values leave open.
+    """
     every = _next(lines)
     forks = {
         place: fork
@@ -297,7 +301,7 @@ def _reachable_after(follow: Sequence[int]) -> list[int]:
 
 
 def _next(lines: Sequence[Line]) -> list[int]:
-    """Return the possible next lines of every line: a number with a bit for each next line.
+    """Return for each line the lines that may be executed next, as a number with one bit per line.
 
     The bits after the last line are the end and the stop.
     """
@@ -325,7 +329,9 @@ def _next(lines: Sequence[Line]) -> list[int]:
 
 
 def _closed(word: str, place: int, start: int, other: int, ways: list[int]) -> int:
-    """Set the next lines of a block's lines; return the next lines of its closing line."""
+    """Enter into ``ways`` where a block's opening line and ELSE lead; return where its closing line
+    leads (next lines as bits).
+    """
     after = 1 << place + 1
     if word == "ENDIF":
         ways[start] |= 1 << (other + 1 if other >= 0 else place)

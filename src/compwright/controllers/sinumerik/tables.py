@@ -112,7 +112,8 @@ def build_table(
     *,
     stranger: bool = False,
 ) -> CompensationTable | None:
-    """Return one table from all its assignments; None, with faults in ``remarks``, if invalid.
+    """Return the table that its assignments define; None, with faults in ``remarks``, if it is
+    invalid.
 
     ``prefix``: name of the values' variable; ``label``: name of the table in messages; ``owner``:
     the axis or table whose IS_MODULO may have to be assumed; ``stranger``: the axis is not under

@@ -297,7 +297,9 @@ def _computed(file: str, number: int, shown: str) -> Fault:
 
 
 def _read_names(code: str, found: ProgramContent) -> None:
-    """Record the axis names in a line of the name lists."""
+    """Record the axis name or axis number in a line that assigns MD10000, MD20070 or MD20080;
+    ignore other lines.
+    """
     match = _NAME_LISTS.match(code)
     if match is None:
         return
@@ -310,7 +312,8 @@ def _read_names(code: str, found: ProgramContent) -> None:
 
 
 def _with_points(lines: list[str]) -> list[str]:
-    """Return the lines with points instead of decimal commas, if the file certainly has these.
+    """Return the lines with decimal points instead of decimal commas, if the file certainly uses
+    decimal commas.
 
     That is: such a value fills a line, and no value of the file has a point.
     """
