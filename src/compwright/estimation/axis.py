@@ -129,7 +129,9 @@ class AxisPosterior:
 
     @property
     def _held(self) -> NDArray[np.bool_]:
-        """A mask (n,): which draws of the error have at most the median number of periods."""
+        """Mask (n,) over the draws of the error: True for a draw with at most the median number of
+        periods.
+        """
         periods = np.repeat(
             [len(part.basis.periods) for part in self.parts],
             [part.draws.size for part in self.parts],
@@ -137,8 +139,8 @@ class AxisPosterior:
         return np.asarray(periods <= np.sort(periods)[(periods.size - 1) // 2])
 
     def _moments(self, where: FloatArray) -> tuple[list[FloatArray], list[FloatArray]]:
-        """Return the mean error of each draw (draws, g), and the average variance (g,) of the error
-        within a draw, each by direction; in units of the common scale of the readings.
+        """Return the mean error of each draw (draws, g) and the average variance (g,) of the error
+        within a draw, each separately for + and −. The unit is the common scale of the readings.
         """
         count = sum(part.draws.size for part in self.parts)
         means: list[list[FloatArray]] = [[], []]
@@ -211,7 +213,8 @@ class AxisPosterior:
         values: FloatArray,
         rng: np.random.Generator,
     ) -> FloatArray:
-        """Return random draws (count, m) of the error part that is independent at each target.
+        """Return random draws (count, m) of that part of the error which is independent from target
+        to target.
 
         ``values`` (count, j): given weights of the functions. A normal mean with normal prior and
         known variance (Gelman et al. 2013, section 2.5).
@@ -230,9 +233,9 @@ class AxisPosterior:
         return drawn
 
     def _noise(self, variances: FloatArray, owner: NDArray[np.intp], test: int) -> NoiseDraws:
-        """Return draws of the noise (count,) in a repetition of the test with index ``test``. For a
-        test without repeated readings they follow from ``variances`` (count,), estimated with the
-        error.
+        """Return draws (count,) of the noise in a repetition of the test with index ``test``. If
+        that test has no repeated readings, the noise follows from the ``variances`` (count,) of a
+        reading, which were estimated together with the error.
         """
         draw_index = np.concatenate([part.draws for part in self.parts])[owner]
         own = self.cells.noises[test]
@@ -334,8 +337,8 @@ def estimate_axis(
 
 
 def _cycle_draws(draw_index: NDArray[np.intp], each: int) -> NDArray[np.intp]:
-    """Return a row number for each entry of ``draw_index`` (count,), which is the number of a draw.
-    Each draw has ``each`` consecutive rows; entries with the same draw get its rows in turn.
+    """Return a row number for each draw number in ``draw_index`` (count,). Each draw has ``each``
+    consecutive rows, which are taken in turn if the draw occurs several times.
     """
     order = np.argsort(draw_index, kind="stable")
     ordered = draw_index[order]

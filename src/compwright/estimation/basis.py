@@ -168,7 +168,7 @@ def smooth_density(
     frequencies: FloatArray, log_length: float, log_excess: float
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return the log spectral density of a random curve of unit variance and adjustable smoothness,
-    and its two derivatives.
+    and the derivatives of this logarithm by the two parameters.
 
     It is a Matérn process of smoothness nu = `LEAST_SMOOTHNESS` + exp(``log_excess``); the
     derivatives are by ``log_length`` and ``log_excess``.

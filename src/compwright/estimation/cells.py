@@ -140,7 +140,9 @@ def build_cells(
 
 
 def _fresh_noise(noise: NoisePosterior, order: NDArray[np.intp]) -> NoiseDraws:
-    """Return the noise of a repeated test, predicted from the noise draws ``order`` (indices)."""
+    """Return the noise of a repeated test, predicted from the noise draws with the indices
+    ``order``.
+    """
     each = noise.fresh.count // noise.draws.count
     return noise.fresh.taken((order[:, np.newaxis] * each + np.arange(each)).ravel())
 
@@ -219,8 +221,8 @@ def _refit_without_jumps(
 def _common_line(
     parts: Sequence[ObservedCells], targets: FloatArray, *, endless: bool
 ) -> _CommonLine:
-    """Return the least-squares line over all readings (JCGM 100:2008, H.3). The mean reversal
-    comes first, from the targets approached in both directions.
+    """Return the least-squares line over all readings (JCGM 100:2008, H.3). The mean reversal error
+    is computed first, from the targets that were approached in both directions.
     """
     differences = np.concatenate([_reversals(part) for part in parts])
     reversal = float(np.mean(differences)) if differences.size else 0.0
@@ -370,8 +372,8 @@ def _stack_cells(
 
 
 def _blocks(columns: Sequence[FloatArray]) -> FloatArray:
-    """Return the columns (n, c, q) of several tests as one block-diagonal matrix. A column of one
-    test is zero for all other tests.
+    """Return the model columns (n, c, q) of several tests, joined in one block-diagonal matrix. The
+    column of one test is zero at the readings of all other tests.
     """
     draws = columns[0].shape[0]
     together = np.zeros(

@@ -154,7 +154,9 @@ def _fresh_runs(test: CircularTest, solution: Solution) -> tuple[FreshRun, ...]:
 def _fitted_runs(
     test: CircularTest, measured: CircleSamples, residual: FloatArray
 ) -> Iterator[FittedRun]:
-    """Yield the fitted deviations and residuals of each run at angles of ``measured`` samples."""
+    """Yield the fitted deviations and the residuals of each run, at the angles of the samples
+    ``measured``.
+    """
     for index, run in enumerate(test.runs):
         (mine,) = np.nonzero(measured.run == index)
         mine = mine[:: -(-mine.size // _MOST_FITTED)]
@@ -292,7 +294,9 @@ def _lag_finding(samples: CircleSamples, lag: Lag) -> Finding:
 
 @dataclass(frozen=True, slots=True)
 class _CircleStart:
-    """A fit of a circular test from which searches start: equations, spike shapes, solution."""
+    """A fit of a circular test from which further searches start: the equations, the spike shapes
+    and the solution.
+    """
 
     problem: CircleProblem
     shapes: SpikeShapes

@@ -34,8 +34,8 @@ _OVERSAMPLING: Final = 8.0  # search steps within one period over the radius
 
 @dataclass(frozen=True, slots=True)
 class CyclicSearch:
-    """The result of a search for cyclic errors: by axis, the frequency ``found``, 1/mm, and the
-    amplitude ``hidden``, µm, that may be undetected.
+    """The result of a search for cyclic errors. For each axis: the frequency ``found``, 1/mm, and
+    the largest amplitude ``hidden``, µm, that the search can miss.
     """
 
     found: Mapping[str, float]

@@ -1,4 +1,4 @@
-"""The linear model of a circular test, in which each cause is one column.
+"""The linear model of a circular test. Each column of its matrix is one cause of deviations.
 
 Each column is weighted by the spectrum of the residuals, with a normal prior for each cause
 (Tarantola, Inverse Problem Theory, 2005, chapter 3).
@@ -57,7 +57,7 @@ _NEGLIGIBLE: Final = 1e-14
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Reversal:
-    """The reversal point of an axis at one end of its travel, and the columns of its spikes.
+    """The reversal point of an axis at one end of its travel, and the model columns of its spikes.
 
     ``inside``: the arc contains the point; else only the tail of its spike is in the arc.
     ``shapes`` (m,): the possible spike shapes, spikes before take-ups. ``alike``, ``unlike`` (m,):
@@ -75,7 +75,7 @@ class Reversal:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleProblem:
-    """The equations of a circular test: transforms of sum and difference of both directions.
+    """The equations of a circular test: transformed sum and difference of both directions' samples.
 
     n samples, p columns that are always in the model, r ``reversals`` with m spike shapes each.
     ``slopes`` (n, p): mm per unit of each of the ``names`` (p,). ``widths`` (k,): prior standard
@@ -101,7 +101,7 @@ class CircleProblem:
     mixture: FloatArray
 
     def spiked(self, right: FloatArray) -> FloatArray:
-        """Return rows with columns of all spike shapes, from rows with columns of common curves."""
+        """Return ``right`` with columns of all spike shapes, not of the curves common to them."""
         count, (curves, shapes) = len(self.names), self.mixture.shape
         if not shapes:
             return right
@@ -109,7 +109,7 @@ class CircleProblem:
         return np.concatenate([right[..., :count], mixed.reshape(*right.shape[:-1], -1)], axis=-1)
 
     def rows_of(self, active: IndexArray) -> tuple[FloatArray, ...]:
-        """Return the rows (size, a) of the ``active`` columns for sum and difference."""
+        """Return the matrices (size, a) of sum and difference, with the ``active`` columns only."""
         count, (curves, shapes) = len(self.names), self.mixture.shape
         found = tuple(np.empty((half.shape[0], active.size)) for half in self.rows)
         for index, column in enumerate(active.tolist()):
@@ -133,8 +133,8 @@ class CircleProblem:
         return np.column_stack([c.x * self.towards_x + c.y * self.towards_y for c in columns])
 
     def with_columns(self, columns: Sequence[CauseColumn]) -> CircleProblem:
-        """Return the equations with further columns that are always in the model. A new column
-        replaces one of the same name.
+        """Return the equations with further causes (columns) that are always in the model. A new
+        column replaces the column of the same name.
         """
         fresh = self.seen(columns)
         replaced = {c.name for c in columns}
@@ -197,7 +197,7 @@ def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
 
 
 def _common_curves(shapes: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return q curves (n, r q) and weights (q, m) that reproduce all spike ``shapes`` (r, m, n).
+    """Return q curves (n, r q) whose sums, weighted by (q, m), give all spike ``shapes`` (r, m, n).
 
     Decays of similar lengths are nearly dependent, so that their principal components above the
     rounding error are about half as many (Golub and Van Loan, Matrix Computations, 4th ed. 2013,
@@ -289,8 +289,8 @@ def _reversals(
 
 
 def _lasting(samples: CircleSamples, axis: str) -> list[int]:
-    """Return in how many directions the arc begins shortly after each reversal point of an axis, so
-    that a reversal spike may continue inside the arc.
+    """Return, for both reversal points of an axis, in how many directions the arc begins so shortly
+    after this point that a reversal spike can continue inside the arc.
     """
     if samples.arc[1] >= 2.0 * np.pi - 1e-9:
         return [0, 0]
@@ -334,8 +334,8 @@ class WeightedProblem:
     right: FloatArray
 
     def without(self, always: IndexArray) -> MarginalEquations:
-        """Return the normal equations after the columns ``always`` are integrated out under their
-        priors (Schur complement).
+        """Return the normal equations after the causes with the indices ``always`` are integrated
+        out under their priors (Schur complement).
         """
         prior = self.problem.widths[always] ** -2.0
         normal = self.gram[np.ix_(always, always)] + np.diag(prior)
@@ -356,8 +356,8 @@ class WeightedProblem:
 
 @dataclass(frozen=True, slots=True)
 class MarginalEquations:
-    """Normal equations after some columns were integrated out: matrix ``gram`` (k, k) without
-    priors, and right side ``right`` (k,).
+    """Normal equations after some causes were integrated out: matrix ``gram`` (k, k), without the
+    priors of the remaining causes, and right side ``right`` (k,).
     """
 
     gram: FloatArray
@@ -383,8 +383,8 @@ class CircleFit:
 
 
 def fit_causes(weighted: WeightedProblem, active: IndexArray, precision: FloatArray) -> CircleFit:
-    """Return the least-squares solution for the ``active`` columns. ``precision`` (k,): prior
-    precisions of all columns.
+    """Return the least-squares solution with the ``active`` causes only. ``precision`` (k,): prior
+    precisions of all causes.
     """
     values, covariance = weighted.posterior(active, precision)
     problem = weighted.problem
@@ -419,7 +419,7 @@ def fit_evidence(found: CircleFit, precision: FloatArray) -> float:
 def weighted_problem(
     problem: CircleProblem, spectra: tuple[ResidualSpectrum, ...], only: IndexArray | None = None
 ) -> WeightedProblem:
-    """Return the weighted normal equations. Columns not in ``only``, if given, are left at 0."""
+    """Return the weighted normal equations. They are zero for columns not in ``only``, if given."""
     if only is None:
         halves = [
             _normal(rows * root[:, np.newaxis], aim * root)

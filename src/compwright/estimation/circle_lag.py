@@ -67,8 +67,8 @@ def common_lag(samples: CircleSamples) -> Lag | None:
 
 
 def at_actual_angles(samples: CircleSamples, lag: Lag) -> CircleSamples:
-    """Return the samples at the actual angles of the axes instead of the commanded ones. The
-    axes are behind by ``lag.angle`` in the sense of the run.
+    """Return the samples at the actual angles of the axes instead of the commanded angles. The
+    actual angles lag the commanded ones by ``lag.angle`` in the direction of the run.
     """
     return replace(
         samples,
@@ -97,7 +97,8 @@ def with_undetected_lag(samples: CircleSamples) -> CircleSamples:
 
 
 def _profile(samples: CircleSamples) -> tuple[float, FloatArray, FloatArray, int]:
-    """Return the data from which a delay of the axes is estimated.
+    """Return the samples near the reversal points, and the reversal angles to try, from which a
+    delay of the axes is estimated.
 
     Angle between samples, windows at the reversal points, angles (a,) to try in rad, index of the
     angle zero.
@@ -111,8 +112,8 @@ def _profile(samples: CircleSamples) -> tuple[float, FloatArray, FloatArray, int
 
 
 def _windows(samples: CircleSamples, half: int) -> FloatArray:
-    """Return the samples near each reversal point of each run, (w, 2, 2 half). The two rows are the
-    angle from the reversal point, rad, and the deviation, mm.
+    """Return the samples in a window at each reversal point of each run, (w, 2, 2 half): a row of
+    angles from the reversal point, rad, and a row of deviations, mm.
     """
     found = []
     for number in np.unique(samples.run):

@@ -1,4 +1,4 @@
-"""How each cause of circular deviations moves the tool along the commanded circle.
+"""The tool displacement that each cause of circular deviations produces along the commanded circle.
 
 Displacements, not radial deviations, because the bar measures |R u(θ) + displacement - ball|: with
 the ball 0.5 mm off the centre a displacement across the radius counts too. Each column is the
@@ -294,8 +294,8 @@ class SpikeShape:
 
 @dataclass(frozen=True, slots=True)
 class TakeUp:
-    """Lost motion that an axis takes up gradually over ``length`` mm of arc after a reversal,
-    relative to its value at the reversal.
+    """Lost motion that an axis takes up gradually over ``length`` mm of arc after a reversal, as a
+    share of the lost motion at the reversal.
 
     The axis stands still until the command has passed it, travelled = arc² / 2R.
     """
@@ -359,8 +359,8 @@ def cyclic_columns(
     amplitudes: tuple[float, float],
     late: float = 0.0,
 ) -> tuple[CauseColumn, ...]:
-    """Return the columns for cosine and sine of an axis' cyclic error of ``frequency`` 1/mm, and
-    those for small changes of this error.
+    """Return the model columns for an axis' cyclic error of ``frequency`` 1/mm: its cosine, its
+    sine, and further columns for small changes of this error.
 
     ISO 230-4:1996, B.2.3. Cosine and sine: a cos(2πfx) - b sin(2πfx) at ``amplitudes`` (a, b) µm.
     Changes: of the frequency, per 1/mm; of a delay of the axis, per mm at full speed (``late``: in

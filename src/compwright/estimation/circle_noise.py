@@ -1,5 +1,5 @@
-"""The noise spectrum of a circular test, from the residuals of the fit. It makes the samples
-statistically independent.
+"""The noise spectrum of a circular test, from the residuals of the fit. Weights by this spectrum
+make the samples statistically independent.
 
 Neighbouring samples are correlated, and what the model leaves out comes back in every run at the
 same angle: there are neither n independent samples nor two independent runs. The samples are
@@ -43,7 +43,9 @@ _POOLED: Final = 36
 
 @dataclass(frozen=True, slots=True)
 class AngleGrid:
-    """Samples at ``size`` angles common to all runs: their indices (runs, size) by direction."""
+    """Samples at ``size`` angles common to all runs. ``index`` has the indices of these samples,
+    one array (runs, size) per direction.
+    """
 
     index: tuple[IndexArray, ...]
     size: int
@@ -186,8 +188,8 @@ def _tried(size: int) -> tuple[IndexArray, FloatArray, FloatArray, FloatArray]:
 
 @cache
 def _mixtures(lengths: int) -> tuple[FloatArray, FloatArray]:
-    """Return the mixtures of correlated and white noise to try: ratios (m, 2 l) of correlated to
-    white noise, and their log prior probabilities (m,).
+    """Return the m mixtures of correlated and white noise to try. For each mixture: the ratios of
+    the 2 l correlated noises to white noise (m, 2 l), and the log prior probability (m,).
 
     Two noises: a part of the path that no cause explains has a spectrum of its own, and one noise
     fitted to both would be too weak at the low orders, which the causes leave hardly any residual.
@@ -219,8 +221,8 @@ def _correlated(frequency: FloatArray, lengths: FloatArray) -> FloatArray:
 
 
 def _pools(size: int) -> IndexArray:
-    """Return the first order of each group of neighbouring orders of the cosine transform. Low
-    orders are single, and groups of higher orders are wider.
+    """Return the first order of each group of neighbouring orders of the cosine transform. Each low
+    order is a group of its own; groups of higher orders are wider.
     """
     if size <= _SINGLE + 1:
         return np.arange(size)

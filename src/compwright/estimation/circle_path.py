@@ -42,7 +42,9 @@ def undetermined_causes(test: CircularTest, samples: CircleSamples) -> dict[str,
 
 
 def absent_causes(test: CircularTest, given: Container[str]) -> dict[str, Sentence]:
-    """Return the reason for each cause in the documentation that has no value in ``given``."""
+    """Return, for each cause named in the documentation that is missing in ``given``, the reason
+    why it has no value.
+    """
     reasons = {"radius_change": say("undetermined.both_directions")}
     for axis, name in zip(AXES, test.axes, strict=True):
         reasons[f"offset_change_{axis}"] = say("undetermined.both_directions")

@@ -1,5 +1,5 @@
-"""The causes of circular deviations with the names and units of the JSON output. Each has a
-standard error or the reason why it is missing.
+"""The causes of circular deviations with the names and units of the JSON output. Each cause has a
+standard error, or a reason why its value is missing.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ _EDGE: Final = 0.17
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _ReportedCause:
-    """One cause as reported: its value, random draws of it, and its radial deviations.
+    """One cause as reported: its value, random draws of the value, and its radial deviations.
 
     ``drawn`` (d,): random draws of the value from its posterior. ``curve`` (n,): its radial
     deviation, mm. ``variance``: variance of the value that the draws do not contain. ``reason``:
@@ -227,7 +227,7 @@ def _linear(
 
 
 def _unseen_end(samples: CircleSamples, axis: str) -> float:
-    """Return the extra variance, um², of mean lost motion on an arc that lacks a reversal."""
+    """Return the extra variance, um², of mean lost motion if the arc lacks a reversal (else 0)."""
     return 0.0 if all(samples.reversals(axis)) else _ENDS_DIFFER**2
 
 
@@ -380,8 +380,8 @@ def _unseen_spike(value: float, error: float) -> Sentence | None:
 
 
 def _cyclic(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
-    """Yield the amplitude of the cyclic error of an axis. If none was found, it is 0, with half of
-    the largest amplitude that may be undetected as standard error.
+    """Yield the amplitude of the cyclic error of an axis. If none was found, the amplitude is 0,
+    and its standard error is half of the largest amplitude that the search can miss.
 
     The amplitude is sqrt(a² + b² - σ²), because the root of two squares is too large by the noise
     in them (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995).
@@ -426,7 +426,7 @@ def _stated(
     *,
     detail: bool,
 ) -> _ReportedCause:
-    """Return a cause with value and standard error ``found``, else with the ``reason`` why not."""
+    """Return a cause with value and standard error ``found``, or for None with the ``reason``."""
     value, error = found or (0.0, 0.0)
     return _ReportedCause(
         name=name,
@@ -468,8 +468,8 @@ def _faded(samples: CircleSamples, frequency: float) -> float:
 
 
 def _vibration(solution: Solution) -> _ReportedCause:
-    """Return the amplitude of the vibration. If none was found, it is 0, with half of the largest
-    amplitude that may be undetected as standard error.
+    """Return the amplitude of the vibration. If none was found, the amplitude is 0, and its
+    standard error is half of the largest amplitude that the search can miss.
     """
     samples, found = solution.problem.samples, solution.vibration
     if found.frequency is None:

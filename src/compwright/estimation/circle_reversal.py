@@ -61,8 +61,8 @@ _PAIRS: Final = 6
 
 
 class SpikeShapes:
-    """The spike shapes in the model: up to `SLOTS` shapes at each reversal point, which add up.
-    Each has an index (-1: no shape), and may differ between directions.
+    """The spike shapes in the model: the sum of up to `SLOTS` shapes at each reversal point. Each
+    shape has an index (-1: no shape) and can differ between the two directions.
     """
 
     def __init__(self, problem: CircleProblem) -> None:
@@ -73,7 +73,7 @@ class SpikeShapes:
         self.adopt(problem)
 
     def adopt(self, problem: CircleProblem) -> None:
-        """Apply these spike shapes to equations that have other columns."""
+        """Apply these spike shapes to the equations ``problem``, whose columns can be different."""
         self.reversals = problem.reversals
         self._kinds = [_kinds_of(reversal) for reversal in problem.reversals]
         self.precision = problem.widths**-2.0
@@ -85,11 +85,11 @@ class SpikeShapes:
         self.rare = {n: i for i, n in enumerate(problem.names) if n in RARE}
 
     def columns(self, reversal: int, slot: int) -> list[int]:
-        """Return the columns of shape number ``slot`` at a reversal point."""
+        """Return the model columns (indices) of the shape in ``slot`` at a reversal point."""
         return self._columns[reversal, slot]
 
     def at(self, place: tuple[int, int] | str) -> tuple[object, ...]:
-        """Return columns and size of the shape at ``place`` (or whether this rare cause exists)."""
+        """Return columns and size of a shape, or (for a name) whether this rare cause exists."""
         if isinstance(place, str):
             return (self.present[place],)
         return *self._columns[place], self.size[place]
@@ -97,7 +97,7 @@ class SpikeShapes:
     def put(
         self, reversal: int, slot: int, place: int, *, unlike: bool = False, size: int = 0
     ) -> None:
-        """Replace shape number ``slot`` at a reversal point; ``place``: new index (-1: none)."""
+        """Put the shape with index ``place`` (-1: none) in this ``slot`` of a reversal point."""
         self.place[reversal, slot] = place
         if place >= 0:
             self.unlike[reversal, slot], self.size[reversal, slot] = unlike, size
@@ -112,7 +112,7 @@ class SpikeShapes:
         self.precision[found] = _SIZES[self.size[reversal, slot]] ** -2.0
 
     def chosen(self, but: tuple[int, int] | str | None = None) -> IndexArray:
-        """Return the columns in the model of spikes and rare causes, except that named ``but``."""
+        """Return the columns of all spikes and rare causes in the model except that at ``but``."""
         rare = [column for name, column in self.rare.items() if self.present[name] and name != but]
         found = [
             column
@@ -127,7 +127,7 @@ class SpikeShapes:
         return np.concatenate([self.always, self.chosen()])
 
     def options(self, reversal: int, slot: int) -> IndexArray:
-        """Return the indices of possible shapes for number ``slot`` at a reversal point."""
+        """Return the indices of the shapes that are possible in a ``slot`` of a reversal point."""
         return self._kinds[reversal][slot >= _DECAYS]
 
     @property
@@ -185,7 +185,7 @@ def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
 
 
 def _set(shapes: SpikeShapes, reversal: int, slot: int, option: int) -> None:
-    """Replace shape number ``slot`` at a reversal point by the possibility ``option``."""
+    """Replace the shape in ``slot`` at a reversal point by possibility ``option`` (0: no shape)."""
     options = shapes.options(reversal, slot)
     if option == 0:
         shapes.put(reversal, slot, -1)
@@ -197,7 +197,7 @@ def _set(shapes: SpikeShapes, reversal: int, slot: int, option: int) -> None:
 
 
 class _Tried:
-    """Columns (t,) that may be added to a fit, with their normal equations."""
+    """Columns (t,) that are tried as additions to a fit, with their normal equations."""
 
     def __init__(self, marginal: MarginalEquations, columns: IndexArray) -> None:
         self.rows = marginal.gram[columns].T  # symmetric: rows are quicker to take
@@ -207,7 +207,7 @@ class _Tried:
     def added(
         self, marginal: MarginalEquations, shapes: SpikeShapes, chosen: IndexArray
     ) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the normal equations of these columns after a fit with the ``chosen`` columns.
+        """Return the normal equations of the tried columns after a fit with the ``chosen`` columns.
 
         Right side (t,), weight (t,) without their priors, and the inner products (c, t) with the
         chosen ones.
@@ -243,7 +243,7 @@ def _odds(marginal: MarginalEquations, shapes: SpikeShapes, name: str) -> tuple[
 
 
 class _Options:
-    """All possibilities for one of the shapes at a reversal point, compared by their evidence."""
+    """All shapes that are possible in one slot at a reversal point, compared by their evidence."""
 
     def __init__(
         self, marginal: MarginalEquations, shapes: SpikeShapes, reversal: int, slot: int

@@ -31,8 +31,8 @@ _WIDTH: Final = 5.0
 
 @dataclass(frozen=True, slots=True)
 class Vibration:
-    """The strongest vibration in a circular test: its frequency, and the amplitude that may be
-    undetected.
+    """The strongest vibration in a circular test: its frequency, and the largest amplitude that the
+    search can miss.
 
     ``frequency`` Hz; None: no clear vibration. ``hidden``: amplitude, um, that may be undetected.
     ``least``: sum of squares, in standard errors, that an amplitude must exceed to be reported.

@@ -1,5 +1,5 @@
-"""Columns for properties that differ from test to test: the zero of the instrument, and a slope by
-the temperature.
+"""Model columns for two properties that differ from test to test: the zero of the instrument, and a
+slope error from temperature.
 
 Columns of a linear model with normal priors (Rasmussen and Williams, Gaussian Processes for Machine
 Learning, 2006, section 2.7).
@@ -19,7 +19,8 @@ from compwright.records.axis import FloatArray
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DatumColumns:
-    """Columns ``columns`` (c, e) for the offset or slope of a single test of an axis.
+    """Columns ``columns`` (c, e) of the model's matrix, each for the offset or the slope of a
+    single test of an axis.
 
     ``stds`` (e,): the standard deviations of their weights, in units of the scale. ``slopes``: by
     test, the column of its own slope, None where it has none.
@@ -36,8 +37,8 @@ def datum_columns(
     targets: FloatArray,
     scale: float,
 ) -> DatumColumns:
-    """Return columns for an offset of each further test, and a slope of each test where it is
-    uncertain.
+    """Return the matrix columns for the offset of each further test, and for the slope of each test
+    whose slope is uncertain.
 
     Each test but the first has a datum; the first one's is that of the error. Each test whose slope
     is uncertain has a slope about the middle of the ``targets`` (m,) of all, 1 at their ends.

@@ -153,7 +153,8 @@ def _own_rows(basis: Basis, targets: FloatArray, data: CellData) -> FloatArray:
 
 
 class Evidence:
-    """Calculator of the marginal likelihood of the readings of an axis under one set of functions.
+    """Calculator of the marginal likelihood of the readings of an axis, for an error that is a
+    weighted sum of the functions ``basis``.
 
     ``values`` (c,): the means of the typical draw of the noise. Methods with a parameter ``draw``
     use the typical draw of the noise if it is None.
@@ -211,8 +212,9 @@ class Evidence:
         return logs, slopes
 
     def variances(self, h: FloatArray) -> tuple[float, float]:
-        """Return the variance of one reading (if it is estimated), and that of the error that is
-        independent at each target. Both are relative to the squared scale.
+        """Return the variance of one reading (if the noise is estimated), and the variance of that
+        part of the error which is independent from target to target. Both are relative to the
+        squared scale.
         """
         return float(np.exp(2.0 * h[NOISE]) + self.data.floor**2), float(np.exp(2.0 * h[LOCAL]))
 
@@ -287,8 +289,8 @@ class Evidence:
         self, h: FloatArray, draw: int | None, *, derivatives: bool
     ) -> tuple[_Scaled, _Marginal, float]:
         """Return the scaled model, the log density of the mean readings, and the log density of all
-        readings (means and scatter). The smaller of two matrices is used where the noise is large
-        enough.
+        readings (means and scatter). The covariance of the mean readings is used if they are fewer
+        than the weights and the noise is large enough, else the covariance of the weights.
         """
         scaled = self._scaled(h, draw)
         cells, weights = scaled.rows.shape
@@ -323,8 +325,8 @@ class _Scaled:
         return np.add.reduceat(self.precision, self.data.starts)
 
     def removed(self, columns: FloatArray) -> FloatArray:
-        """Return ``columns`` (c,) or (c, k) multiplied by the inverse covariance of noise and
-        independent error at the targets.
+        """Return ``columns`` (c,) or (c, k) multiplied by the inverse covariance matrix of the
+        noise together with that part of the error which is independent from target to target.
 
         Cells of one target share the local part. By the formula of Sherman and Morrison (Rasmussen
         and Williams 2006, eq. A.9).

@@ -89,7 +89,8 @@ def _places(targets: FloatArray, periods: FloatArray) -> FloatArray:
 
 @dataclass(slots=True)
 class _Design:
-    """The choice of further targets: candidates, and the information so far about each period.
+    """The choice of further targets: the candidates, and how much the targets so far tell about
+    each possible period of the error.
 
     ``places`` (c,): candidate targets. Given the readings so far: ``covariance`` (c, c) of the
     error at ``places``, ``waves`` (c, 2 p) of the p periods there. ``gram`` (2 p, 2 p): information
@@ -114,7 +115,9 @@ class _Design:
         periods: FloatArray,
         shares: FloatArray,
     ) -> _Design:
-        """Return the design before any target is added, from what the present targets show."""
+        """Return the design before any target is added, with the information of the readings so
+        far.
+        """
         bidirectional = bidirectional_means(posterior.cells, endless=False)
         m, every = bidirectional.targets.size, np.concatenate([bidirectional.targets, places])
         length = float(np.ptp(bidirectional.targets))
@@ -141,7 +144,8 @@ class _Design:
         )
 
     def least(self) -> float:
-        """Return the smallest amplitude of a wave at which the chosen targets show its period.
+        """Return the smallest amplitude of a wave whose period the present and the added targets
+        show.
 
         For most of the periods and whatever its phase.
         """
@@ -170,9 +174,9 @@ class _Design:
         return best
 
     def _information(self, gram: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the information about cosine, both and sine of each period's wave, each (..., p, p
-        + 1). It separates the period from each other period and, in the last column, from no
-        period.
+        """Return the information that separates the wave of each period from the wave of each other
+        period and, in the last column, from no wave. Three arrays (..., p, p + 1): about the
+        cosine, about both together (cross term), and about the sine.
 
         ``gram`` (..., 2 p, 2 p) about each period (cosine, both, sine).
         """
@@ -206,8 +210,9 @@ def _waves(places: FloatArray, periods: FloatArray) -> FloatArray:
 
 
 def _smooth_covariance(posterior: AxisPosterior, places: FloatArray) -> tuple[FloatArray, float]:
-    """Return two prior variances of the error, mm² or deg², averaged over the parameters:
-    covariance (k, k) of its smooth part, and variance of its independent part at each target.
+    """Return two prior variances of the error, mm² or deg², averaged over the parameters: the
+    covariance (k, k) of the smooth part, and the variance of the part that is independent from
+    target to target.
     """
     part = posterior.parts[0]
     sines = slice(2, 2 + part.basis.sines)

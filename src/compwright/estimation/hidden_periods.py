@@ -231,7 +231,8 @@ class _ExpectedPeriods:
     def periods(
         self, likelihood: PeriodLikelihood, odds: PeriodOdds
     ) -> tuple[FloatArray, FloatArray]:
-        """Return possible periods (p,), mm or deg, with the log odds (p,) of each against none.
+        """Return possible periods (p,), mm or deg, and for each the log odds (p,) that the error
+        has this period against no period.
 
         The usual ones, and some that stand for all others, drawn where the readings speak for a
         wave and anywhere (defensive importance sampling: Hesterberg, Technometrics 37, 1995).
@@ -380,8 +381,8 @@ class _SmoothFit:
     curve: CurveColumns
 
     def followed(self, node: int, period: float | None = None) -> tuple[FloatArray, FloatArray]:
-        """Return the fitted coefficients (j,), mm or deg, and their change (j, 2) if a wave of unit
-        cosine or sine is added to the readings.
+        """Return the fitted coefficients (j,), mm or deg, and how much they change (j, 2) if a wave
+        of unit cosine or sine is subtracted from the readings.
         """
         likelihood, basis = self.likelihood, self.curve.basis
         place = node

@@ -97,8 +97,8 @@ def _log_density(peak: Peak, away: FloatArray) -> FloatArray:
 
 
 def _log_posteriors(evidence: Evidence, peaks: Sequence[Peak], points: FloatArray) -> FloatArray:
-    """Return the log posterior density (n,) at the ``points`` (n, h), of which each of the
-    ``peaks`` has the same number.
+    """Return the log posterior density (n,) at the ``points`` (n, h). The first of the ``peaks``
+    has the first points; each peak has the same number of points.
 
     Each point is evaluated under one draw of the noise. How much more likely that draw makes the
     means at the peaks than the average draw does is subtracted: the means do not change the

@@ -152,8 +152,8 @@ def find_jumps(
 
 
 def _windows(m: int, *, endless: bool) -> list[tuple[int, int, range]]:
-    """Return groups of neighbouring targets, each with the gaps between targets that are searched
-    for jumps in it. A gap has the index of the target before it.
+    """Return groups of neighbouring targets. Each group is used to search for jumps in some of its
+    gaps, the intervals between two targets; a gap has the index of the target before it.
     """
     count = min(2 * _HALF, m) if not endless else 2 * min(_HALF, m // 2)
     gaps = m if endless else m - 1

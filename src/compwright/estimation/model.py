@@ -101,8 +101,8 @@ class MixturePart:
 
     @property
     def weights(self) -> tuple[WeightPosterior, ...]:
-        """The distribution of the weights for each draw (n). Only the last few models keep it in
-        memory.
+        """The distribution of the weights of the functions, one for each draw (n). Only the models
+        used last keep these distributions in memory.
         """
         return _weights_of(self)
 
@@ -177,8 +177,8 @@ def _starts(cells: Cells, prior: Prior) -> list[FloatArray]:
 
 
 def with_other_periods(fit: FittedModel, cells: Cells, periods: Periods) -> FittedModel:
-    """Return a fitted model with its periods replaced by as many others. Its parameter draws are
-    kept.
+    """Return a fitted model with ``periods`` in place of its own periods, which are the same
+    number. The draws of its parameters are kept.
     """
     evidence = fit.evidence
     if periods.periods == evidence.basis.periods:

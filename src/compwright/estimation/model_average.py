@@ -88,7 +88,8 @@ def _varying_and_constant_reversal(
 
 
 def _apportion(weights: Sequence[float], draws: int) -> list[int]:
-    """Return how many of the ``draws`` belong to each weight, whole numbers with that sum.
+    """Return how many of the ``draws`` each weight gets: whole numbers in proportion to the
+    ``weights``, with the sum ``draws``.
 
     By the largest remainders (Balinski and Young, Fair Representation, 1982).
     """

@@ -108,7 +108,9 @@ def means_of_all_runs(
 def cell_locations(
     tail: Tail, values: FloatArray, there: NDArray[np.bool_], scale: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return mean and variance (c,) of the expected reading at each target, by `_located`."""
+    """Return mean and variance (c,) of the expected reading at each target and direction.
+    `_located` computes them in parts, to save memory.
+    """
     at_once = max(1, _AT_ONCE // (min(_ABOUT, values.shape[1]) * _AWAY.size * values.shape[1]))
     parts = [
         _located(tail, values[part], there[part], scale[part])
@@ -120,7 +122,8 @@ def cell_locations(
 def _located(
     tail: Tail, values: FloatArray, there: NDArray[np.bool_], scale: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return mean and variance (c,) of the expected reading, from readings ``values`` (c, n).
+    """Return mean and variance (c,) of the expected reading at each target and direction, from the
+    readings ``values`` (c, n).
 
     ``there`` (c, n): which readings exist. Their errors follow the distribution ``tail`` times
     ``scale`` (c,). Flat prior; integrated by the trapezoidal rule over positions around the

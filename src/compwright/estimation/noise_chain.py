@@ -146,7 +146,9 @@ class GibbsChain:
         return max(scale, 0.3 * spread, self.floor), rest
 
     def sweep(self) -> NoiseState:
-        """Draw every part of the noise once, and return the state that belongs to the means."""
+        """Draw every part of the noise once. Return the state with the parts on which the last
+        step, the draw of the means, is based.
+        """
         rng, there = self.rng, self.readings.there
         scale = np.exp(self.spread @ self.shapes)[:, np.newaxis]
         weights = there * self.latent.weights / scale**2
@@ -202,7 +204,8 @@ class GibbsChain:
     def _as_read(
         self, data: ReducedReadings, weights: FloatArray, shift: FloatArray
     ) -> ReducedReadings:
-        """Return ``data`` with means of the displayed readings, not of drawn unrounded values.
+        """Return ``data`` with the means of the readings as displayed, not of the unrounded
+        readings drawn for them.
 
         The unrounded values are random draws and would change the mean of their target at random.
         """

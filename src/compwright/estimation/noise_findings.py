@@ -157,8 +157,9 @@ def _tails(
 
 
 def _at_places(test: PositioningTest, readings: CellReadings, cells: IndexArray) -> IndexArray:
-    """Return the numbers of the targets at which all outliers in ``cells`` (k,) are, or no numbers.
-    Each target must have several outliers: in all at least three, or half of its readings.
+    """Return the numbers of the targets at which all outliers ``cells`` (k,) occur, or no numbers
+    if they are single outliers. Each of these targets must have more than one outlier; there must
+    be three outliers in all, or at each target half of its readings.
     """
     m = test.targets.size
     places, counts = np.unique(cells % m, return_counts=True)
@@ -170,8 +171,8 @@ def _at_places(test: PositioningTest, readings: CellReadings, cells: IndexArray)
 def _cause(
     test: PositioningTest, places: IndexArray, cells: IndexArray, runs: IndexArray
 ) -> Sentence:
-    """Return a hint for the cause of outliers: at the targets ``places``, in one traverse, or
-    single.
+    """Return a sentence about the cause of outliers: for outliers at the targets ``places``, for
+    outliers in one traverse, or for single readings.
     """
     m = test.targets.size
     if places.size:

@@ -26,8 +26,8 @@ _HALF: Final = 0.5
 
 @dataclass(slots=True)
 class ScoreEvidence:
-    """The ``scores`` (r,) of traverse shifts (`ReducedReadings`), as evidence of their covariance:
-    a known ``matrix`` (r, r) times an unknown variance.
+    """The ``scores`` (r,), which are combinations of the readings that show traverse shifts
+    (`ReducedReadings`). Their covariance is a known ``matrix`` (r, r) times an unknown variance.
 
     ``dof`` degrees of freedom and residual sum of squares ``rest``.
     """
@@ -56,7 +56,8 @@ def draw_share(moved: BoolArray, rng: np.random.Generator) -> float:
 def draw_moved(
     moved: BoolArray, moves: FloatArray, evidence: ScoreEvidence, rng: np.random.Generator
 ) -> BoolArray:
-    """Draw which of the possible shifts ``moves`` (q, r) exist, each in turn given all others.
+    """Draw which of the possible shifts ``moves`` (q, r) exist: one shift after another, given the
+    present state of all other shifts.
 
     ``moves``: standard deviations of the scores by each shift; ``moved`` (q,): which exist at
     present. The variance of a reading is integrated out (George and McCulloch, J. Am. Stat. Assoc.

@@ -63,7 +63,8 @@ class CellReadings:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ReducedReadings:
-    """The information of readings about the k shifts of the traverses, for a reading variance of 1.
+    """The information that the readings contain about the k shifts of the traverses, computed for a
+    reading variance of 1.
 
     ``root`` (k, r): root @ root.T is the information matrix; ``scores`` (r,) = root.T @ shifts +
     unit noise; ``rest``: sum of squares that no shift explains. ``means``, ``weights`` (c,):

@@ -30,8 +30,8 @@ def spread_shapes(readings: CellReadings) -> FloatArray:
 
 
 def precision_powers(shapes: FloatArray) -> FloatArray:
-    """Return the factors (parts, values, c) on precision by each pattern of scatter and each size
-    of it.
+    """Return the factors (parts, values, c) by which each pattern of scatter, at each tried size,
+    multiplies the precision of the readings.
 
     One for every pattern of the scatter and every size of it.
     """

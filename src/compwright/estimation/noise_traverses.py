@@ -43,7 +43,8 @@ _CLEARLY: Final = 7.0
 
 @dataclass(frozen=True, slots=True)
 class _Spectrum:
-    """The covariance of one kind of shift relative to the covariance of all others, by eigenvalues.
+    """The covariance of one kind of traverse shift, as eigenvalues relative to the covariance of
+    all other shifts and the noise.
 
     Generalised eigenvalue problem. ``base`` (forms,): log determinant of the others; ``stretch``
     (forms, r): eigenvalues; ``along`` (forms, r): scores in the direction of the eigenvectors.
@@ -113,7 +114,9 @@ class ReducedTraverses:
         return square / float(rng.chisquare(self.dof))
 
     def draw_drift(self, sizes: Sizes, variance: float, rng: np.random.Generator) -> FloatArray:
-        """Draw the two drifts (2,), first to last run, averaged over offsets and tilts."""
+        """Draw the drift of the offset and the drift of the tilt (2,), from the first to the last
+        run, averaged over the other offsets and tilts of traverses.
+        """
         drift = np.zeros(2)
         there = np.flatnonzero(sizes.size[DRIFT:] > 0.0)
         if there.size:
@@ -149,8 +152,8 @@ class ReducedTraverses:
         return total
 
     def _offset(self, sizes: Sizes) -> FloatArray:
-        """Return the covariance of the scores (`ReducedReadings`) by traverse offsets of unit size,
-        for each pattern (forms, r, r).
+        """Return the covariance of the scores (`ReducedReadings`) that traverse offsets of unit
+        size cause, for each pattern (forms, r, r).
         """
         key = sizes.moved.tobytes()
         if self.offset is None or self.offset[0] != key:
@@ -160,7 +163,9 @@ class ReducedTraverses:
         return self.offset[1]
 
     def _draw_moved(self, sizes: Sizes, rng: np.random.Generator) -> None:
-        """Draw which traverse shifts exist, from the prior if readings state nothing about it."""
+        """Draw which traverse shifts exist. If the present offsets are zero or follow a wave, the
+        readings tell nothing about single shifts, and the draw is from the prior.
+        """
         size = sizes.size[OFFSET]
         if size == 0.0 or sizes.form >= len(self.moves):
             sizes.moved = drawn_from_prior(sizes.moved.size, rng)
@@ -171,8 +176,8 @@ class ReducedTraverses:
         sizes.moved = draw_moved(sizes.moved, size * self.moves[sizes.form], evidence, rng)
 
     def _drifting(self, sizes: Sizes) -> FloatArray:
-        """Return the covariance (r, r) of the scores (`ReducedReadings`) by drift and tilt drift of
-        the present size and rate.
+        """Return the covariance (r, r) of the scores (`ReducedReadings`) that drift and tilt drift
+        cause at their present size and rate.
         """
         total: FloatArray = sizes.size[DRIFT] ** 2 * np.outer(
             self.drift[sizes.rate], self.drift[sizes.rate]
@@ -266,7 +271,8 @@ class ReducedTraverses:
 
     def _of_others(self, sizes: Sizes, kind: int) -> tuple[FloatArray, FloatArray]:
         """Return two covariances of the scores (`ReducedReadings`) for each pattern of ``kind``
-        (forms, r, r): by all other causes, and by ``kind`` of unit size.
+        (forms, r, r): one caused by the noise and all other shifts, one caused by a shift of
+        ``kind`` of unit size.
 
         All other causes with the noise of the readings; and ``kind`` of unit size. For a drift the
         second is its column (rates, r).

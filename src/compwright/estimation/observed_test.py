@@ -103,8 +103,8 @@ def cell_means(
 def traverse_columns(
     other_noise: NoiseDraws, positions: FloatArray, signs: FloatArray
 ) -> FloatArray:
-    """Return columns (n, c, 4) of unit variance for an unknown offset and tilt of each direction in
-    a test.
+    """Return model columns (n, c, 4) for an unknown offset and an unknown tilt of each direction in
+    a test. The columns are scaled so that their weights have unit variance.
 
     Shifts of only some traverses count by their root mean square. A shift common to both directions
     is the datum of the test, or its slope.

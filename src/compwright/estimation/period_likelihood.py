@@ -105,7 +105,8 @@ class NodeChoice:
 
 @dataclass(frozen=True, slots=True)
 class _Waves:
-    """Cosine and sine columns of f waves, split into parts along and across the r smooth functions.
+    """Cosine and sine columns of f waves, each split into a part along the r smooth functions and
+    the part orthogonal to these functions.
 
     ``along`` (r, f): components of each column along the smooth functions. ``across`` (f,):
     products of the columns outside these and the free columns; ``dual`` (f,): their products with
@@ -259,7 +260,7 @@ class PeriodLikelihood:
         self, frequencies: FloatArray, choice: NodeChoice, harmonics: int = 2
     ) -> list[FloatArray]:
         """Return the log likelihood gains (a, n, f) of a wave, for each amplitude and grid point:
-        with one harmonic, then with more.
+        for a wave with one harmonic, for a wave with two, and so on up to ``harmonics``.
         """
         steps = AMPLITUDES[choice.amplitudes]
         log_prior = -0.5 * steps**2
@@ -393,7 +394,8 @@ def _densities(frequencies: FloatArray) -> Iterator[tuple[float, float, float, F
 
 
 def _white_nodes(dof: float, spread: float, roughness: float) -> tuple[FloatArray, FloatArray]:
-    """Return possible variances (n,) of noise and independent error together, and their log priors.
+    """Return possible sums (n,) of two variances, of the noise and of that part of the error which
+    is independent from target to target, and their log prior probabilities.
 
     In units of the noise variance of a middle. Noise: a normal logarithm of variance 2 / dof
     (JCGM 100:2008, eq. G.3; without any, a factor e either way on the standard deviation). Local
@@ -420,7 +422,9 @@ def _white_nodes(dof: float, spread: float, roughness: float) -> tuple[FloatArra
 
 
 def _independent(columns: FloatArray) -> FloatArray:
-    """Return an orthonormal basis (m, r) of the space of ``columns`` (m, k), without rounding."""
+    """Return an orthonormal basis (m, r) of the space that the ``columns`` (m, k) span, without
+    directions that only rounding errors cause.
+    """
     if not columns.shape[1]:
         return columns
     left, sizes, _ = np.linalg.svd(columns, full_matrices=False)

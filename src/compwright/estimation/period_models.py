@@ -110,11 +110,14 @@ class PeriodSet:
     log: float
 
     def extended(self, member: PeriodCandidate) -> PeriodSet:
-        """Return the set with one more period, found under the assumption of the set."""
+        """Return the set with one more period, which was found on the assumption that the periods
+        of the set exist.
+        """
         return PeriodSet((*self.members, member), self.log + member.log)
 
     def less_certain(self, rest: float) -> PeriodSet:
-        """Return the set with its probability plus that of further periods that are no candidates.
+        """Return the set with its probability increased by that of the set together with a further
+        period that is no candidate.
 
         ``rest``: logarithm of their probability, relative to no additional period.
         """

@@ -179,7 +179,8 @@ class _PeriodSearch:
         return likelihood.detectable(self.frequencies)
 
     def refined(self, periods: PeriodSet) -> PeriodSet:
-        """Return a set of two or more periods after each is searched again, given all others.
+        """Return a set of two or more periods after each period is searched again, given the other
+        periods of the set.
 
         The probability of the set is then the likelihood of the waves one after another at their
         new places. Each is multiplied by the part of it that its prior and the width of its peak

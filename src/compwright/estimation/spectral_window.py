@@ -53,7 +53,9 @@ class SpectralWindow:
         return np.asarray(np.maximum(self.at(frequencies - other), self.at(frequencies + other)))
 
     def slow(self, frequencies: FloatArray, lowest: float) -> NDArray[np.bool_]:
-        """Return which ``frequencies`` appear at the targets as a wave far below ``lowest``."""
+        """Return which ``frequencies`` appear at the targets as a wave with a frequency far below
+        ``lowest``.
+        """
         right = np.searchsorted(self.peaks, frequencies).clip(0, self.peaks.size - 1)
         left = (right - 1).clip(0)
         away = np.minimum(

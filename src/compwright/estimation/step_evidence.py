@@ -162,8 +162,9 @@ class StepEvidence:
     def _swept(
         self, members: tuple[int, ...], products: FloatArray
     ) -> tuple[FloatArray, FloatArray]:
-        """Return the log evidence of the steps ``members``, and the scalar ``products`` after their
-        elimination, each for every size and length of the smooth error.
+        """Return the log evidence for the steps ``members``, and the scalar ``products`` after
+        these steps are eliminated from them. Both are given for every size and length of the smooth
+        error.
         """
         weights, left = self.plain, products
         for one in members:
@@ -196,7 +197,7 @@ class StepEvidence:
 
 
 def _gain(along: FloatArray, own: FloatArray, variances: FloatArray) -> FloatArray:
-    """Return how much one more step or outlier increases the log probability density."""
+    """Return how much one further step or outlier increases the log probability of the means."""
     return np.asarray(0.5 * along**2 / own - 0.5 * np.log(variances * own))
 
 

@@ -74,8 +74,8 @@ USUAL_PERIODS: Final = {
 
 
 def usual_periods(kind: AxisKind, suggested: Sequence[float] = ()) -> tuple[UsualPeriod, ...]:
-    """Return the usual periods of a kind of axis and the ``suggested`` ones (mm or deg). Each
-    suggested period is as probable as all others together.
+    """Return the usual periods of a kind of axis, and the ``suggested`` periods (mm or deg). Each
+    suggested period is as probable as all usual periods together.
     """
     usual = USUAL_PERIODS[kind]
     total = sum(each.weight for each in usual)
