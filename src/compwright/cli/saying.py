@@ -72,7 +72,9 @@ def answer_lines(
 
 
 def next_step_line(json_path: Path | None, line: Callable[[], str]) -> None:
-    """Print the next step as the last line, unless the result is printed as JSON."""
+    """Print the next step as the last line of the output, but not if the output is JSON (``--json
+    -``).
+    """
     if not _on_output(json_path):
         print_lines([line()])
 

@@ -34,7 +34,9 @@ def main() -> NoReturn:
 
 
 def _side_by_side(items: int, ready: Callable[[], None]) -> AbstractContextManager[Each]:
-    """Provide parallel workers for the axes of a job; imports their module only when needed."""
+    """Return the parallel workers for the axes of a job; their module is imported here because few
+    commands need it.
+    """
     from compwright.foundations.processes import side_by_side
 
     return side_by_side(items, ready)

@@ -67,7 +67,9 @@ class _FileWord(click.ParamType[str]):
 def _matched(
     session: Session, kind: click.ParamType[Any], values: Iterable[object]
 ) -> Iterator[Any]:
-    """Yield the files that match patterns, as the shell of Windows does not expand ``*``."""
+    """Yield the values, with patterns (``*``, ``?``) replaced by the files that match: the shell of
+    Windows does not do that.
+    """
     for value in values:
         text = str(value)
         if not {"*", "?"} & set(text):

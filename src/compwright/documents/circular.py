@@ -83,7 +83,8 @@ def machine_document(
     contradictions: Sequence[tuple[str, Sequence[tuple[str, str, float, float]]]],
     findings: Iterable[Finding],
 ) -> dict[str, Any]:
-    """Return the causes that several circles of one machine show together, and contradictions.
+    """Return the error causes (such as squareness) that the circular tests of one machine show
+    together, and the causes on which the tests contradict each other.
 
     ``values`` with standard error by cause and axis or plane; ``contradictions``: of a cause the
     circles with their axes, value and error; ``stated``: ``machine`` and ``serial`` of their files.
@@ -182,13 +183,16 @@ def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
 
 
 def _absent(name: str) -> dict[str, Any]:
-    """Return the JSON entry of a cause that the test cannot show: its unit, other values null."""
+    """Return the JSON entry of an error cause that a circular test cannot show: only its unit is
+    not null.
+    """
     unit = "um/m" if name.startswith("scale_error") else "um"
     return {"value": None, "std_error": None, "unit": unit, "effect": None, "share": None}
 
 
 def _effect(effect: CircularEffect, *, given: bool) -> dict[str, Any]:
-    """Return the JSON entry of a cause, with its value in the unit of that cause.
+    """Return the JSON entry of an error cause (such as lost motion) in a circular test, with its
+    value and unit.
 
     And what else belongs to it. A cause that is not ``given`` keeps its standard error alone, if it
     has one.

@@ -48,7 +48,9 @@ def decode_document(
 
 
 def assumed_documents(assumed: Iterable[Assumption]) -> list[dict[str, str]]:
-    """Return the assumptions in their order, each fact once."""
+    """Return the assumptions for JSON in their order, without repetitions of the same fact with the
+    same value.
+    """
     unique = {(entry.fact, entry.value): entry for entry in reversed(list(assumed))}
     return [
         {"fact": entry.fact, "value": entry.value, "evidence": entry.evidence}

@@ -114,7 +114,9 @@ def _entry(entry: EntryDifference, address: str | None) -> dict[str, Any]:
 
 
 def others_document(entries: Iterable[EntryDifference]) -> list[dict[str, Any]]:
-    """Return the other differing values counted by parameter, those in both backups first."""
+    """Return, for each parameter, how many of the differing values ``entries`` it has; parameters
+    in both backups come first.
+    """
     groups: dict[str, list[EntryDifference]] = {}
     for entry in entries:
         groups.setdefault(entry.group, []).append(entry)

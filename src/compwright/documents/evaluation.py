@@ -27,7 +27,9 @@ COVERAGE: Final = 2.0
 def evaluation_document(
     results: Iterable[PositioningResult], errors: Iterable[Fault] = ()
 ) -> dict[str, Any]:
-    """Return the JSON document with all evaluated tests, and the faults of all other files."""
+    """Return the JSON document with all evaluated tests, and with ``errors``, the faults of files
+    that could not be evaluated.
+    """
     return {
         "schema": SCHEMA,
         "results": [result_document(result) for result in results],
@@ -90,7 +92,8 @@ _AT_LENGTH = frozenset(
 
 
 def in_short(entry: Mapping[str, Any]) -> dict[str, Any]:
-    """Return an entry without targets and readings: parameters, causes, facts and findings.
+    """Return the JSON entry of a test without its long parts (targets, readings, header), for
+    summaries of many tests.
 
     Without what its size grows with. Of a thousand tests in one answer that is not JSON.
     """
@@ -111,7 +114,9 @@ def _traverses(deviations: FloatArray) -> int:
 def uncertainty_document(
     stated: Mapping[str, ExpandedUncertainty] | None, factor: float
 ) -> dict[str, Any] | None:
-    """Return U and coverage factor by parameter, in the JSON's unit; ``factor`` converts to it."""
+    """Return the expanded uncertainty U and the coverage factor of each parameter for JSON; U is
+    multiplied by ``factor``.
+    """
     if stated is None:
         return None
     return {

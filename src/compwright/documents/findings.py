@@ -11,7 +11,9 @@ from compwright.words.sentences import Amount, Sentence, say
 
 
 def finding_documents(findings: Iterable[Finding]) -> list[dict[str, Any]]:
-    """Return each finding once, with its English sentence and its values."""
+    """Return the findings for JSON, equal findings once: code, severity, English text, and the
+    values in the text.
+    """
     return [
         {
             "code": finding.code,
@@ -24,12 +26,16 @@ def finding_documents(findings: Iterable[Finding]) -> list[dict[str, Any]]:
 
 
 def planned_finding(finding: Finding) -> dict[str, Any]:
-    """Return a finding as plain data for a plan; `read_sentence` restores its sentence."""
+    """Return a finding as plain data for a plan, from which `read_sentence` can restore its
+    translatable text.
+    """
     return {**asdict(finding), "message": finding.message}
 
 
 def read_sentence(written: object, message: str) -> Sentence:
-    """Return the sentence of a finding in a plan, or the stored ``message`` if it is unknown."""
+    """Return the text of a finding in a plan as a `Sentence`, which can be translated; if this
+    version does not know it, as the English ``message``.
+    """
     try:
         sentence = _value(written)
         if isinstance(sentence, Sentence) and str(sentence) == message:

@@ -44,7 +44,9 @@ def older_record(
 
 
 def _inputs(plan: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Return the control files of the states in a plan as inputs of a record."""
+    """Return a record's ``inputs``: the control files that a plan contains, by the state to which
+    they belong.
+    """
     return [
         {
             "role": "state",
@@ -71,7 +73,9 @@ def _measured_in(plan: Mapping[str, Any]) -> dict[str, str]:
 def _after(
     verification: Mapping[str, Any] | None, evaluation: Mapping[str, Any] | None
 ) -> list[dict[str, Any]]:
-    """Return the tests after loading in a verification, which has only their parameters."""
+    """Return a record's tests after loading, made from a verification, which contains only their
+    parameters (no readings).
+    """
     if verification is None:
         return []
     before = {

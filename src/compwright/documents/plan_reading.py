@@ -50,7 +50,9 @@ def _periods(values: dict[str, Any]) -> dict[str, Any]:
 
 
 def _finding(values: dict[str, Any]) -> dict[str, Any]:
-    """Return the fields of a finding, with its sentence restored if this version knows it."""
+    """Return the fields of a finding; its text can be translated if this version of compwright
+    knows the text.
+    """
     return {**values, "sentence": read_sentence(values.get("sentence"), values["message"])}
 
 
@@ -94,7 +96,9 @@ def _definition(entries: Any) -> Any:
 
 
 def _both(sides: Any) -> Any:
-    """Check that an active correction has exactly the keys ``positive`` and ``negative``."""
+    """Return an active correction unchanged, after checking that its keys are exactly ``positive``
+    and ``negative``.
+    """
     if not isinstance(sides, dict) or set(sides) != {"positive", "negative"}:
         expected = "null, or the keys positive and negative"
         refuse(KeyFault((), "is not an accepted value", expected, shown(sides)))

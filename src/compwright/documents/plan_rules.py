@@ -32,7 +32,9 @@ def contradictions(plan: Plan) -> Iterator[KeyFault]:
 
 
 def _names(plan: Plan) -> Iterator[KeyFault]:
-    """Yield faults of names that differ from their keys, and of states not usable as file names."""
+    """Yield a fault for each entry whose ``name`` differs from its key, and for each state whose
+    name cannot be a file name.
+    """
     for name, entry in plan.axes.items():
         yield from _other(("axes", name, "axis", "name"), name, entry.axis.name)
     for name, axis in plan.untested.items():
@@ -66,7 +68,9 @@ def _between(plan: Plan) -> Iterator[KeyFault]:
 
 
 def _copies(plan: Plan) -> Iterator[KeyFault]:
-    """Yield faults of copied control files that are not the rollback files of the run."""
+    """Yield a fault for each copied control file whose SHA-256 differs from that of the file in
+    ``rollback/``.
+    """
     for index, file in enumerate(plan.states.get(AS_FOUND, ())):
         listed = plan.results.get(f"rollback/{plan.format}/{file.name}")
         found = fingerprint(file.content)
@@ -110,7 +114,9 @@ def _estimate(estimate: ErrorEstimate) -> Iterator[str]:
 
 
 def _scenarios(tests: Scenarios) -> Iterator[str]:
-    """Yield what would be valid, for each violated rule on the sizes of simulated tests."""
+    """Check the array sizes of simulated tests; yield, for each violated rule, a text on what is
+    expected.
+    """
     size = tests.positions.size
     sides = ((tests.positive, tests.half_positive), (tests.negative, tests.half_negative))
     whole = tests.count > 0 and size > 0 and size % tests.count == 0
@@ -167,7 +173,9 @@ def _readings(test: PositioningTest) -> Iterator[str]:
 
 
 def _active(planned: PlannedTest) -> Iterator[str]:
-    """Yield what would be valid if a test lacks the active correction at some of its targets."""
+    """Yield a text on what is expected if a test lacks the correction that was active at one of its
+    targets.
+    """
     fits = planned.acted is None or all(
         side.shape == planned.test.targets.shape and bool(np.isfinite(side).all())
         for side in planned.acted
@@ -176,7 +184,9 @@ def _active(planned: PlannedTest) -> Iterator[str]:
 
 
 def _one_kind(axis: PlannedAxis) -> Iterator[str]:
-    """Yield what would be valid if some parts of an axis are linear and other parts are rotary."""
+    """Yield a text on what is expected if parts of an axis disagree about its kind (linear or
+    rotary).
+    """
     compensations = [axis.active, None if axis.fitted is None else axis.fitted.compensation]
     kinds = {axis.axis.kind, axis.estimate.kind, *(planned.test.kind for planned in axis.tests)}
     kinds |= {entry.kind for entry in (*compensations, axis.wanted) if entry is not None}

@@ -57,7 +57,7 @@ def prediction_document(
 
 
 def acknowledged_outside(acknowledged: Iterable[Acknowledged]) -> list[dict[str, Any]]:
-    """Return the doubts that a job acknowledges, with its reasons, for JSON."""
+    """Return for JSON the doubts that a job acknowledges, each with the reason given in the job."""
     return [
         {**finding_documents([each.finding])[0], "reason": each.by.reason} for each in acknowledged
     ]
@@ -87,7 +87,9 @@ def cross_outside(entry: CrossCompensation) -> dict[str, Any]:
 
 
 def circle_outside(circle: CirclePrediction) -> dict[str, Any]:
-    """Return a circular test before and predicted, for JSON: parameters (µm) and causes."""
+    """Return a circular test for JSON: its parameters (µm) and error causes as measured and as
+    predicted.
+    """
     return {
         "before": circle_values(circle.before),
         "predicted": circle_quantiles(circle),
@@ -96,7 +98,9 @@ def circle_outside(circle: CirclePrediction) -> dict[str, Any]:
 
 
 def circle_values(result: CircularResult) -> dict[str, float | None]:
-    """Return the parameters (µm) and causes (in their units) of a circular test by JSON name."""
+    """Return the parameters (µm) and error causes (each in its own unit) of a circular test, by
+    JSON name.
+    """
     values = {
         name: None if value is None else rounded_number(value * MICROMETRES_PER_MILLIMETRE, OUTSIDE)
         for name, value in result.parameters.items()
@@ -112,7 +116,9 @@ def circle_values(result: CircularResult) -> dict[str, float | None]:
 
 
 def circle_quantiles(circle: CirclePrediction) -> dict[str, dict[str, float]]:
-    """Return the predicted quantiles of a circular test by JSON name, as `circle_values` does."""
+    """Return the predicted quantiles of the parameters and error causes of a circular test, by JSON
+    name.
+    """
     return {
         **quantiles_outside(circle.predicted, AxisKind.LINEAR),
         **{
@@ -163,7 +169,9 @@ def compensation_outside(table: AxisCompensation) -> dict[str, Any]:
 def table_outside(
     positions: FloatArray, positive: FloatArray, negative: FloatArray, kind: AxisKind
 ) -> dict[str, Any]:
-    """Return a table for JSON from positions (mm, deg) and corrections (µm, arcsec)."""
+    """Return a table for JSON; ``positions`` are in mm or deg, the corrections already in µm or
+    arcsec.
+    """
     return {
         "positions": positions.tolist(),
         "correction_positive": positive.tolist(),

@@ -89,7 +89,9 @@ def planned_record(
 
 
 def elsewhere(record: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a run's record for another folder, without the files that are in the run's folder."""
+    """Return a run's record for use in another folder; it lists no files, as these are only in the
+    run's folder.
+    """
     inputs = [{**entry, "copy": None} for entry in record["inputs"]]
     return {**record, "inputs": inputs, "files": []}
 
@@ -118,7 +120,9 @@ def _decided(axis: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _of_circles(circles: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the decisions on circles that have limits, or nothing."""
+    """Return the record's entry ``circles``: the decisions on circular tests with limits; empty if
+    no test has limits.
+    """
     limited = {
         name: {"accept": dict(circle["accept"])}
         for name, circle in circles.items()
@@ -241,7 +245,9 @@ def _verified(axis: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _read_back(findings: Iterable[Mapping[str, str]]) -> str:
-    """Return how values read back compare with the plan: ``equal``, ``other`` or ``none``."""
+    """Return the result of reading back: ``equal`` to the plan, ``other`` (different), or ``none``
+    (not read back).
+    """
     codes = {finding["code"] for finding in findings}
     return "other" if "CW-V011" in codes else "equal" if "CW-V010" in codes else "none"
 

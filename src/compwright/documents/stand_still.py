@@ -47,7 +47,8 @@ def lost_motion_document(
     depends: bool,
     findings: Iterable[Finding],
 ) -> dict[str, Any]:
-    """Return the JSON entry of lost motion. ``left``: the largest deviation from ``constant``.
+    """Return the JSON entry of a lost motion test: its constant, the largest deviation ``left``,
+    and the readings.
 
     ``depends``: whether the lost motion is not one constant.
     """

@@ -39,7 +39,8 @@ class ExpectedMeans:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VerifiedAxis:
-    """The results of ``verify`` for one axis: the tests before and after, prediction and verdict.
+    """The results of ``verify`` for one axis: tests before and after loading, prediction, and
+    whether the table is active.
 
     ``loading`` has the keys of the JSON; ``accept`` in µm or arcsec; ``acknowledged``: doubts
     that the job acknowledges; ``guard``: U of the prediction, where decisions are guarded and U is
@@ -222,5 +223,7 @@ def _circle(circle: VerifiedCircle) -> dict[str, Any]:
 
 
 def _within(value: float | None, band: Mapping[str, float], guard: float = 0.0) -> bool | None:
-    """Return whether a value is in its 90 % interval, widened by ``guard``; None for no value."""
+    """Return whether a value is in the predicted 90 % interval, widened by ``guard``; None if there
+    is no value.
+    """
     return None if value is None else band["p05"] - guard <= value <= band["p95"] + guard

@@ -1,4 +1,5 @@
-"""Write the job file of a run without one: given options, and assumed values with reasons.
+"""Write a job file for a run that was started without one: given options, and assumed values with
+reasons.
 
 A value with a key of the job file is written under that key. An option of the control that was left
 at its default is written as a comment: as a key it would count as known, and results would no
@@ -51,7 +52,8 @@ class _JobLine:
 
 
 def assumed_of(data: Mapping[str, Any], by_files: Mapping[str, object]) -> tuple[Assumption, ...]:
-    """Return what ``run`` assumes for values of axis, test and job that are not given.
+    """Return the assumptions of a run without a job file: its values for keys of axis, test and job
+    that are not given.
 
     ``by_files``: keys of the axis that the control's files answered.
     """

@@ -19,7 +19,9 @@ from compwright.records.job import other_axis
 
 
 def circles(circles: Any, states: Sequence[str]) -> Iterator[KeyFault]:
-    """Yield faults of circular tests: no files, a repeated name, or unknown limits."""
+    """Yield a fault for each circular test with no or unclear files, a repeated name, an unknown
+    state, or limits for unknown parameters.
+    """
     seen: set[str] = set()
     for index, entry in enumerate(list_of(circles)):
         circle, path = mapping_of(entry), ("circles", index)
@@ -85,7 +87,9 @@ def _cross_unit(section: Mapping[str, Any], path: KeyPath, axes: Any) -> Iterato
 
 
 def applied(section: Any) -> Iterator[KeyFault]:
-    """Yield faults of planes named twice, or whose corrected axis is not in the plane."""
+    """Yield a fault for each plane in ``apply: squareness`` that is named twice or does not contain
+    the axis to be corrected.
+    """
     seen: set[frozenset[str]] = set()
     for plane, bent in mapping_of(mapping_of(section).get("squareness")).items():
         pair = frozenset({str(bent), other_axis(str(plane), str(bent))})

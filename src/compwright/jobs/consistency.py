@@ -107,7 +107,9 @@ def _states(states: Any) -> Iterator[KeyFault]:
 
 
 def _addresses(axes: Any) -> Iterator[KeyFault]:
-    """Yield a fault if two axes have the same address, as one table would get both."""
+    """Yield a fault if two axes have the same address (they would get the same table), or if an
+    axis is its own gantry slave.
+    """
     seen: dict[str, str] = {}
     for name, axis in mapping_of(axes).items():
         section = mapping_of(axis)

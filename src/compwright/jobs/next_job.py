@@ -77,7 +77,8 @@ def test_sections(section: Mapping[str, Any]) -> list[dict[str, Any]]:
 def earlier_test(
     section: Mapping[str, Any], files: Sequence[str], name: str, was: str, paths: Mapping[str, str]
 ) -> dict[str, Any]:
-    """Return a test of the last job as an earlier test in the next job, with a new ``name``.
+    """Return the section of a test of the last job, as an earlier test of the next job, with a new
+    ``name``.
 
     ``was``: what the state that was in the control then is called now.
     """
@@ -95,7 +96,9 @@ def test_after(
     temperatures: Mapping[str, Sequence[float]],
     paths: Mapping[str, str],
 ) -> dict[str, Any]:
-    """Return the test after loading for the next job, with the keys of the repeated test."""
+    """Return the section of the test after loading for the next job, with the keys of the test that
+    it repeats.
+    """
     test = {**_copied(section, files, paths), "measured_in": AS_FOUND}
     own = test.get("thermal")
     if isinstance(own, dict):

@@ -353,7 +353,9 @@ def _circular_budget(section: JobSection) -> CircularBudget | None:
 
 
 def _range(variation: float | DriftSection) -> float:
-    """Return the environmental variation as a number; 0 if its drift test is not yet evaluated."""
+    """Return the environmental variation that the job states; 0 if it states a drift test, which is
+    evaluated later.
+    """
     return 0.0 if isinstance(variation, DriftSection) else variation
 
 

@@ -71,7 +71,9 @@ def drift_file(value: Any) -> Any:
 
 
 def drift_or_number(value: Any) -> str:
-    """Return ``drift`` for a file name or mapping, and ``number`` for any other value."""
+    """Return which model a value is checked by: ``drift`` for a file name or mapping, ``number``
+    for any other value.
+    """
     if isinstance(value, dict):
         return "drift"
     named = isinstance(value, str) and re.search(r"[^\W\d_]", value) is not None

@@ -15,7 +15,7 @@ from typing import Any
 
 @dataclass(frozen=True, slots=True)
 class Prefilled:
-    """A value for a new job file and its source, or None if the user must fill it in."""
+    """A value for a new job file and its source; the value is None if the user must fill it in."""
 
     value: object
     source: str

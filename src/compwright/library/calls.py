@@ -159,7 +159,8 @@ def load_job(path: PathName) -> LoadedJob:
 
 @in_argument_names
 def plan(job: LoadedJob | PathName, *, accept_worse: bool = False) -> JobPlan:
-    """Run a job: evaluate tests, fit tables, write and read them back, predict the next test.
+    """Run a job: evaluate its tests, fit and write tables, read the written files back, predict the
+    next test.
 
     ``accept_worse``: make a table even where it would not improve the axis. Raises UsageError,
     InputError and CapacityError.
@@ -205,7 +206,7 @@ def decode(
     options: Mapping[str, object] | None = None,
     axis: str | None = None,
 ) -> DecodedFiles:
-    """Return the corrections that a control makes with given files, by an independent reader.
+    """Return the corrections that a control makes after the given files are loaded.
 
     ``format``: an id of ``compwright formats list`` or the path of a definition; ``options``: as
     ``controller.options`` of a job; ``axis``: only this address. Raises UsageError and InputError.

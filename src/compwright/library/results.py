@@ -170,7 +170,9 @@ class EstimatedError:
 
     @property
     def periods(self) -> list[dict[str, Any]]:
-        """Periodic errors: ``period`` (mm or deg), ``probability`` and ``source`` (job, found)."""
+        """Periodic errors: ``period`` (mm or deg), ``probability`` and ``source`` (stated by the
+        job, or found).
+        """
         return [
             {"period": one.period, "probability": one.probability, "source": one.source}
             for one in self._posterior.periods
@@ -246,7 +248,7 @@ class JobPlan(DocumentResult):
     _planned: PlannedJob = field(repr=False)
 
     def __repr__(self) -> str:
-        """Return each axis with its accuracy A, before and predicted, as text."""
+        """Return each axis with its accuracy A, as measured before and as predicted, as text."""
         return f"JobPlan({self.job.control}: {'; '.join(self._lines())})"
 
     def _lines(self) -> Iterator[str]:
@@ -264,12 +266,14 @@ class JobPlan(DocumentResult):
 
     @property
     def prediction(self) -> dict[str, Any]:
-        """The prediction by axis, with ``before`` and ``predicted``, as in ``prediction.json``."""
+        """The prediction by axis as in ``prediction.json``: the parameters ``before`` and
+        ``predicted`` after loading.
+        """
         return deepcopy(dict(self._document["axes"]))
 
     @property
     def evaluation(self) -> dict[str, Any]:
-        """The evaluation of the tests before, as in ``evaluation.json``."""
+        """The evaluation of the tests before compensation, as in ``evaluation.json``."""
         return deepcopy(dict(self._planned.results.evaluation))
 
     @property

@@ -206,7 +206,7 @@ def control_text(template: str, /, **values: str) -> ControlText:
 
 
 def unconfirmed(what: str) -> ControlText:
-    """Return the text for evidence of a fact that is not confirmed."""
+    """Return the text "unconfirmed: ``what``", the evidence of a fact that is not confirmed."""
     return control_text("unconfirmed: {what}", what=what)
 
 
@@ -276,7 +276,9 @@ def _names(template: str) -> Iterator[str]:
 
 
 def _kept(value: Any) -> Any:
-    """Return a sentence's value in a form that is equal on every processor: numbers are rounded."""
+    """Return a value of a sentence with its numbers rounded, so that it is equal on every
+    processor.
+    """
     if value is None or isinstance(value, str | bool | int | Sentence):
         return value
     if isinstance(value, float | Decimal):

@@ -1,4 +1,6 @@
-"""Labels and fixed sentences of reports. Each further language has all of them."""
+"""Labels and fixed sentences of reports. The catalogue of each other language translates all of
+them.
+"""
 
 from __future__ import annotations
 

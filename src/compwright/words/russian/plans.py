@@ -1,4 +1,4 @@
-"""Sentences about the corrections that a run plans or refuses, and the reasons."""
+"""Sentences about the corrections that a run plans or refuses, and about the reasons for it."""
 
 from __future__ import annotations
 

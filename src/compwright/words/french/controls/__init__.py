@@ -1,4 +1,6 @@
-"""French texts for controls, from their definitions and families, keyed by the English texts."""
+"""French texts about controls, keyed by the English texts in the definitions and in
+`formats.families`.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""French texts for several families of controls and for the card, keyed by the English texts."""
+"""French texts for the card and for controls of several `formats.families`, keyed by the English
+texts.
+"""
 
 from __future__ import annotations
 

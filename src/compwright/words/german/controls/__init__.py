@@ -1,4 +1,6 @@
-"""German texts for controls, from their definitions and families, keyed by the English texts."""
+"""German texts about controls, keyed by the English texts in the definitions and in
+`formats.families`.
+"""
 
 from __future__ import annotations
 

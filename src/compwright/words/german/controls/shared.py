@@ -1,4 +1,6 @@
-"""German texts for several families of controls and for the card, keyed by the English texts."""
+"""German texts for the card and for controls of several `formats.families`, keyed by the English
+texts.
+"""
 
 from __future__ import annotations
 
