@@ -725,18 +725,17 @@ def test_the_day_on_which_a_limit_is_reached(tmp_path: Path, ask: Ask) -> None:
     )
 
 
-@pytest.mark.parametrize("parameter", ["A", "E", "M"])
-def test_a_growing_slope_passes_a_limit_when_the_formula_says_so(
-    tmp_path: Path, ask: Ask, parameter: str
-) -> None:
+def tilting(folder: Path, read: float = 0.0, **declared: dict[str, float]) -> None:
     """An arc of 6 um tilts by 6 um/m a year over 1 m: while the arc has its top between the ends,
     M grows by less than the tilt, then by all of it: M = 30 um, E = 32, A = 34 after 5 years.
+
+    ``read``: what the instrument adds in every test, um/m.
     """
     along = np.linspace(0.0, 1.0, 11)
     random = np.random.default_rng(6)
     for place in range(13):
         day = date(2021, 1, 10) + timedelta(days=91 * place)
-        slope = 6.0 * 91 * place / YEAR + 0.2 * random.standard_normal()
+        slope = 6.0 * 91 * place / YEAR + read + 0.2 * random.standard_normal()
         mean = 6.0 * np.sin(np.pi * along) + slope * along + 0.03 * random.standard_normal((2, 11))
         both = mean + np.array([[-1.0], [1.0]])
         E, M = float(np.ptp(both)), float(np.ptp(both.mean(axis=0)))
@@ -748,15 +747,40 @@ def test_a_growing_slope_passes_a_limit_when_the_formula_says_so(
             mean_positive=list(both[0]),
             mean_negative=list(both[1]),
             parameters=values,
-            uncertainty={name: {"U": 0.6, "coverage": 2.0} for name in "AEM"},
+            uncertainty={**{name: {"U": 0.6, "coverage": 2.0} for name in "AEM"}, **declared},
         )
         limits = {name: {"limit": limit} for name, limit in (("A", 34), ("E", 32), ("M", 30))}
         decided = {"axes": {"X": {"accept": limits}}}
-        record(tmp_path / f"visit-{place:02}", test, decisions=decided)
+        record(folder / f"visit-{place:02}", test, decisions=decided)
+
+
+@pytest.mark.parametrize("parameter", ["A", "E", "M"])
+def test_a_growing_slope_passes_a_limit_when_the_formula_says_so(
+    tmp_path: Path, ask: Ask, parameter: str
+) -> None:
+    tilting(tmp_path)
     crosses = trend(ask(tmp_path), parameter)["crosses"]
     assert crosses["earliest"] < "2026-01-09" < crosses["latest"]
     assert crosses["earliest"] > "2025-07-01"
     assert crosses["latest"] < "2026-07-01"
+
+
+@pytest.mark.parametrize("read", [-4.0, 4.0])
+def test_the_date_is_that_of_the_machine_not_of_its_instrument(
+    tmp_path: Path, ask: Ask, read: float
+) -> None:
+    """A laser that reads 4 um/m too much in every test shows the limit 4/6 of a year early; its
+    certificate states 6 um/m (k = 2), half a year at one standard uncertainty.
+    """
+    tilting(tmp_path / "stated", read, slope={"U": 6.0, "coverage": 2.0})
+    tilting(tmp_path / "unknown", read)
+    stated, unknown = (
+        trend(ask(tmp_path / name), "E")["crosses"] for name in ("stated", "unknown")
+    )
+    assert stated["earliest"] < "2026-01-09" < stated["latest"]
+    assert not unknown["earliest"] < "2026-01-09" < unknown["latest"]
+    years = [date.fromisoformat(stated[end]).toordinal() / YEAR for end in ("earliest", "latest")]
+    assert years[1] - years[0] == pytest.approx(2 * 1.645 * 3.0 / 6.0, rel=0.25)
 
 
 def test_two_tests_have_no_rate(tmp_path: Path, ask: Ask) -> None:

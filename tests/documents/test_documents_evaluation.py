@@ -8,13 +8,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from compwright.documents.evaluation import evaluation_document
+from compwright.documents.evaluation import evaluation_document, result_document
 from compwright.documents.json_text import to_json
+from compwright.documents.recorded_test import measured_test
 from compwright.evaluation.standards import STANDARDS, evaluate
 from compwright.foundations.errors import Fault
 from compwright.foundations.provenance import source_of
 from compwright.records.axis import AxisKind
-from compwright.records.conditions import UncertaintyBudget
+from compwright.records.conditions import Thermal, UncertaintyBudget
+from compwright.workflow.results.scatter import errors_of
 from evaluation_samples import UM, axis_test, printed_table
 from places import SHARED, STANDARD_TABLES, needs_shared
 
@@ -52,6 +54,20 @@ def sample_document(standard: str = "iso230-2:2014") -> dict[str, object]:
         [evaluate(test, standard)],
         [Fault(message="cannot be read", file="y.csv", place="line 3", expected="a number")],
     )
+
+
+def test_a_record_keeps_the_slope_that_all_tests_of_an_instrument_share() -> None:
+    """ISO 230-2:2006, annex A: instrument 0.3 µm + 1.2 µm/m over 0.5 m, coefficient 1 µm/(m K) at
+    23 °C; the temperature is another in each test.
+    """
+    test = axis_test([0.0, 500.0], [[1 * UM, 3 * UM], [0.0, 0.0]], [[5 * UM, 7 * UM], [0.0, UM]])
+    budget = UncertaintyBudget(device=0.3, device_per_m=1.2, U_theta=2.0, U_alpha=1.0, setup=4.0)
+    warm = Thermal(alpha_m=11.5, T_m=23.0, alpha_d=0.0, T_d=23.0)
+    result = result_document(evaluate(test, budget=budget, thermal=warm))
+    stated = measured_test(result, "before", {"X x": "as_found"}, errors_of)["uncertainty"]
+    assert stated["slope"] == {"U": pytest.approx(np.hypot(1.8, 3.0)), "coverage": 2.0}
+    without = result_document(evaluate(test))
+    assert measured_test(without, "before", {"X x": "as_found"}, errors_of)["uncertainty"] == {}
 
 
 def test_the_keys_are_the_contracts() -> None:

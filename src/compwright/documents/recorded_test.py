@@ -63,7 +63,10 @@ def _axis(result: Mapping[str, Any], errors: Errors) -> dict[str, Any]:
             },
             **_slope(result),
         },
-        "uncertainty": {name: stated[name] for name in PARAMETERS if name in stated},
+        "uncertainty": {
+            **{name: stated[name] for name in PARAMETERS if name in stated},
+            **(_common_slope(result) if stated else {}),
+        },
         "s": pooled(result["targets"]),
         "std_error": {
             name: {"value": round(error, 9), "dof": round(dof, 3)}
@@ -89,6 +92,23 @@ def _slope(result: Mapping[str, Any]) -> dict[str, float]:
     positions, means = np.array(found, dtype=np.float64).T
     centred = positions - positions.mean()
     return {"slope": round(1000.0 * float(centred @ means / (centred @ centred)), 9)}
+
+
+def _common_slope(result: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the expanded uncertainty of the slope of a linear axis that all tests with the same
+    instrument share, in µm/m: that of the instrument and of the expansion coefficient.
+    """
+    budget = result.get("budget")
+    if result["axis_kind"] != "linear" or budget is None or budget["length"] <= 0.0:
+        return {}
+    shared = [
+        one["standard"]
+        for one in budget["contributions"]
+        if one["source"] == "device" or one["source"].startswith("U_alpha")
+    ]
+    coverage = budget["coverage"]
+    U = round(1000.0 * coverage * math.hypot(*shared) / budget["length"], 9)
+    return {"slope": {"U": U, "coverage": coverage}}
 
 
 def _circle(result: Mapping[str, Any]) -> dict[str, Any]:

@@ -249,7 +249,11 @@ def _forecast(limit: float, found: Mapping[str, _Course], parameter: str) -> Ahe
         else np.zeros(2)
         for name in ("slope", "B_mean")
     )
-    return reached(limit, rest.lines(random), curve, slope, reversal)
+    left = rest.lines(random)
+    # All tests share this part: the date is that of the machine, not that of the instrument.
+    U, coverage = tests.entries[-1].declared.get("slope", (0.0, 1.0))
+    level = slope[0] + U / coverage * random.standard_normal(left.shape[1])
+    return reached(limit, left, curve, np.stack([level, np.zeros_like(level) + slope[1]]), reversal)
 
 
 def _noted(parameter: str, found: Mapping[str, _Course]) -> NotedTrend:
