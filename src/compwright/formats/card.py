@@ -30,7 +30,8 @@ AXIS_COLUMN = "axis"
 
 @dataclass(frozen=True, slots=True)
 class CardStep:
-    """One step of the commissioning card: title, text, evidence, and values that differ by axis.
+    """One step of the commissioning card: title, text, evidence for the text, and a table of the
+    values that differ between axes.
 
     ``rows``: values that differ by axis, under ``heads``; the text refers to a column as
     ``‹head›``.
@@ -56,7 +57,8 @@ def card_steps_of_all(
     axes: Sequence[tuple[Axis, Mapping[str, str]]],
     rules: Sequence[CardRule] | None = None,
 ) -> tuple[CardStep, ...]:
-    """Return the commissioning card's steps for several axes, in the order of the card rules.
+    """Return the commissioning card's steps for several axes, in the order of ``rules`` (None: all
+    card rules of the definition).
 
     The values of each axis fill the fields of the text (see `AxisCard`); a missing one reads "(not
     known)"; a step without any text is left out. A text that is the same for all axes is printed
@@ -85,7 +87,9 @@ def card_steps_of_all(
 def _for_all(
     forms: Sequence[str], known: Sequence[Mapping[str, str]]
 ) -> tuple[str, tuple[str, ...], tuple[tuple[str, ...], ...]]:
-    """Return a card step's text for all axes; for values that differ, column heads and rows."""
+    """Return a card step's text for all axes; if short values differ between axes, also the column
+    heads and the rows of a table with these values.
+    """
     filled = [
         {name: of.get(name, UNKNOWN) for name in field_names(form)}
         for form, of in zip(forms, known, strict=True)
@@ -109,8 +113,8 @@ def _for_all(
 
 
 def axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
-    """Return the fields that a definition's texts may use for an axis: name, address, measuring
-    system, reference, names of files.
+    """Return the values of one axis for the ``{name}`` fields of a definition's texts, such as its
+    address, measuring system, reference and file names.
     """
     address, _ = normal_address(definition, axis)
     return {
@@ -170,7 +174,8 @@ def _used(form: str, values: Mapping[str, str]) -> dict[str, str]:
 
 
 def points_needed(control: ResolvedDefinition, table: AxisCompensation) -> int | None:
-    """Return how many points the control must still reserve for a table; None if none.
+    """Return how many points the control must reserve for a table; None if it has nothing to
+    reserve.
 
     None if it reserves none, or if its files show that it has them.
     """
@@ -187,7 +192,8 @@ def points_needed(control: ResolvedDefinition, table: AxisCompensation) -> int |
 def look_at(
     control: Family, axis: Axis, compensation: AxisCompensation
 ) -> Mapping[LoadingName, tuple[str, ...]]:
-    """Return by verdict (how the table was loaded) what the user has to check at the control.
+    """Return what the user has to check at the control, for each verdict on how the table was
+    loaded.
 
     ``compensation``: the table that was to be loaded, which decides between texts for one and for
     two curves. A sentence that no manual confirms says so. ``loaded``: the check that the planned

@@ -37,8 +37,8 @@ def load_definition(
     *,
     own: bool = False,
 ) -> Definition:
-    """Return the definition in a YAML file, merged with the definition that it ``extends`` (see
-    `found_in`).
+    """Return the definition in a YAML file, merged with the definition that it ``extends``, which
+    ``find`` looks up.
 
     ``file`` is the name for messages; ``own``: brought by a user. Raises InputError with every
     fault: not YAML, newer schema, missing or unknown key, wrong type, a value outside its closed
@@ -78,7 +78,8 @@ def definition_in(text: DefinitionText, own: Texts = ()) -> Definition:
 
 
 def definitions_from(files: Iterable[tuple[str, bytes]]) -> dict[str, Definition]:
-    """Return the definitions in ``files`` (name, bytes) by id, except files made to be extended.
+    """Return the definitions in ``files`` (name, bytes) by id, except definitions that only serve
+    as a base for others.
 
     Raises InputError with the faults of all files, and when two files give the same id.
     """

@@ -1,4 +1,5 @@
-"""Check a definition: read its sample, compare its hand-worked examples, and try its limits.
+"""Check a definition: read its sample, compare its hand-worked examples, and check that tables
+beyond its limits are refused.
 
 Written files are read back, and the writer refuses a table beyond each limit.
 """
@@ -69,7 +70,8 @@ def disagreements(
     correction: Callable[[FloatArray, Direction], FloatArray],
     says: str,
 ) -> Iterator[Fault]:
-    """Yield a fault for each hand-worked correction that differs from the computed ``correction``.
+    """Yield a fault for each correction in the hand-worked example number ``index`` that differs
+    from the computed ``correction``.
 
     ``correction``: mm or deg, at positions approached in a direction. ``says``: the message, with
     {} in place of position and direction.
@@ -222,7 +224,9 @@ _MOST_POINTS = 20_000
 def unenforced_limits(
     control: Family, axis: Axis, compensation: AxisCompensation
 ) -> Iterator[Fault]:
-    """Yield a fault for every limit of the definition that writing does not enforce."""
+    """Yield a fault for every limit of the definition if a table beyond the limit is written, or
+    refused for another reason.
+    """
     capacity = control.capacity(axis)
     for name, broken, its_axis in _broken(control.definition, axis, compensation, capacity):
         try:

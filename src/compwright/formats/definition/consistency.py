@@ -66,14 +66,18 @@ _ID = re.compile(r"(?!(?:con|prn|aux|nul|com\d|lpt\d)$)[a-z0-9][a-z0-9_-]{0,63}"
 
 
 def curves(definition: Definition) -> tuple[str, ...]:
-    """Return the quantities of a table's values: one, or one each for + and - approach."""
+    """Return the names of the quantities that hold a table's corrections: one for both directions,
+    or one for + and one for - approach.
+    """
     return (
         ("value",) if definition.layout.pairing == "none" else ("value_positive", "value_negative")
     )
 
 
 def has_cross(definition: Definition) -> bool:
-    """Return whether the control has tables that correct an axis by another axis or direction."""
+    """Return whether the definition describes cross-axis tables, in which the position of one axis
+    corrects another axis or the same one.
+    """
     return any(name in definition.bindings for name in CROSS)
 
 

@@ -100,7 +100,9 @@ def texts_of(content: bytes, file: str, find: Find) -> Texts:
 
 
 def merged(texts: Texts) -> DefinitionText:
-    """Merge a definition with those it extends. A wrong removal (``without``) raises InputError."""
+    """Merge a definition with the definitions that it extends. Raises InputError for a key in
+    ``without`` that they do not have.
+    """
     return reduce(_over, [_text(*each) for each in reversed(texts)])
 
 

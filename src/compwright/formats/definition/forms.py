@@ -1,4 +1,4 @@
-"""Schemas of the parts of a definition whose YAML differs from the fields of their records."""
+"""Schemas of those parts of a definition that YAML states in another form than their records do."""
 
 from __future__ import annotations
 
@@ -56,12 +56,16 @@ _PLAIN: Final[Mapping[Any, cs.CoreSchema]] = {
 
 
 def _word(*words: str, gives: Callable[[str], Any] = str) -> cs.CoreSchema:
-    """Return the schema of a text that is one of ``words``; ``gives`` converts it to its value."""
+    """Return the schema of a text that must be one of ``words``; ``gives`` converts the text to the
+    value in the record.
+    """
     return cs.no_info_after_validator_function(gives, cs.literal_schema(list(words)))
 
 
 def _or_mapping(other: Any, whole: Any) -> cs.CoreSchema:
-    """Return a schema that checks a mapping by ``whole``, and any other value by ``other``."""
+    """Return a schema that checks a mapping by the schema ``whole``, and a value that is no mapping
+    by the schema ``other``.
+    """
     return cs.tagged_union_schema(
         {"a mapping": whole, "no mapping": other},
         lambda value: "a mapping" if isinstance(value, dict) else "no mapping",
@@ -100,7 +104,9 @@ def _range(bounds: Any) -> tuple[float, float]:
 
 
 def _sign() -> cs.CoreSchema:
-    """Return the schema of a sign: a word, an option's name, or a word per value of a choice."""
+    """Return the schema of a sign: a word, the name of an option, or one word for each possible
+    value of another setting of the control (a choice).
+    """
     sign = cs.literal_schema(list(get_args(Sign)))
     by_choice = cs.dict_schema(
         cs.any_schema(), cs.dict_schema(values_schema=sign, strict=True), strict=True
@@ -132,7 +138,9 @@ def _sign() -> cs.CoreSchema:
 
 
 def _by_curves() -> cs.CoreSchema:
-    """Return the schema of one text, or of two: for a single table, and for one per direction."""
+    """Return the schema of one text for all tables, or of two texts: for one table, and for one
+    table per direction.
+    """
     both = {"one_curve": _TEXT, "two_curves": _TEXT}
     same = cs.no_info_after_validator_function(lambda text: (text, text), _TEXT)
     return _or_mapping(same, mapping(both, lambda texts: tuple(texts[name] for name in both)))

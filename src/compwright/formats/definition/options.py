@@ -99,7 +99,7 @@ def resolve_options(
 
 
 def known_kind(options: Mapping[str, object], address: str) -> AxisKind | None:
-    """Return the kind (linear, rotary) that the options give for an axis; None without one."""
+    """Return the axis kind (linear, rotary) that an option gives for an axis; None if none does."""
     given = options[KIND]
     word = given.get(address) if isinstance(given, Mapping) else given
     return None if word is None else AxisKind(str(word))
@@ -112,7 +112,8 @@ def axis_options(
     *,
     unit_needed: bool = True,
 ) -> Mapping[str, object]:
-    """Return the options of one axis: its own, and the controller's where it has none of its own.
+    """Return the options of one axis; an option that the axis does not have takes the controller's
+    value.
 
     ``axis`` None: an axis without a job. ``unit_needed``: False while files that may hold a
     required value are not read yet. Raises UsageError with every fault: unknown option, wrong
@@ -204,7 +205,8 @@ def describe_options(definition: Definition) -> tuple[str, ...]:
 def resolved_number(
     definition: Definition, name: str, options: Mapping[str, object], fact: object
 ) -> int | None:
-    """Return a whole number from an option or from the control's files, whichever has priority.
+    """Return a whole number that an option and the control's files can both state; the option's
+    rule decides which of the two has priority.
 
     ``fact``: the number in the files, None without one. It has priority unless the option's rule
     states otherwise. A fact of 0 means that nothing is reserved yet; that is no limit.

@@ -55,14 +55,18 @@ class EvidenceNote:
 
 @dataclass(frozen=True, slots=True)
 class OptionValue:
-    """The value of the option with this name, in place of a fixed text."""
+    """A value that is taken from the option of this name, instead of a fixed text in the
+    definition.
+    """
 
     option: str
 
 
 @dataclass(frozen=True, slots=True)
 class Addresses:
-    """How the control names its axes. ``letters``: axis letters by assumed axis number, from 0."""
+    """How the control names its axes. ``letters``: an axis letter's index here, from 0, is the axis
+    number that is assumed if the job gives only the letter.
+    """
 
     type: AddressType
     case: Case
@@ -72,7 +76,8 @@ class Addresses:
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """Rules for every line of a control's files: line ends, letters, block numbers and checksums.
+    """Rules for every line of a control's files: line ends, upper and lower case, block numbers and
+    checksums.
 
     ``blanks_anywhere``: blanks are allowed between any two parts of a line that is read.
     """
@@ -88,7 +93,7 @@ class Dialect:
 
 @dataclass(frozen=True, slots=True)
 class TextKind:
-    """How the lines of one kind of file are read.
+    """The rules by which the lines of one kind of file are read.
 
     ``recognised_by`` names a statement that such a file contains (None: any text). A line that
     contains a ``claims_anywhere`` word or begins with a ``claims_at_start`` word has to be
@@ -212,7 +217,9 @@ class Layout:
 
 @dataclass(frozen=True, slots=True)
 class LimitRule:
-    """One limit of the control: a predicate from a fixed list, with its number if it needs one."""
+    """One limit of the control: the name of a check from a fixed list (``predicate``), and the
+    numeric value if that check needs one.
+    """
 
     predicate: Predicate
     number: int | None
@@ -221,7 +228,9 @@ class LimitRule:
 
 @dataclass(frozen=True, slots=True)
 class BetweenAxes:
-    """The advice (``instead``) for corrections between axes without cross-axis tables."""
+    """The advice (``instead``) of a control without cross-axis tables on what to do about an error
+    between axes.
+    """
 
     instead: str
     evidence: EvidenceNote
@@ -229,7 +238,8 @@ class BetweenAxes:
 
 @dataclass(frozen=True, slots=True)
 class DiameterRule:
-    """Whether tables of an axis programmed in diameter are in radius, and the card's text on it.
+    """Whether the tables of an axis programmed in diameter count in radius, and the card's text
+    about such an axis.
 
     ``tables``: they count in radius whatever programs count in, or this is unknown. ``card``: the
     card's text for such an axis (``{name}``).
@@ -242,7 +252,9 @@ class DiameterRule:
 
 @dataclass(frozen=True, slots=True)
 class ParameterRule:
-    """Whether a parameter that the family of controls reads has its usual meaning on this one."""
+    """Whether a group of parameters of this family of controls has its usual meaning on this
+    control (``here``): yes, another meaning, or unknown.
+    """
 
     here: Here
     evidence: EvidenceNote
@@ -384,17 +396,23 @@ class Definition:
 
     @property
     def carried(self) -> Texts:
-        """The YAML texts of a user's own definition, by file name without folder, for its plan."""
+        """The YAML texts of a user's own definition, by file name without folder, as a plan stores
+        them.
+        """
         return tuple((PurePath(name).name, text) for name, text in self.own)
 
     @property
     def judged(self) -> Judged:
-        """How written files are checked: by an independent reader, or only read back."""
+        """How written files are checked: by the virtual control, a second program that shares no
+        code with the writer ("independent"), or only by reading them back.
+        """
         return "read_back" if self.own else "independent"
 
     @property
     def worked_for(self) -> str:
-        """The file from which the hand-worked example is inherited; empty for an own example."""
+        """The name of the extended file that contains the hand-worked example; empty if the
+        definition has its own example.
+        """
         file, _ = self.text.places["expect",]
         return "" if file == self.text.file else PurePath(file).name
 
@@ -422,6 +440,8 @@ class Definition:
         return frozenset(name for one in self.statements.values() for name in one.fields)
 
     def limit_number(self, predicate: Predicate) -> int | None:
-        """Return the number of the limit named ``predicate``; None if the control has none."""
+        """Return the numeric value of the limit named ``predicate``; None if the control has no
+        such limit or the limit needs no value.
+        """
         rule = self.limit(predicate)
         return None if rule is None else rule.number

@@ -1,4 +1,6 @@
-"""The rules for definitions by the shape of their tables, and the lines that `redact` may keep."""
+"""The rules for definitions by the shape of their tables, and the lines that copies without private
+names keep (`redact`).
+"""
 
 from __future__ import annotations
 
@@ -15,7 +17,7 @@ AXIS: Final = r"(?:[A-Za-z]{1,2}|AX|M[AXSC]_?[A-Z]?|CA_?[A-Z]|SP)[0-9]{0,2}"
 
 @dataclass(frozen=True, slots=True)
 class KeptLines:
-    """Patterns of the lines that a copy without private names may keep, for one shape of tables.
+    """Patterns of the lines that stay in a copy without private names, for tables of one shape.
 
     ``whole``: lines that may stay unchanged. ``naming``: lines of numbers, marks and names; a name
     is private unless it is an axis name. ``first``: first lines that identify the shape, whatever
@@ -27,11 +29,13 @@ class KeptLines:
     first: str = "(?!)"
 
     def stays(self, line: str) -> bool:
-        """Return whether a line may stay unchanged in a copy without names."""
+        """Return whether a line stays unchanged in a copy without private names."""
         return _compiled(self.whole).fullmatch(line) is not None
 
     def holds_names(self, line: str) -> bool:
-        """Return whether a line contains nothing but numbers, marks, and names to be removed."""
+        """Return whether a line consists of numbers, marks and names only, so that it stays once
+        its private names are removed.
+        """
         return _compiled((self.naming,)).fullmatch(line) is not None
 
     def begins(self, content: bytes) -> bool:

@@ -97,8 +97,8 @@ class StatementForm:
 
 @dataclass(frozen=True, slots=True)
 class Matcher:
-    """The compiled templates of a statement: the one for writing first, then those that are only
-    read.
+    """The compiled templates of a statement: first the template for writing, then the templates
+    that are only read.
 
     ``section`` matches the section's name.
 

@@ -1,1 +1,3 @@
-"""Families of controls by the shape of their tables: a folder for each, one common interface."""
+"""Families of controls, one for each shape of tables: each family has a folder, and all have the
+same interface (`Family`).
+"""

@@ -1,4 +1,4 @@
-"""Decide whether tables were active during a test, where the control's files leave it open.
+"""Decide whether tables were active during a test if the control's files do not show it.
 
 The job's answer (`active`) holds only for what the files leave open. A table was active
 if the last value in the files activates it. A cross-axis table that they deactivate was not
@@ -24,7 +24,8 @@ IDLE_TEST: Final = (
 
 @dataclass(frozen=True, slots=True)
 class Activity:
-    """The job's statement whether the tables were active (``stated``; None: the job has none).
+    """What the job states on whether the tables were active during the test (``stated``; None:
+    nothing).
 
     ``asking``: the answer is required, because measurements depend on it. ``carried_out``: all
     values of programs count, by the answer or because it was checked before.
@@ -37,7 +38,8 @@ class Activity:
     def was_active(
         self, label: str, switches: str, word: str | None, place: FoundValue | None, notes: Notes
     ) -> bool | None:
-        """Return whether a table with values other than zero was active during the test, or None.
+        """Return whether a table with values other than zero was active during the test; None if
+        that is unknown and not required.
 
         None: neither the files nor the job state it, and the answer is not required.
 

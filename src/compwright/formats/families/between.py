@@ -94,8 +94,8 @@ def combined_answer(answers: Iterable[Between]) -> Between:
 def entry_sheet_answer(
     entry: PlannedCross, sheet: ControlFile, sentence: Sentence, text: str
 ) -> Between:
-    """Return the answer that a correction has to be typed in from ``sheet``, with an unconfirmed
-    sign.
+    """Return the answer that the user has to type in a correction from ``sheet``, and that the
+    correction's sign is not confirmed.
     """
     title = control_text("{output} over {input}: type in", output=entry.output, input=entry.input)
     return Between(

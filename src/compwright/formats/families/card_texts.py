@@ -45,7 +45,8 @@ REFERENCING = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CardRequest:
-    """A written table as input of the commissioning card.
+    """What the commissioning card of one written table is made from: the axis, the table, and
+    facts.
 
     ``table``: as it was read back; ``facts``: facts of the axis in the written files. ``check_at``:
     positions at which the axis can be measured, mm or deg, ascending. ``files``: all that were
@@ -109,7 +110,8 @@ def table_values(
 
 
 def sign_check(compensation: AxisCompensation, where: FloatArray) -> dict[str, str]:
-    """Return the card's values for a sign check: the two positions whose distance changes most.
+    """Return the card's values for a sign check: the two positions with the smallest and the
+    largest correction, and the difference of these corrections.
 
     ``where``: the positions from which the two are chosen.
     """
@@ -129,7 +131,8 @@ def sign_check(compensation: AxisCompensation, where: FloatArray) -> dict[str, s
 def named_files(
     control: ResolvedDefinition, axis: Axis, files: Sequence[ControlFile]
 ) -> dict[str, str]:
-    """Return by card field the names of an axis' written files, if not those of the definition.
+    """Return, by card field, the names of the files that were written for an axis, where the
+    definition does not give these names.
 
     ``files``: all that were written.
     """
@@ -160,7 +163,9 @@ def and_joined(names: Sequence[str]) -> str:
 
 
 def _new_names(control: ResolvedDefinition, axis: Axis) -> set[str]:
-    """Return every name that the definition gives to files of this axis or of axes in the files."""
+    """Return every file name that the definition gives for this axis or for any axis in the
+    control's files.
+    """
     return {
         name
         for address in (control.address(axis)[0], *control.state.axes)

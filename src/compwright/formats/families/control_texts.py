@@ -1,4 +1,6 @@
-"""The texts of a control's files: archives unpacked, their values replaced by separate files."""
+"""The texts of a control's files: archives are unpacked, and separate files replace values in the
+archives.
+"""
 
 from __future__ import annotations
 
@@ -97,7 +99,8 @@ def _texts_of(
 def under_new_entries(
     definition: Definition, own: Sequence[ControlFile], new: Sequence[ControlFile]
 ) -> tuple[ControlFile, ...]:
-    """Return the ``own`` files with those lines blanked out whose values ``new`` files replace.
+    """Return the ``own`` files with blanks in place of each line whose value is also in one of the
+    ``new`` files.
 
     Unchanged where a file is unreadable: its reader reports it.
     """
@@ -143,7 +146,8 @@ def _listed(files: Sequence[ControlFile], definition: Definition) -> tuple[Contr
 
 
 def _assigned_names(files: Sequence[ControlFile]) -> list[tuple[bytes, int]]:
-    """Return the last word before each value in the files, sorted by the ends of the words.
+    """Return the names to which the files assign values (``name = value``), sorted by their last
+    letters.
 
     Reversed and in lower case, with the index of its file.
     """
@@ -176,7 +180,7 @@ def _without_unknown(
 
 
 class _Over:
-    """Blanks out the values in an archive that separate files replace."""
+    """Blanks out those lines of archived files whose values are also in separate files."""
 
     def __init__(self, definition: Definition, names: AxisNames, texts: Iterable[ReadText]) -> None:
         self.definition = definition
@@ -212,7 +216,9 @@ class _Over:
         return self._key(one) in self.keys or (row and self._table(one) in self.ended)
 
     def _counts(self, one: Occurrence) -> bool:
-        """Return whether a line belongs to one axis or table, and does not define an axis name."""
+        """Return whether a line states a value of one axis or one table, other than the name of an
+        axis.
+        """
         of_one = "axis" in one.tokens or "table" in one.tokens
         return of_one and not self._holds(one, NAMES)
 

@@ -195,7 +195,9 @@ class CouplingParameter:
 
 @dataclass(frozen=True, slots=True)
 class CouplingStatement(CouplingParameter):
-    """A parameter that may couple axes, found by a search pattern, without blanks in its text."""
+    """A parameter that may couple axes, with the match of the pattern that found it; its text has
+    no blanks.
+    """
 
     match: re.Match[str]
 
@@ -227,8 +229,8 @@ def find_partners(
     of_job: bool,
     single: Collection[str] = (),
 ) -> None:
-    """Report gantry axes with different tables, and axes with equal tables that the job does not
-    couple.
+    """Report gantries whose two axes have different tables, and axes that have equal tables
+    although the job does not couple them.
 
     ``partners``: synchronised axis by leading axis; ``read``: the compensations read, by address;
     ``of_job``: a job names these axes; ``single``: those that are in no gantry by the files.

@@ -258,7 +258,7 @@ def in_patched_files(
     axes: Sequence[Axis],
     files: Sequence[ControlFile],
 ) -> F:
-    """Return a copy of the control that knows the contents of the ``files`` to be changed.
+    """Return a copy of ``control`` with the state read from the ``files`` that are to be changed.
 
     Raises UsageError for a table without an axis, InputError for the files.
     """

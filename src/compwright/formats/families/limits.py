@@ -65,7 +65,9 @@ def size(
 
 
 def curves(capacity: Capacity, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Return a fault if a table needs two curves, or a backlash, that the control cannot store."""
+    """Return faults if a table needs one curve per direction, or a backlash value, and the control
+    cannot store these.
+    """
     faults = []
     if capacity.curves == 1 and not np.array_equal(compensation.positive, compensation.negative):
         faults.append(
@@ -172,7 +174,9 @@ def spacing(capacity: Capacity, compensation: AxisCompensation, label: str) -> I
 
 
 def ends(definition: Definition, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Return a fault for each end beyond which the control continues the table unlike planned."""
+    """Return a fault for each end of a table beyond which the control does not continue the
+    correction as planned.
+    """
     faults: list[Fault] = []
     if not compensation.positions.size:
         return faults

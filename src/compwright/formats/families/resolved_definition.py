@@ -14,7 +14,8 @@ from compwright.records.correction import Assumption, ControlState
 
 
 class ResolvedDefinition:
-    """A definition with its options, and (``state``) what the control's files contain, once read.
+    """A definition together with its options and, once read, the contents of the control's files
+    (``state``).
 
     Raises UsageError for a wrong option, or one that contradicts the control's files.
     """
@@ -33,7 +34,8 @@ class ResolvedDefinition:
         self.options = resolve_options(definition, given, state, strict=strict)
 
     def in_state(self, state: ControlState | None, *, strict: bool = False) -> Self:
-        """Return the control with its options completed from its own files (``state``).
+        """Return the same definition with its options completed by the contents of the control's
+        own files (``state``).
 
         ``strict``: every option was given by the user, not by default. Raises UsageError where a
         given option contradicts the files.

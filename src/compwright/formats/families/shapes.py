@@ -46,7 +46,8 @@ def control_format(
     *,
     strict: bool = False,
 ) -> Family:
-    """Return the control of a definition with its options.
+    """Return the definition with its options, as an object of the family that reads and writes the
+    control's files.
 
     ``given`` may hold text from the command line; with a ``state``, an option that the control's
     own files answer takes that answer. ``strict``: every option of ``given`` was given by the user.

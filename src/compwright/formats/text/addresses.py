@@ -114,7 +114,8 @@ class AxisNames:
         }
 
     def unplaced(self, address: str, spoken_of: Iterable[str]) -> list[str]:
-        """Return which of the names ``spoken_of`` may mean the axis: the files do not assign them.
+        """Return those of the names ``spoken_of`` that may mean the axis at ``address``, because
+        the files assign them to no axis.
 
         The files give an axis index (AX1) without a name, or names without an index.
         """
@@ -143,7 +144,7 @@ class AxisNames:
         return next((name for name in names if len(name) == 1), names[0] if names else None)
 
     def written(self, address: str) -> str:
-        """Return the name of an axis that new lines in the files use.
+        """Return the axis name to write in new lines of the files.
 
         ``address`` itself if it is its place or the machine's name, else its place.
         """
@@ -172,7 +173,7 @@ NAMES = ("machine_axis", "channel_axis", "channel_machine_axis")
 
 
 def entry_key(definition: Definition, occurrence: Occurrence, names: AxisNames) -> Key:
-    """Return the key that identifies the variable in a line: its name, axis and index."""
+    """Return the key that identifies the variable in a line: statement, axis address and index."""
     tokens = occurrence.tokens
     axis = tokens.get("axis")
     address = "" if axis is None else names.address(normal_text(definition, axis.text))

@@ -45,7 +45,9 @@ class FileValue:
 
 @dataclass(frozen=True, slots=True)
 class FileValueChange:
-    """One value that differs between two sets of files (None where it does not exist)."""
+    """One value that differs between two sets of files; ``old`` or ``new`` is None if that set does
+    not contain the value.
+    """
 
     old: FileValue | None
     new: FileValue | None
@@ -93,7 +95,8 @@ def texts_of(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
 
 
 def by_statements(definition: Definition, files: Sequence[ControlFile]) -> dict[str, FileValue]:
-    """Return all values of files: by statements, by ``name = value``, or else line by line.
+    """Return all values of files, each under a unique key: values in statements of the definition,
+    then the values in all lines that are no statement.
 
     By the definition's statements; other lines by name within their section.
     """

@@ -58,13 +58,15 @@ class Notes:
             self.assume(note.fact, note.value, note.evidence)
 
     def ask_contradicted(self) -> None:
-        """Ask about the job's answer if the files contradict it and no table depends on it."""
+        """Ask about the job's answer ``active`` if the files contradict the answer and no table
+        needs it.
+        """
         if not self.open_answers:
             for fault in self.contradictions:
                 self.ask(fault)
 
     def ask(self, question: Fault) -> None:
-        """Add a question for the user, unless it is in the list already."""
+        """Add a question for the user, unless the notes already contain it."""
         if question not in self.questions:
             self.questions.append(question)
 

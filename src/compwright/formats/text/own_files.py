@@ -120,7 +120,8 @@ class OwnFiles(Patches):
         self.add_lines(anchor.number, next(iter(anchor.occurrence.tokens.values())).start, lines)
 
     def _row(self, anchor: FoundValue, places: TablePlaces, index: int, text: str) -> str:
-        """Return a line for a new value: a copy of a neighbouring row with its own index and value.
+        """Return a line for a new value: a copy of a neighbouring row with the index and the value
+        of the new row.
 
         Without block number and comment.
         """

@@ -80,7 +80,9 @@ class TextRedactor:
         self.result = RedactedText(file)
 
     def copy(self) -> RedactedText:
-        """Return the copy, the new names that it uses, and its keywords."""
+        """Return the copy, with the new names that replace private ones and the keywords of the
+        text.
+        """
         text = self.file.content.decode("latin-1")
         made, end = [], 0
         for line in self.reader.lines(text):
@@ -201,7 +203,9 @@ def _path(text: str) -> tuple[str, str, str]:
 
 
 def same_statements(old: ReadText, new: ReadText, renamed: dict[str, str]) -> bool:
-    """Return whether two texts have the same statements in order, if names are ``renamed``."""
+    """Return whether two texts have the same statements in the same order, once the names in the
+    old text are replaced by ``renamed``.
+    """
     return _comparable(old, renamed) == _comparable(new, {})
 
 

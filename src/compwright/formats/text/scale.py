@@ -83,7 +83,7 @@ class NumberScale:
         return binding.sign if binding.sign is not None else "position"
 
     def read(self, quantity: str, text: str, position: Decimal = Decimal(0)) -> Decimal:
-        """Return a number in the control's text in mm or deg.
+        """Return a number in the control's text as a position, correction or backlash in mm or deg.
 
         ``position`` (mm or deg): that of its row.
         """
@@ -94,7 +94,7 @@ class NumberScale:
         return position - number if sign == "actual_position" else number
 
     def write(self, quantity: str, value: float, position: float = 0.0) -> str:
-        """Return a value in mm or deg as a number in the control's text.
+        """Return a value in mm or deg as text, in the unit and with the sign that the control uses.
 
         Raises NotHeld when the decimal places or the range do not allow it.
         """

@@ -124,8 +124,8 @@ class TextReader:
         ]
 
     def _concerning(self, kind: TextKind) -> re.Pattern[str] | None:
-        """Return a pattern of words that any relevant line contains; None if every line is
-        relevant.
+        """Return a pattern of words, of which every relevant line contains at least one; None if
+        every line has to be read.
 
         In every line of a kind that is a statement with one of them, or looks like one.
 
@@ -315,7 +315,7 @@ class _KindReader:
         return matcher.section is None or matcher.section.fullmatch(self.section) is not None
 
     def _ours(self, piece: str) -> bool:
-        """Return whether a part of a line would be a valid statement on a line of its own."""
+        """Return whether a piece of a line could be a statement on a line of its own."""
         return line_number(piece) in self.kind.claims_at_start or any(
             form.fullmatch(piece) for matcher in self.matchers for form in matcher.forms
         )
@@ -350,7 +350,8 @@ class _KindReader:
         yield Occurrence(matcher.statement.name, self.file, line.number, tokens, place, checksum)
 
     def _concerns_us(self, probe: str) -> bool:
-        """Return False if a line resembles only statements of other sections; True for all others.
+        """Return False if a line resembles statements, but only such of other sections of the file;
+        True for all other lines.
 
         A key of the same name in another section is another key.
         """

@@ -40,7 +40,8 @@ class Values:
     def one(
         self, quantity: str, places: Sequence[FoundValue], *, quiet: bool = False
     ) -> FoundValue | None:
-        """Return the line with the value of a quantity that is in effect; files must agree on it.
+        """Return the line whose value of a quantity is in effect; all files must state the same
+        value.
 
         Within a file the first, the last, or any if all have to be the same, as the binding states.
 
@@ -82,7 +83,8 @@ class Values:
         return same_value(one, other)
 
     def word(self, quantity: str, found: FoundValue | None) -> str | None:
-        """Return the meaning, such as "no", of a choice's value in the files; None if not known.
+        """Return the meaning, such as "no", of the value that the files state for a setting with a
+        few possible values; None if unknown.
 
         A text that the definition does not know is a fault at its line.
         """
@@ -115,8 +117,8 @@ class Values:
         return None
 
     def absent(self, quantity: str, meaning: str = "", *, tell: bool = True) -> str | None:
-        """Return the default of a quantity that is in no file, and report it if its rule requires
-        that.
+        """Return the default of a quantity that is in no file, and report the default if the
+        definition requires a report.
 
         The rule requires nothing, an assumption, or an assumption with a warning.
 

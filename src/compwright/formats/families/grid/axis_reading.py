@@ -370,7 +370,8 @@ class GridAxisReader:
         return () if table is None else tuple(float(node) for node in table.positions)
 
     def _backlash(self, scale: NumberScale, *, has_table: bool) -> tuple[float, float]:
-        """Return (backlash, 0), or (0, half the backlash as a constant correction); mm or deg.
+        """Return the backlash, and half the backlash as a constant correction, in mm or deg; at
+        least one of both is 0.
 
         The second form if the control shifts each direction by half; (0, 0) if it has a table.
         """
@@ -403,14 +404,16 @@ class GridAxisReader:
         return 0.0, 0.0 if has_table else float(value) / 2.0
 
     def _backlash_factor(self) -> Decimal:
-        """Return the factor by which the first parameter set multiplies the backlash; 1 without
-        one.
+        """Return the factor by which the control multiplies the backlash in the first parameter
+        set; 1 if no file states a factor.
         """
         found = self.values.one("backlash_factor", first_set(self.values.places("backlash_factor")))
         return Decimal(1) if found is None else Decimal(found.text)
 
     def _constant(self, half: float) -> GridTable:
-        """Return a constant correction as a table with one point; without points if it is 0."""
+        """Return a constant correction (``half`` for +, its negative for -) as a table with one
+        point; as a table without points if ``half`` is 0.
+        """
         if half == 0.0:
             return GridTable(np.empty(0), np.empty(0), np.empty(0))
         reference = self.axis.reference if self.axis else float(str(self.options[REFERENCE]))

@@ -34,12 +34,14 @@ class GridAxisValues(Values):
         return self.one(quantity, self.places(quantity), quiet=quiet)
 
     def stated_word(self, quantity: str) -> str | None:
-        """Return the meaning of a choice in the files, such as "no"; None if not stated."""
+        """Return the meaning, such as "no", of a setting with a few possible values; None if no
+        file states the setting.
+        """
         return self.word(quantity, self.single(quantity))
 
     def choice(self, quantity: str) -> str | None:
-        """Return the meaning of a choice in the files, or its default; None if the control has
-        none.
+        """Return the meaning, such as "no", of a setting with a few possible values, or the
+        default; None if the control has no such setting.
         """
         if quantity not in self.definition.bindings:
             return None

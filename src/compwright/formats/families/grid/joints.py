@@ -55,7 +55,8 @@ def joined_joints(files: Sequence[ControlFile]) -> Iterator[Coupling]:
 
 
 def joint_letters(kinematics: str, order: str, count: str) -> str:
-    """Return the axis letter of each joint in one word (XYYZ); empty: LinuxCNC's default order.
+    """Return the axis letter of each joint in one word, such as XYYZ; empty if LinuxCNC's default
+    order applies.
 
     ``kinematics``: its name with its arguments (``coordinates=XYYZ`` has priority); ``order``: the
     machine's axes, used for kinematics with letters of its own (XYZBC) if there are as many as
@@ -93,7 +94,8 @@ Homing = Literal["", "relative", "absolute"]
 def homing_of(
     values: GridAxisValues, factor: float
 ) -> tuple[Homing, tuple[float, Direction] | None]:
-    """Return how homing shifts the correction; position and direction where it is then zero.
+    """Return whether homing shifts the correction ("relative"), and the position and direction at
+    which a shifted correction is zero.
 
     ``factor``: mm or deg per unit of the files.
 
@@ -134,7 +136,8 @@ def _is_true(values: GridAxisValues, name: str, *, others: bool = False) -> bool
 
 
 def unapplied_steps(values: GridAxisValues, factor: float) -> tuple[float, float] | None:
-    """Return the range of correction steps (mm or deg) that are never applied; None if unknown.
+    """Return the range of step sizes (mm or deg) of a correction that the control never applies;
+    None if the range is unknown.
 
     Never applied: a step above the first number, up to the second.
 

@@ -87,7 +87,9 @@ def _common(period: float, offset: float) -> float:
 
 
 def over_travel(compensation: AxisCompensation, axis: Axis) -> AxisCompensation:
-    """Repeat the table of one turn over the whole travel, for an axis that counts its turns."""
+    """Repeat the table of one turn over the whole travel, for an axis whose positions count on from
+    turn to turn.
+    """
     turn, positions = compensation.period, compensation.positions
     if not axis.counts_turns or turn is None or positions.size < 2:
         return compensation
@@ -114,7 +116,8 @@ def over_travel(compensation: AxisCompensation, axis: Axis) -> AxisCompensation:
 
 
 def most_points_of_turn(axis: Axis, rows: int) -> int:
-    """Return how many points one turn may have if all turns of the travel share ``rows`` points.
+    """Return how many points one turn may have if one table of ``rows`` points has to hold all
+    turns of the travel.
 
     Both ends of the turn are included. Raises CapacityError if two points do not fit.
     """

@@ -164,11 +164,15 @@ class GridReader:
         return ()
 
     def couplings(self) -> Sequence[Coupling]:
-        """Return the couplings of joints that may drive one axis."""
+        """Return the couplings of joints that are homed together, because such joints may drive one
+        axis.
+        """
         return tuple(joined_joints(self.files)) if _JOINTS in self.definition.statements else ()
 
     def elsewhere(self, address: str) -> bool:
-        """Return whether tables of another kind correct an axis, so that it may have none here."""
+        """Return whether tables of another family, such as cross-axis tables, correct an axis,
+        which then needs no table of this family.
+        """
         del address
         return False
 
@@ -186,8 +190,8 @@ class GridReader:
         return PairTables()
 
     def active_lines(self) -> dict[str, FoundValue]:
-        """Return for each axis name a line with an active correction: a value not zero, a switch
-        on.
+        """Return, by axis name, one line that shows an active correction of the axis: a value other
+        than zero, or an activation parameter that is on.
         """
         return _active_lines(self.gathered)
 

@@ -22,7 +22,9 @@ class SystemChoice:
         self.systems = gathered.systems(address)
 
     def stated(self, wanted: int, *, by_job: bool) -> str:
-        """Return the number (from 0) of the system ``wanted`` (from 1), and check its table."""
+        """Return the number (from 0) of the measuring system ``wanted`` (from 1), and check that
+        the axis has this system and an active table for it.
+        """
         chosen = str(wanted - 1)
         if (count := self._count()) is not None and wanted > count:
             self.notes.refuse(
@@ -81,7 +83,8 @@ class SystemChoice:
             )
 
     def found(self, *, asking: bool) -> str:
-        """Return the measuring system that is in use, by the contents of the files.
+        """Return the number (from 0) of the measuring system that is in use, as far as the files
+        show it.
 
         ``asking``: if they do not show it, add a question.
         """

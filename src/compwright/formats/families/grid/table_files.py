@@ -73,7 +73,9 @@ class TableFiles:
         return _address_between(self.definition, before, after, file)
 
     def alone(self) -> bool:
-        """Return whether only a table file was given, so that it belongs to any axis."""
+        """Return whether the user gave a single table file and nothing else, so that any axis may
+        have it.
+        """
         return len(self.texts) == len(self.tables) == 1
 
     def rows(self, address: str, *, mentioned: bool) -> list[FoundValue] | None:
@@ -137,7 +139,9 @@ class TableFiles:
         return matching
 
     def note_idle(self, wanted: Collection[str]) -> None:
-        """Report unused table files; if axes are ``wanted``, only those that no line names."""
+        """Report the table files that were not used; if only some axes are ``wanted``, leave out
+        the table files that other lines name.
+        """
         binding = self.definition.bindings.get("table_file")
         named = {
             base_name(occurrence.tokens[binding.field].text.strip())

@@ -225,7 +225,9 @@ def _steps(source: TableSource, values: Mapping[int, FoundValue]) -> _Grid | Non
 
 
 def _alike(source: TableSource, values: Mapping[int, FoundValue], inside: int) -> bool:
-    """Return whether the last point's value is repeated after the end, or all values are zero."""
+    """Return whether the files repeat the last point's value in the row after the last point; in a
+    table of zeros the last point is enough.
+    """
     held = [
         [Decimal(row.occurrence.tokens[name].text) for name in source.value_fields]
         for row in values.values()
@@ -346,5 +348,5 @@ SHAPES: Mapping[str, TableShape] = {
 
 
 def shape_of(definition: Definition) -> TableShape:
-    """Return the reader and writer for the shape of a control's tables."""
+    """Return the object that reads and writes the control's tables in their shape."""
     return SHAPES[definition.layout.shape]

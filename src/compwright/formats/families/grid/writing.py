@@ -86,7 +86,9 @@ class NewFile:
         return made.patched([0])[0] if left or not placed else None
 
     def _rows(self, placed: Collection[str]) -> list[str] | None:
-        """Return the table rows to write into this file; None if they do not belong there."""
+        """Return the table rows for this file; None if its template has none, or if the control's
+        own files already contain the table.
+        """
         if self.file.rows is None or curves(self.definition)[0] in placed:
             return None
         form = self.definition.statements[self.file.rows].form
@@ -159,7 +161,9 @@ class GridWriter:
         return (*self._own_files([address for address, _, _ in tables]), *fresh)
 
     def axis(self, work: AxisToWrite) -> list[ControlFile]:
-        """Write one axis into existing lines of the files; return new files for other values."""
+        """Write one axis into existing lines of the files; return new files for the values that
+        have no line there.
+        """
         text = self._text(work)
         self.make_room(work)
         return self.new_files(self.files_for("one_curve"), text, self._put(text, work), (), work)
@@ -308,8 +312,8 @@ class GridWriter:
     def own_values(
         self, text: AxisText, *, whole: bool = False
     ) -> Mapping[str, Sequence[FoundValue]]:
-        """Return an axis' values in the control's files: of one measuring system or the ``whole``
-        axis.
+        """Return the single values of an axis in the control's files: values of its measuring
+        system, or (``whole``) values that apply to the whole axis.
         """
         if self.own is None:
             return {}
