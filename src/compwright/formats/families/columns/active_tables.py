@@ -16,7 +16,7 @@ from compwright.records.axis import Axis
 def activate(
     sources: Sources, tables: Sequence[UserTable], axes: Sequence[Axis], faults: list[Fault]
 ) -> None:
-    """Enter each active table in ``sources``, by the axis whose motion it follows.
+    """Add each active table to ``sources``, under the axis whose motion the table follows.
 
     The active line of the .CMA file states it, or the names of the tables if there is no such file.
     """

@@ -24,7 +24,9 @@ from compwright.words.sentences import control_text
 
 
 class ColumnAxisReader:
-    """Reads an axis: entry sheet, parameters, and the column that corrects it by its position."""
+    """Reads one axis: its entry sheet, its parameters, and the table column that corrects the axis
+    by its own position.
+    """
 
     def __init__(
         self, values: TableValues, address: str, wanted: Sequence[str], activity: Activity
@@ -348,7 +350,9 @@ class ColumnAxisReader:
         )
 
     def _other_columns_active(self) -> bool:
-        """Return whether this axis is wanted and a table that follows another axis corrects it."""
+        """Return whether the axis is one of the ``wanted`` axes and a table that follows another
+        axis has values for it.
+        """
         column = self.sources.column_of(self.address)
         cells = [
             row.cells[column].text

@@ -38,7 +38,9 @@ _CHECK = control_text(
 
 
 def columns_between(family: Family, request: BetweenRequest) -> Between:
-    """Answer a request for corrections between axes: table columns, rows to type in, or why not."""
+    """Return the answer to a request for corrections between axes: filled table columns, rows to
+    type in, or the reason why a correction is impossible.
+    """
     files = tuple(file for file in request.base if not is_entry_sheet(file))
     own = files
     held: list[PlannedCross] = []
@@ -144,7 +146,8 @@ def _selected(family: Family, entry: PlannedCross) -> str:
 
 
 def _by_line(family: Family, request: BetweenRequest, entry: PlannedCross) -> str:
-    """Return why the corrected axis ignores tables (it uses the linear parameter); empty if not.
+    """Return why no table corrects the axis to be corrected (it uses the linear error parameter);
+    empty if tables can correct it.
 
     The linear error of that axis is active, now or after this job.
     """

@@ -1,4 +1,6 @@
-"""Limits of an axis on a control with user-made tables (HEIDENHAIN), and faults beyond them."""
+"""Limits of an axis on a control with user-made tables (HEIDENHAIN), and faults of tables that
+exceed these limits.
+"""
 
 from __future__ import annotations
 

@@ -120,7 +120,9 @@ def _object(lines: Sequence[str]) -> TableDescription:
 def _with_attribute(
     column: Described, word: str, text: str, form: Literal["struct", "object"]
 ) -> Described:
-    """Return a column with one more attribute, such as its width; others are ignored."""
+    """Return a column's description with one more attribute, such as the width; attributes without
+    a meaning here are ignored.
+    """
     yes = text.upper() == "TRUE"
     if word == "WIDTH" and re.fullmatch("[0-9]{1,4}", text):
         return replace(column, width=int(text), blanks=1 if form == "struct" else 0)

@@ -153,5 +153,5 @@ class ColumnsFamily(Family):
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]
     ) -> tuple[ControlFile, ...]:
-        """Return the entry sheets of written compensations, without any file of the user."""
+        """Return written compensations as entry sheets alone; no file of the user is changed."""
         return self.write(compensations, axes)

@@ -88,7 +88,7 @@ class ColumnEntry:
         }
 
     def parameter_rows(self, left: Mapping[str, str]) -> list[SheetRow]:
-        """Return entry sheet rows for those parameters (``left``) that are in none of the files."""
+        """Return entry sheet rows for the parameters ``left``, which are in none of the files."""
         units = {"backlash": self.axis.kind.unit, "slope": "mm/m", "enabled": ""}
         return [
             SheetRow(name_of(self.definition, name), "", text, units[name])
@@ -187,7 +187,9 @@ class TableFiller:
         return [float(position) for position in positions or ()]
 
     def _on_the_grid(self, positions: Sequence[float], others: Sequence[str]) -> np.ndarray:
-        """Return per row the index of the point whose value it gets; row positions must stay."""
+        """Return, for each row of the existing table, the index of the new table's point that gives
+        the row its value. Raises CapacityError if row positions would change.
+        """
         nodes = self.entry.nodes
         slack = EXACTNESS * self.entry.scale.quantum("node_position")
         first = int(np.argmin(np.abs(np.array(positions) - nodes[0])))
@@ -282,8 +284,8 @@ class TableFiller:
         }
 
     def _two_columns(self) -> bool:
-        """Return whether the second column of values is written: if it is needed or already has
-        values.
+        """Return whether to write the second column of values: an option requires it, or rows
+        already have cells in it.
         """
         if self.table.column(SECOND) is None:
             return False

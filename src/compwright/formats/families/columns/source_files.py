@@ -207,7 +207,9 @@ def take_parameters(
 
 
 def _parameter_lines(definition: Definition) -> dict[str, str]:
-    """Return for each statement that contains a parameter the quantity of that parameter."""
+    """Return, by the name of each statement that contains a parameter, the quantity that this
+    parameter is.
+    """
     return {
         statement.name: quantity
         for quantity in PARAMETERS
@@ -271,7 +273,9 @@ def _take_mask(sources: Sources, place: Occurrence, file: int, faults: list[Faul
 
 
 def ambiguous(text: str) -> bool:
-    """Return whether digits without ``%`` may be bits or decimal: ``11`` means 3 or 11."""
+    """Return whether digits without ``%`` mean different numbers as bits and as decimals: ``11`` is
+    3 or 11.
+    """
     return re.fullmatch("[01]{1,32}", text) is not None and int(text, 2) != int(text)
 
 

@@ -122,8 +122,8 @@ class Sources:
         return f"{self.numbers.number(address)}=F()" if self.numbered else address
 
     def axis_of(self, column: str, *, assigned: bool = False) -> str:
-        """Return the address of the axis to which a table column belongs; the column's name if
-        there is none.
+        """Return the address of the axis to which a table column belongs; for a column without an
+        axis number, its name.
         """
         match = (
             (_ASSIGNED_COLUMN if assigned else _COLUMN).fullmatch(column) if self.numbered else None

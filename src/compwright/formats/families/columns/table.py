@@ -78,7 +78,8 @@ class Described:
 
 @dataclass(frozen=True, slots=True)
 class TableColumn:
-    """A column of a table with the characters of the line that its cells may occupy.
+    """A column of a table, with the range of character positions in a line that its cells may
+    occupy.
 
     From ``low`` to before ``high``, aligned with one of them.
 
@@ -106,7 +107,7 @@ class TableColumn:
 
 @dataclass(frozen=True, slots=True)
 class UserTable:
-    """A table as written in a file: of compensation values, or of the tables assigned to axes.
+    """A table as written in a file: compensation values, or the assignment of such tables to axes.
 
     ``head``: the fields of its first line, with ``name`` and ``unit``.
     """
@@ -127,7 +128,9 @@ class UserTable:
         return next((column for column in self.columns if column.name == name), None)
 
     def others(self, *names: str) -> tuple[str, ...]:
-        """Return the names of columns with nonzero values, except row numbers and ``names``."""
+        """Return the names of columns with nonzero values, except the row number column and the
+        columns ``names``.
+        """
         return tuple(
             column.name
             for column in self.columns
@@ -202,5 +205,5 @@ def cell_changes(
 
 
 def with_sign(old: str, new: str) -> str:
-    """Return the new number, with a plus sign if the old number has one."""
+    """Return the new number; if the old number begins with a plus sign, the new one does too."""
     return f"+{new}" if old.startswith("+") and not new.startswith("-") else new

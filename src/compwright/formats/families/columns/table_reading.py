@@ -161,7 +161,9 @@ class _ColumnTableReader:
         return None
 
     def _closed(self, line: TextLine, name: str, ending: str) -> None:
-        """Check that the file's last line ends the table, and if it names a table, this one."""
+        """Check that the file's last line ends the table; if that line names a table, it must be
+        the name of this table.
+        """
         named = "".join(word.text for word in _words(line)[1:])
         if named and named.upper() != f"{name}.{ending}".upper():
             self._fault(
@@ -242,8 +244,8 @@ class _ColumnTableReader:
     def _assigned(
         self, titles: Sequence[Token], lines: Sequence[TextLine]
     ) -> tuple[list[list[int]] | None, str]:
-        """Return for each row the column index of each word, and how cells are aligned (left,
-        right, free).
+        """Return, for each row, the index of the column to which each of its words belongs; and the
+        alignment of all cells (left, right, free).
 
         None if the columns are ambiguous.
         """
@@ -311,7 +313,9 @@ def _right_slots(titles: Sequence[Token]) -> list[_Slot]:
 
 
 def _places(words: Sequence[Token], slots: Sequence[_Slot]) -> list[int] | None:
-    """Return each word's column index; None if a word is in two columns, or two words in one."""
+    """Return the index of the column to which each word belongs; None if a word fits no column, or
+    if words are not in the order of the columns.
+    """
     places: list[int] = []
     for word in words:
         fitting = (

@@ -87,8 +87,8 @@ class TableValues:
         return column_scale(self.definition, kind or self.kind(address), self.own_options(address))
 
     def kind(self, address: str) -> AxisKind:
-        """Return the kind of an axis (linear, rotary) by the job, the entry sheet's units, or its
-        letter.
+        """Return the kind of an axis (linear, rotary) by the job, else by the units in its entry
+        sheet, else by an option or the axis letter.
         """
         units = self.sources.units.get(address, set())
         by_sheet = AxisKind.ROTARY if "deg" in units else AxisKind.LINEAR
@@ -146,7 +146,9 @@ class TableValues:
             )
 
     def _listed(self, table: UserTable, scale: NumberScale) -> list[Decimal] | None:
-        """Return the positions that a table's rows list, in its unit; None if a row has none."""
+        """Return the positions that the rows of a table state, in the unit of the table; None if a
+        row states no position.
+        """
         positions = []
         for row in table.rows:
             cell = row.cells.get(POSITION)

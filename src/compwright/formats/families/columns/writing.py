@@ -64,7 +64,9 @@ def write_columns(
 def _refuse_unknown_backlash(
     control: Family, pairs: Sequence[AxisTable], files: Sequence[ControlFile]
 ) -> None:
-    """Raise UsageError if a backlash must be replaced whose present value is in no file."""
+    """Raise UsageError if a table with a backlash replaces an existing backlash value that none of
+    the files contains.
+    """
     given = find_sources(control.definition, files, [axis for _, axis, _ in pairs], []).given
     name = name_of(control.definition, "backlash")
     questions = [
@@ -104,7 +106,9 @@ class _OwnTables(Patches):
         self.values = TableValues(control, self.sources, axes, notes)
 
     def put(self, address: str, axis: Axis, compensation: AxisCompensation) -> ControlFile | None:
-        """Record one axis' changes; return an entry sheet of values that no file can take."""
+        """Record the changes for one axis; return an entry sheet for the values that no file of the
+        user has a place for, None if all have one.
+        """
         entry = ColumnEntry(self.control, axis, compensation)
         points: list[SheetRow] = []
         if not entry.line:

@@ -173,8 +173,8 @@ class Lead:
 
 
 def screw_lead(own: AxisParameters, kind: AxisKind) -> Lead | None:
-    """Return the travel between two reference marks of the motor encoder. None if the files do not
-    state it.
+    """Return the travel between two reference marks of the motor encoder, which on a screw is its
+    lead. None if the files do not show it.
 
     1821 counts detection units from one mark to the next: a turn of the motor, on a screw its lead
     (B-63943EN-1/02 page 109). With a separate detector (1815#1 = 1, from memory) it is the distance
@@ -194,7 +194,9 @@ def screw_lead(own: AxisParameters, kind: AxisKind) -> Lead | None:
 
 
 def note_lead(values: IncrementAxisValues, kind: AxisKind) -> None:
-    """Report the suggested screw lead if the job states no period for the axis, or another one."""
+    """Report the screw lead that the parameters suggest, unless it is one of the periods that the
+    job states for the axis.
+    """
     lead = screw_lead(values.own, kind)
     if values.axis is None or lead is None:
         return

@@ -54,7 +54,9 @@ class IncrementReader:
     checks_travel: bool = True
 
     def read(self) -> AxisCompensation | None:
-        """Return the active compensation of the axis; None with faults in the notes."""
+        """Return the active compensation of the axis; None if its data cannot be read (the notes
+        then contain the faults).
+        """
         values = self.values
         kind = values.kind()
         self._check_neighbours(kind)
@@ -95,7 +97,9 @@ class IncrementReader:
     def _with_counted(
         self, kind: AxisKind, sections: IncrementSections | None, table: AxisCompensation
     ) -> AxisCompensation:
-        """Return the table, to which inclination and cyclic table are added if options say so."""
+        """Return the table; if the options include inclination compensation and the cyclic table,
+        these are among its ``others``.
+        """
         functions = counted(self.values, kind, self.options, self._increments)
         unit = float(self._unit(kind)) * self._sign("pitch_sign")
         nodes = table.positions
@@ -121,8 +125,8 @@ class IncrementReader:
         return replace(table, others=tuple(others))
 
     def _check_neighbours(self, kind: AxisKind) -> None:
-        """Check the axis' other active functions: refuse or report them, and ask what the files
-        leave open.
+        """Check the parameters and functions that affect the axis in addition to its table: add
+        faults, and report functions that stay unchanged.
         """
         values, own, notes = self.values, self.values.own, self.values.notes
         notes.faults.extend((*own.contradictions(), *parameter_checks.refusals(own)))
@@ -246,8 +250,8 @@ class IncrementReader:
         return "if the control shows another value there, export its pitch data again"
 
     def _offset(self, sections: IncrementSections, kind: AxisKind) -> float:
-        """Return parameter 3627 in mm or deg: the correction at the reference in the other
-        direction.
+        """Return parameter 3627 in mm or deg: the correction at the reference position if the axis
+        comes from the direction opposite to the reference return.
         """
         values = self.values
         count = values.integer("negative_offset")

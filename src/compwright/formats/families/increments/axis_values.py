@@ -170,7 +170,9 @@ class IncrementAxisValues(Values):
         *,
         hint: str = CORRECT_VALUE,
     ) -> None:
-        """Add a fault at the line of a quantity, which it names as the control does."""
+        """Add a fault at the line of a quantity; the message contains the quantity's parameter
+        number.
+        """
         name = self.name(quantity)
         named = message if name in f"{message} {expected}" else f"{message} (parameter {name})"
         place = self.found(quantity)

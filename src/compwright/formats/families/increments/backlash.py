@@ -32,8 +32,8 @@ class SmoothBacklash:
     values: tuple[ParameterValue, ...]
 
     def note(self, label: str, kind: AxisKind, unit: float, notes: Notes) -> None:
-        """Report the effect of smooth backlash; it is a fault if it may reach the targets of a
-        test.
+        """Report the effect of smooth backlash compensation; add a fault if its stages reach so far
+        behind a reversal that a test's targets may lie within them.
 
         ``unit``: the detection unit.
         """
@@ -124,7 +124,8 @@ def active_backlash(values: IncrementAxisValues, feed: int) -> int:
 
 
 def both_backlashes(axis: Axis, facts: IncrementFacts, count: int) -> dict[str, int]:
-    """Return the values of 1851 and, if it may be active, 1852, for a backlash of ``count``.
+    """Return the values of 1851 and, if a file states 1852 and none switches it off, of 1852, for a
+    backlash of ``count``.
 
     ``count``: detection units at the motion of the axis' test. The difference of the two parameters
     stays as in ``facts``.

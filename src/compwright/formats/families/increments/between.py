@@ -35,7 +35,9 @@ from compwright.words.sentences import SentenceText, control_text, say
 
 
 def straightness_between(family: Family, request: BetweenRequest) -> Between:
-    """Answer a request with a straight line in straightness compensation, if the options allow."""
+    """Return the answer to a request for corrections between axes: a straight line in straightness
+    compensation, if the options allow it.
+    """
     if family.options.get("straightness") != "available":
         return alternative_answer(family.definition, request.planned)
     (entry, *others) = request.planned
@@ -59,7 +61,8 @@ def straightness_between(family: Family, request: BetweenRequest) -> Between:
 
 
 def _filled(family: Family, request: BetweenRequest, entry: PlannedCross) -> Between | None:
-    """Return files with the straight line in parameters that were 0; None if impossible.
+    """Return an answer with files in which unused parameters of straightness compensation contain
+    the straight line; None if impossible.
 
     None if it has no place there, or would not be exact.
     """

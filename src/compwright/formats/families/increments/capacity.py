@@ -138,7 +138,8 @@ class IncrementLimits:
         return self.options.get("inclination") == "available" and not self.facts.inclined
 
     def _free_numbers(self) -> int:
-        """Return how many successive point numbers are free; those not in files do not count.
+        """Return how many successive point numbers are free; numbers whose contents no file shows
+        count as used.
 
         Raises UsageError if too few are left for a table.
         """
@@ -183,8 +184,8 @@ class IncrementLimits:
         return gap
 
     def _least_spacing(self) -> tuple[float, Sentence | None]:
-        """Return the smallest interval for the highest feed, from the option and the rapid traverse
-        in the files.
+        """Return the smallest interval that the highest feed permits, and a sentence about it. The
+        feed is the option ``max_feed`` or the rapid traverse in the files, whichever is higher.
         """
         rule = self.definition.limit("feed_per_spacing")
         if rule is None or rule.number is None:

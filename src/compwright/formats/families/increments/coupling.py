@@ -142,7 +142,9 @@ def _flexible(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
 
 
 def _angular(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupling]:
-    """Yield the axes of angular axis control by 8211 and 8212; without these every linear axis."""
+    """Yield the axes of angular axis control: the axes named by 8211 and 8212, or every linear axis
+    if these name none.
+    """
     unlike = "angular axis control moves it together with another axis"
     for value in parameters.of([known.ANGULAR]):
         if value.nonzero and not value.is_bits:

@@ -70,7 +70,9 @@ def _command_multiplier(setting: int) -> tuple[Fraction, str]:
 
 
 def _power(system: ParameterValue) -> int | None:
-    """Return the least command increment's power of ten by 1013 or 1004; None if not documented."""
+    """Return the exponent (base 10) of the least command increment by 1013 or 1004; None if not
+    documented.
+    """
     stated = tuple(
         bit for bit in range(4 if system.number == known.SYSTEM else 2) if system.bit(bit)
     )
@@ -134,7 +136,7 @@ def resolved_options(
 
 
 def _silent(values: IncrementAxisValues, kind: AxisKind) -> bool:
-    """Return whether an unknown detection unit needs no message of its own.
+    """Return whether no question about an unknown detection unit is needed.
 
     That is: nothing is active on the axis, or its files contain faults, which are reported first.
     Raises UsageError for a parameter value from which the unit does not follow.

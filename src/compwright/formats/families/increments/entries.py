@@ -285,7 +285,9 @@ class _WholeNumbers:
         return str(count)
 
     def _grid(self) -> tuple[FloatArray, float]:
-        """Return the table points as whole intervals from the reference (k,), and the interval."""
+        """Return the distances of the table points from the reference as numbers of intervals (k,),
+        and the interval in mm or deg.
+        """
         positions = self.compensation.positions
         interval = float(positions[-1] - positions[0]) / (positions.size - 1)
         ratio = (positions - self.axis.reference) / interval
@@ -398,7 +400,9 @@ class _WholeNumbers:
     def _points(
         self, counts: FloatArray, steps: FloatArray, place: NumberPlace, magnification: int
     ) -> dict[int, int]:
-        """Return the increments by point number (of a second set: by the numbers of the first)."""
+        """Return the increments by point number; for a second set (travel towards -), under the
+        point numbers of the first set.
+        """
         reference = place.reference
         sign = -1 if self.options.get("pitch_sign") == "-" else 1
         increments = (np.diff(counts) / magnification).astype(np.int64) * sign

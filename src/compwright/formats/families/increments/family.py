@@ -68,7 +68,9 @@ def _idle(state: ControlState, address: str) -> bool:
 
 
 def _shown(control: Family) -> Family:
-    """Return the control for displaying files, with inclination and cyclic tables available."""
+    """Return a copy of ``control`` for displaying files: inclination compensation and cyclic table
+    are read too.
+    """
     both = {"inclination", "cyclic"} & control.definition.options.keys()
     options = {**control.options, **dict.fromkeys(both, "available")}
     return type(control)(control.definition, options)

@@ -44,7 +44,9 @@ _EVIDENCE = {
 
 
 class _NotCountedError(Exception):
-    """Raised if a parameter makes a function unreadable; ``expected``: the value that would do."""
+    """Raised if a parameter makes a function unreadable; ``expected``: the values with which the
+    function can be read.
+    """
 
     def __init__(self, value: ParameterValue, how: str, expected: str) -> None:
         super().__init__(how)
@@ -59,7 +61,9 @@ def counted(
     options: Mapping[str, object],
     increments: Increments,
 ) -> Counted:
-    """Return inclination and cyclic table of an axis, as far as the options include them."""
+    """Return the inclination compensation and the cyclic table of an axis, each only if it is
+    active and an option includes it.
+    """
     wanted = [
         (OPTION_OF[each.words], each)
         for each in functions(values.own)
@@ -89,7 +93,8 @@ class Counted:
     def curves(
         self, sections: IncrementSections | None, nodes: FloatArray, zero: float, scale: float
     ) -> Iterator[Curve]:
-        """Yield the corrections by inclination and cyclic table, to be added to that of the table.
+        """Yield the corrections by inclination compensation and by the cyclic table, which the
+        control adds to the correction by the table.
 
         ``nodes``: those of the table, mm or deg; ``zero``: the reference position; ``scale``: mm or
         deg per detection unit, with that sign. A function that cannot be counted is a fault.

@@ -57,7 +57,8 @@ def check_travel_limits(values: IncrementAxisValues, kind: AxisKind) -> None:
 def check_reference(
     values: IncrementAxisValues, kind: AxisKind, reference: float, *, unanswered: bool
 ) -> None:
-    """Compare parameter 1240 with the job's reference, and report signs that it is not zero.
+    """Compare parameter 1240 with the job's reference; report a reference other than machine zero
+    if the table's points may not be counted from there.
 
     ``reference``: the position from which the points are counted, mm or deg. ``unanswered``: there
     is a table, and the user did not confirm that the points are counted from there.

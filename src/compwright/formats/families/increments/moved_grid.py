@@ -25,7 +25,8 @@ _HELP = (
 def moved_numbers(
     axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: float, magnification: int
 ) -> tuple[tuple[PointNumber, int], ...]:
-    """Return the references of other functions to points that get a new number, with that number.
+    """Return the point numbers in other functions' parameters whose points get new numbers, each
+    with its new number.
 
     Empty if no position gets a new number.
 

@@ -78,7 +78,8 @@ def left_alone(every: Iterable[Function], options: Mapping[str, object]) -> list
 def functions_on_points(
     own: AxisParameters, every: Iterable[Function]
 ) -> tuple[FunctionOnPoints, ...]:
-    """Return the functions that refer to the axis' point numbers, and where each number is.
+    """Return the functions that refer to the axis' point numbers, each with the places of these
+    numbers in the files.
 
     ``every``: the axis' functions.
     """

@@ -44,7 +44,8 @@ def find_place(
     claimed: Sequence[range] = (),
     start: int,
 ) -> NumberPlace:
-    """Return point numbers for a table from ``low`` to ``high`` intervals from the reference.
+    """Return point numbers for a table that reaches from ``low`` to ``high``, both in intervals
+    from the reference.
 
     Whole spacings from the reference, low <= 0 <= high.
 

@@ -169,7 +169,8 @@ class ParameterValue:
 
 
 class Parameters:
-    """The parameters in all files of a control, with the numbers valid for its series.
+    """The parameters in all files of a control, by the meaning that their numbers have on its
+    series.
 
     ``rules``: the definition's rule for each group. ``another``, ``unknown``: values that are not
     zero, of numbers that are other parameters on this series, or whose meaning is unknown;
@@ -302,7 +303,9 @@ class AxisParameters:
         return next((values[whose] for whose in self._owners if whose in values), None)
 
     def another(self, number: int) -> ParameterValue | None:
-        """Return the axis' value of a number that means a different parameter on this control."""
+        """Return the axis' value under a parameter number that does not have its usual meaning on
+        this control.
+        """
         values = {value.whose: value for value in self.all.another if value.number == number}
         return next((values[whose] for whose in self._owners if whose in values), None)
 
@@ -318,7 +321,9 @@ class AxisParameters:
                 yield value.fault(f"contradicts {known.file}, line {known.line}", known.label)
 
     def rivals(self, number: int, bits: Sequence[int]) -> list[ParameterValue]:
-        """Return a parameter's values by path, if the axis' path is unknown and ``bits`` differ."""
+        """Return a parameter's values of all paths, if the axis' path is unknown and the paths
+        differ in one of the ``bits``; else an empty list.
+        """
         values = self.all.of([number])
         if self.path is not None or any(value.whose == ("A", self.index) for value in values):
             return []

@@ -47,7 +47,8 @@ def point_rows(
 
 
 def _unmarked(file: ControlFile, *, with_parameters: bool) -> bool:
-    """Return whether every line of a file without Q addresses can be pitch error data.
+    """Return whether a file without Q addresses contains pitch error data: at least one such line,
+    and no line that cannot be one.
 
     ``with_parameters``: it may also contain parameters.
     """

@@ -18,7 +18,8 @@ GRID = ("reference_number", "first_number", "last_number", "magnification", "tab
 
 @dataclass(frozen=True, slots=True)
 class IncrementSections:
-    """An axis' table sections: numbers of first, last and reference point; interval; magnification.
+    """The sections of an axis' table: point numbers of the reference, the first and the last
+    section; the interval and the magnification.
 
     ``negative``: first number of the set for travel towards -; None: one set for both directions.
     """
@@ -180,7 +181,8 @@ def _checked(values: IncrementAxisValues, kind: AxisKind) -> IncrementSections |
 def _next_to_reference(
     values: IncrementAxisValues, kind: AxisKind, sections: IncrementSections
 ) -> IncrementSections | None:
-    """Return sections of one turn whose first number follows the reference's, with a warning.
+    """Return sections whose first point number is one above the reference's, with a warning, if
+    they cover exactly one turn.
 
     Real controls accept it, the manual has 3621 = 3620.
 

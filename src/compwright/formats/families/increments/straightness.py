@@ -1,4 +1,5 @@
-"""Straightness compensation: the position of one axis corrects another, if options include it.
+"""Straightness compensation, in which the position of one axis corrects another axis; it is read
+only if options include it.
 
 Three pairs of axes (5711 to 5713 moving, 5721 to 5723 compensated), each with four numbers of the
 moving axis' points (5731, 5741, 5751 and on) and four amounts in detection units of the compensated
@@ -61,7 +62,9 @@ class Pair:
 
 
 def row_of(pair: int, *, amounts: bool = False) -> range:
-    """Return the four parameter numbers of axis pair 0, 1 or 2: its points, or its ``amounts``."""
+    """Return the four parameter numbers that state the points of axis pair 0, 1 or 2, or
+    (``amounts``) the corrections at these points.
+    """
     rows = known.STRAIGHTNESS_AMOUNTS if amounts else known.STRAIGHTNESS_POINTS
     first = rows[0] + 10 * pair
     return range(first, first + known.STRAIGHTNESS_USED)
