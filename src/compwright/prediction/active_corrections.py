@@ -1,4 +1,5 @@
-"""The active corrections of a control, by position and direction: along an axis and between axes.
+"""The active corrections of a control: of an axis by its own position, and of an axis by the
+position of another axis.
 
 A correction is what the control adds to the command, mm or deg, > 0 towards the positive end.
 """
@@ -36,14 +37,14 @@ def sum_of_corrections(one: Correction, other: Correction) -> Correction:
 def _together(
     one: Correction, other: Correction, sign: float, positions: FloatArray, direction: Direction
 ) -> FloatArray:
-    """Return ``one`` plus ``sign`` times ``other`` at the given positions."""
+    """Return correction ``one`` plus ``sign`` times correction ``other`` at the given positions."""
     return one(positions, direction) + sign * other(positions, direction)
 
 
 @dataclass(frozen=True, slots=True)
 class ActiveCorrections:
-    """All active corrections of a control: ``along`` an axis by its own position, and ``across``
-    for an output axis by the position of an input axis.
+    """All active corrections of a control. ``along``: the correction of each axis by the position
+    of that axis; ``across``: that of an output axis by the position of an input axis.
     """
 
     along: Mapping[str, Correction]
@@ -54,7 +55,9 @@ class ActiveCorrections:
         return self.along.get(axis, no_correction)
 
     def between(self, given: str, bent: str) -> Correction:
-        """Return the correction of the axis ``bent`` as a function of the position of ``given``."""
+        """Return the correction of the axis ``bent`` as a function of the position of the axis
+        ``given``.
+        """
         return self.across.get((given, bent), no_correction)
 
     def displacement(self, axes: tuple[str, str]) -> Displacement:

@@ -1,5 +1,5 @@
-"""Prediction of the next circular test: the measured path changes as the tables do, and noise is
-simulated.
+"""Prediction of the next circular test: the measured path is displaced by the change of the tables,
+and new noise is simulated.
 
 The measured path contains every error of the machine at the place of the circle, so that no error
 has to be modelled to predict the change. Random parts of a new test are drawn: the path from the
@@ -74,7 +74,8 @@ def commanded_path(test: CircularTest, run: CircularRun, centre: tuple[float, fl
 def moved_test(
     test: CircularTest, centre: tuple[float, float], displacement: Displacement
 ) -> CircularTest:
-    """Return the circular test as measured if ``displacement`` moved every point of the path.
+    """Return the test that would have been measured if ``displacement`` had moved every point of
+    the path.
 
     What the displacement is in the centre of the circle, on the mean of both directions of motion,
     is left out: there the instrument is set up anew. The distance is exact; only the place of the
@@ -99,8 +100,8 @@ def moved_test(
 def predict_circle(
     before: CircularResult, expected: CircularResult, rng: np.random.Generator, draws: int
 ) -> CirclePrediction:
-    """Return the prediction of a repeated circular test. ``expected`` is the test ``before`` with
-    the changed tables, evaluated and diagnosed.
+    """Predict a repeated circular test. ``expected``: the result of the test ``before``,
+    recalculated with the changed tables.
 
     Parameters come from ``draws`` tests with fresh noise; causes, which are linear in the readings,
     from the standard errors of both tests. A parameter that ``before`` does not have is left out.
@@ -173,8 +174,9 @@ def _parabolas(values: FloatArray) -> FloatArray:
 def _fresh_tests(
     test: CircularTest, diagnosis: Diagnosis | None, rng: np.random.Generator, draws: int
 ) -> Iterator[list[FloatArray]]:
-    """Yield the deviations (n,) mm of every run for each of ``draws`` simulated tests. Their path
-    is the fitted one, or smoothed samples without a diagnosis.
+    """Yield the deviations (n,) mm of every run for each of ``draws`` simulated tests. The
+    simulated path is the path fitted by the ``diagnosis``; without one it is the smoothed measured
+    path.
     """
     fresh = () if diagnosis is None else diagnosis.fresh
     paths = [
@@ -210,7 +212,9 @@ def _fresh_tests(
 
 
 def _along(run: CircularRun, angles: FloatArray, rows: FloatArray) -> FloatArray:
-    """Return the ``rows`` (d, m), known at ``angles`` (m,), interpolated at angles of ``run``."""
+    """Interpolate each of the curves ``rows`` (d, m), given at ``angles`` (m,), at the angles of
+    ``run``.
+    """
     if run.angles.size == angles.size:
         return rows
     order = np.argsort(angles)

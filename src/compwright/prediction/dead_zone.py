@@ -24,8 +24,8 @@ _PLACES = 501
 
 
 def applied_compensation(compensation: AxisCompensation, axis: Axis) -> AxisCompensation:
-    """Return the compensation that the control applies in traverses over the whole travel and back,
-    which lacks steps in the dead zone.
+    """Return the compensation without the steps that the control suppresses in its dead zone, as
+    reached in traverses over the whole travel and back.
     """
     if axis.unapplied_steps is None or compensation.positions.size == 0:
         return compensation
@@ -62,8 +62,8 @@ def applied_compensation(compensation: AxisCompensation, axis: Axis) -> AxisComp
 
 
 def unapplied_range(compensation: AxisCompensation, axis: Axis) -> tuple[float, float] | None:
-    """Return the smallest and largest step (mm or deg) that the control does not apply where the
-    axis reverses, or None if it applies all.
+    """Return the smallest and the largest correction step at a reversal (mm or deg) that the
+    control leaves out because the step is in its dead zone; None if no step is left out.
     """
     if axis.unapplied_steps is None or compensation.positions.size == 0:
         return None

@@ -120,16 +120,16 @@ def _traverses(
 
 
 def _few(positive: int, negative: int) -> tuple[int, int]:
-    """Return the number of traverses in + and in − for which a slow disturbance is simulated. It is
-    interpolated for further ones.
+    """Return the number of traverses in + and in − for which a slow disturbance is simulated. For
+    further traverses the disturbance is interpolated.
     """
     return min(positive, _MOST_WAVED), min(negative, _MOST_WAVED)
 
 
 @functools.lru_cache(maxsize=8)
 def _wave_root(positive: int, negative: int, pace: float) -> FloatArray:
-    """Return a root of the covariance matrix of traverse offsets and tilts under a slow
-    disturbance.
+    """Return the Cholesky factor of the covariance matrix of the traverses' offsets and tilts that
+    a slow disturbance causes.
     """
     few = _few(positive, negative)
     signs = np.repeat([1.0, -1.0], few)
@@ -140,8 +140,8 @@ def _wave_root(positive: int, negative: int, pace: float) -> FloatArray:
 
 
 def _at_all(waves: FloatArray, positive: int, negative: int) -> tuple[FloatArray, FloatArray]:
-    """Return the offset and the tilt of all traverses, interpolated from those of the simulated
-    ones.
+    """Return the offset and the tilt of every traverse, interpolated between the simulated
+    traverses.
 
     Both have the shape (count, positive + negative), + first. ``waves`` (count, 2 k) holds k
     offsets, then k tilts. The tilt is smaller where a traverse is a smaller share of the test.
@@ -167,8 +167,8 @@ def _at_all(waves: FloatArray, positive: int, negative: int) -> tuple[FloatArray
 def _moved(
     draws: NoiseDraws, std: FloatArray, unit: FloatArray, order: tuple[IndexArray, IndexArray]
 ) -> tuple[FloatArray, FloatArray]:
-    """Return a random shift of each traverse, in + and in −, scaled by the standard deviations
-    ``std`` (count,).
+    """Return a random shift of each traverse, in + and in −, with the standard deviation ``std``
+    (count,) in each draw.
 
     It is made of ``unit`` (count, positive + negative) by the pattern of each draw, such as a
     random walk; ``order``: the places of the traverses in time.

@@ -42,7 +42,8 @@ def predict_test(
     vdi: bool = False,
     only: str | None = None,
 ) -> Mapping[str, Quantiles]:
-    """Return predicted quantiles of each parameter of a repeated test after a correction change.
+    """Return the predicted quantiles of each parameter of a repeated test after the correction has
+    changed.
 
     ``draws_positive``, ``draws_negative`` (s, m): s joint draws of the deviation in the state that
     was measured, + and -; ``scatter``: what the readings of a fresh test add to each, drawn with
@@ -75,7 +76,8 @@ def fresh_parameters(
     vdi: bool = False,
     only: str | None = None,
 ) -> dict[str, FloatArray]:
-    """Return the parameters (s,) of simulated tests, by their names in the JSON.
+    """Return the values (s,) of each parameter in s simulated tests, by the parameter's name in the
+    JSON.
 
     The deviations of their axes are ``positive``, ``negative`` (s, m); parameters that such a test
     does not have are left out. ``only``: the others of ISO 230-2 are not worked out.
@@ -92,7 +94,8 @@ def fresh_parameters(
 def fresh_slopes(
     positions: FloatArray, count: int, slope_std: float, rng: np.random.Generator
 ) -> FloatArray:
-    """Return extra deviations (count, m), mm, of simulated tests at other temperatures.
+    """Return the deviations (count, m), mm, that other temperatures add to simulated tests as a
+    slope.
 
     At ``positions`` (m,) or (count, m), mm. Each test has a slope of standard deviation
     ``slope_std`` (mm/mm), the same in both directions. No parameter depends on where it is zero.
@@ -141,8 +144,8 @@ def dithered_targets(
 
 
 def decide_prediction(quantiles: Quantiles, limit: float, guard: float = 0.0) -> Decision:
-    """Return the decision about a limit in one unit: accept if p95 + guard <= limit, reject if p05
-    - guard > limit, else undecided.
+    """Return the decision about a limit from the 5 and 95 % quantiles p05 and p95: accept if p95 +
+    guard <= limit, reject if p05 - guard > limit, else undecided. All are in one unit.
 
     ``guard``: the expanded uncertainty of the measurement under the decision rule ``guarded`` (ISO
     14253-1), else 0. The quantiles hold what a repeated test may show, not what its instrument may
