@@ -44,7 +44,9 @@ _SAMPLES: Final = (36, 100_000)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VirtualCircle:
-    """A circular test to simulate: how it is measured, its errors, and the format of its file."""
+    """A circular test to simulate: its plan (radius, feed, runs), the errors of the circle, and the
+    format of its file.
+    """
 
     plan: CirclePlan
     errors: CircleErrors
@@ -52,7 +54,9 @@ class VirtualCircle:
 
 
 def circles_schema(data: Mapping[str, Any]) -> cs.CoreSchema:
-    """Return the schema of the circles in a MACHINE.yaml, by name."""
+    """Return the schema of the section ``circles`` in a MACHINE.yaml, a mapping from name to
+    circle.
+    """
     each = {
         name: (name, _circle(name, CirclePlan(**usable(_PLAN, own)).axes))
         for name, own in data.items()

@@ -231,8 +231,8 @@ def _radii(
     travelled: FloatArray,
     corrections: CircleCorrection | None,
 ) -> FloatArray:
-    """Return the distances (n,) mm that the ballbar shows at commanded ``angles`` (n,) deg, where
-    the path is ``travelled`` (n,) rad long since the start.
+    """Return the distances (n,) mm that the ballbar shows at commanded ``angles`` (n,) deg.
+    ``travelled`` (n,) rad: the angle from the start of the run to each point.
     """
     d = 1.0 if sense == "ccw" else -1.0
     theta = np.radians(angles)
@@ -266,8 +266,8 @@ def _axis(
     motion: _Motion,
     corrections: CircleCorrection | None,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the actual position of an axis relative to the centre, and how far it displaces the
-    other axis, both (n,) mm.
+    """Return the actual position of an axis relative to the centre, and the displacement of the
+    other axis that this axis causes (such as by its straightness error), both (n,) mm.
     """
     w = plan.feed / 60.0 / plan.radius  # rad/s
     behind, shrunk = w * axis.lag, 1.0
@@ -295,7 +295,9 @@ def _axis(
 
 
 def _spike(axis: CircleAxis, radius: float, angle: FloatArray, motion: _Motion) -> FloatArray:
-    """Return the spike (n,), positive outward, after the last reversal; 0 before the first one."""
+    """Return the reversal spike (n,) mm of an axis, positive outward, since its last reversal; 0
+    before the first reversal.
+    """
     since = np.mod(motion.d * angle, math.pi)
     outward = np.where(np.cos(angle - motion.d * since) > 0.0, 1.0, -1.0)
     size: FloatArray = np.where(

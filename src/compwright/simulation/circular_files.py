@@ -11,7 +11,8 @@ from compwright.simulation.circular import CirclePlan, CircleRecording, Traverse
 
 
 def to_circular_csv(test: CircularTest, extra: Mapping[str, str] | None = None) -> bytes:
-    """Return ``test`` as plain CSV (UTF-8, LF): angles in deg (six decimals), deviations in µm (4).
+    """Return ``test`` as plain CSV (UTF-8, LF): angles in deg with six decimals, deviations in µm
+    with four.
 
     Comment keys: what the test's header says, then ``extra``, then those that the test itself
     fixes. Rows stand run by run in the order of time within each.

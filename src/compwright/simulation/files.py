@@ -46,7 +46,7 @@ def to_csv(test: PositioningTest, extra: Mapping[str, str] | None = None) -> byt
 
 
 def _target(value: float) -> str:
-    """Return a target as text with three decimals, or with six where three would round it."""
+    """Return a target as text with three decimals, or with six if three decimals are not exact."""
     return _number(value, 6).removesuffix("000")
 
 

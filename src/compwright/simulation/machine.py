@@ -77,7 +77,7 @@ class TestPlan:
         return self.runs if self.directions in {"both", direction.value} else 0
 
     def seen(self, deviations: FloatArray) -> FloatArray:
-        """Return deviations rounded to the resolution of the instrument."""
+        """Return the deviations as the instrument shows them, rounded to its resolution."""
         if self.resolution == 0.0:
             return deviations
         steps: FloatArray = np.round(deviations / self.resolution) * self.resolution
@@ -170,8 +170,8 @@ class VirtualMachine:
     def record_circle(
         self, name: str, *, seed: int, corrections: Mapping[str, Correction] | None = None
     ) -> CircleRecording:
-        """Return a simulated circular test with the errors of the circle and of its axes, and the
-        active ``corrections`` by axis.
+        """Return a simulated circular test that contains the errors of the circle, the errors of
+        its two axes, and the active ``corrections`` of these axes.
 
         Raises UsageError for a circle that the machine does not have.
         """
@@ -190,8 +190,8 @@ class VirtualMachine:
         )
 
     def _along(self, corrections: Mapping[str, Correction]) -> CircleCorrection:
-        """Return a function that gives error plus correction of an axis by position and direction,
-        0 for an axis that the machine does not describe.
+        """Return a function of axis, position and direction that gives the sum of error and
+        correction; an axis that the machine does not describe has no error.
         """
 
         def total(axis: str, positions: FloatArray, direction: FloatArray) -> FloatArray:

@@ -112,7 +112,9 @@ def read_machine(content: bytes, file: str) -> VirtualMachine:
 
 
 def _machine(data: Any, axes: Mapping[str, Axis]) -> cs.CoreSchema:
-    """Return the schema of a MACHINE.yaml. ``axes``: its axes, as far as read in advance."""
+    """Return the schema of a MACHINE.yaml. ``axes``: the axes of the file, each with those
+    properties that were read in advance.
+    """
     names = {"name": ("name", TEXT), "serial": ("serial", TEXT)}
     control = {"format": ("format", TEXT), "options": ("options", cs.dict_schema(strict=True))}
     each = {name: (name, _axis(axis)) for name, axis in axes.items()}
@@ -141,8 +143,8 @@ def _machine(data: Any, axes: Mapping[str, Axis]) -> cs.CoreSchema:
 
 
 def _contradictions(data: Mapping[str, Any], axes: Mapping[str, Axis]) -> Iterator[KeyFault]:
-    """Yield faults of names and of the schema version, and of values in a section that contradict
-    each other.
+    """Yield the faults of an unknown schema version, of invalid names, and of values that
+    contradict each other within a section.
     """
     if usable(_VERSION, data).get("version") != SCHEMA:
         expected, found = str(SCHEMA), shown(data.get("virtual_machine"))
@@ -217,8 +219,8 @@ def _axis(axis: Axis) -> cs.CoreSchema:
         encoder: Encoder | None = None,
         **own: Any,
     ) -> VirtualAxis:
-        """Return the virtual axis. Without ``encoder`` its measuring system is unknown here, and
-        the control's files state it.
+        """Return the virtual axis. Without ``encoder`` its measuring system is marked as not
+        stated, and the control's files decide.
         """
         plan, motion = test or (
             TestPlan(targets=_spread_targets(axis, _least_targets(axis), 0)),
@@ -395,8 +397,8 @@ def _least_targets(axis: Axis) -> int:
 
 
 def _spread_targets(axis: Axis, count: int, seed: int) -> FloatArray:
-    """Return ``count`` targets (i - 1) p + r, with r random within ±0.3 p (ISO 230-2, 4.2), rounded
-    to 0.001 mm or deg.
+    """Return ``count`` targets at a regular interval p, each shifted by a random amount within ±0.3
+    p (ISO 230-2, 4.2) and rounded to 0.001 mm or deg.
 
     They keep a margin of 1 % of the travel from its ends, room to come from either side. The outer
     targets are moved inward only.

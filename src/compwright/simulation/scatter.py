@@ -84,7 +84,9 @@ class SimulatedScatter:
         travel: tuple[float, float],
         rng: np.random.Generator,
     ) -> dict[Direction, FloatArray]:
-        """Return the shift of the readings by traverse, drawn in the order + and − of each run."""
+        """Return the random shift of the readings in each traverse, (m, runs) by direction.
+        Traverses are drawn in the order of time: + and − of each run.
+        """
         own = self.traverses
         order = [(run, way) for run in range(max(runs.values())) for way in Direction]
         middle = 0.5 * (travel[0] + travel[1])

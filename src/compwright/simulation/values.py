@@ -28,7 +28,9 @@ def number(
     most: float = _LARGEST,
     below: float | None = None,
 ) -> cs.CoreSchema:
-    """Return the schema of a number, with bounds inclusive or (``above``, ``below``) exclusive."""
+    """Return the schema of a number. ``least`` and ``most`` are themselves allowed, ``above`` and
+    ``below`` are not.
+    """
 
     def converted(value: float) -> Any:
         if 0.0 < abs(value) < _SMALLEST:
@@ -52,8 +54,8 @@ def whole(least: int, most: int) -> cs.CoreSchema:
 def numbers(
     factor: float = 1.0, *, length: int | None = None, at_least: int = 1, ascending: bool = False
 ) -> cs.CoreSchema:
-    """Return the schema of a list of ``length`` numbers, or ``at_least`` so many. A fault names the
-    whole list.
+    """Return the schema of a list of exactly ``length`` numbers, or else of ``at_least`` numbers or
+    more. A fault names the whole list, not the single number.
     """
     one = SchemaValidator(number())
     wanted = f"a list of {f'at least {at_least}' if length is None else length} numbers"
@@ -97,7 +99,9 @@ def either(one: cs.CoreSchema, several: cs.CoreSchema) -> cs.CoreSchema:
 
 
 def record(build: Callable[..., Any], keys: Keys, needed: Collection[str] = ()) -> cs.CoreSchema:
-    """Return the schema of a mapping, from which ``build`` makes the record (keyword arguments)."""
+    """Return the schema of a mapping. Its values become keyword arguments of ``build``, which makes
+    the record.
+    """
     return mapping(
         {key: schema for key, (_, schema) in keys.items()},
         lambda values: build(**{keys[key][0]: value for key, value in values.items()}),
@@ -106,7 +110,9 @@ def record(build: Callable[..., Any], keys: Keys, needed: Collection[str] = ()) 
 
 
 def usable(keys: Keys, data: Any) -> dict[str, Any]:
-    """Return the valid values of a mapping by name; faults of others are reported elsewhere."""
+    """Return only the valid values of a mapping, by name; invalid values are left out, because
+    their faults are reported elsewhere.
+    """
     given = data if isinstance(data, dict) else {}
     found = {
         name: checked(SchemaValidator(schema), given[key])
@@ -117,7 +123,9 @@ def usable(keys: Keys, data: Any) -> dict[str, Any]:
 
 
 def part(data: Any, *keys: str) -> Mapping[str, Any]:
-    """Return the nested mapping under the ``keys``, or an empty mapping if there is none."""
+    """Return the mapping found by following the nested ``keys`` one after the other, or an empty
+    mapping if there is none.
+    """
     for key in keys:
         data = data.get(key) if isinstance(data, dict) else None
     return data if isinstance(data, dict) else {}
