@@ -1,4 +1,5 @@
-"""Decision whether the existing table was active during the tests, made before anything is written.
+"""Decision whether the existing table was active during the tests, made before a run writes a new
+table.
 
 A test with it on, judged as a test after loading is, against one with it off
 (`verification.loading`).
@@ -24,7 +25,8 @@ _LISTED: Final = 0.05
 
 @dataclass(frozen=True, slots=True)
 class ExistingTableVerdict:
-    """The verdict of two tests of an axis on whether a table was active in them.
+    """The verdict on whether the existing table was active, from one test with the table and one
+    test without it.
 
     ``on``, ``off``: names of the test with it and of the one without it; ``state``: the state in
     which it should have been active.
@@ -50,7 +52,9 @@ class ExistingTableVerdict:
 
     @property
     def likely(self) -> tuple[Candidate, ...]:
-        """The possible explanations of the tests, the most probable first."""
+        """The explanations of the tests that are probable enough to be listed, the most probable
+        first.
+        """
         return tuple(each for each in self.verdict.candidates if each.probability >= _LISTED)
 
     def refusal(self, look_at: Sequence[str]) -> Sentence:
@@ -76,7 +80,7 @@ class ExistingTableVerdict:
 
     def finding(self) -> Finding | None:
         """Return the finding that the table was active (CW-V030), or that the tests cannot decide
-        it (CW-V031). None if the tests contradict it.
+        this (CW-V031). None if the tests show that the table was not active as in the files.
         """
         if self.contradicted:
             return None

@@ -1,5 +1,5 @@
-"""Construction of hypotheses about loading: the correction at the targets if the table has other
-values than planned.
+"""Builder of hypotheses about loading: the correction at the targets if the table in the control
+has values different from the planned ones.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class HypothesisBuilder:
         self.has_old = bool(np.any(np.abs(self.old - self.stay) > 0.0))
 
     def at(self, one: AxisCompensation) -> Curve:
-        """Return the correction at the targets by a compensation, in + and − (2, m)."""
+        """Return the correction (2, m) that a compensation makes at the targets, in + and −."""
         return np.stack([one.at(self.targets, direction) for direction in Direction])
 
     def jump(self, one: AxisCompensation) -> Curve:
@@ -70,8 +70,8 @@ class HypothesisBuilder:
         detail: Sentence | None = None,
         **more: Any,
     ) -> Hypothesis:
-        """Return the hypothesis ``name`` with a ``change`` of the correction (2, m), and with
-        further fields of the record.
+        """Return the hypothesis ``name`` with a ``change`` of the correction (2, m); ``more``:
+        further fields of the `Hypothesis`.
         """
         return Hypothesis(
             name=name,
@@ -98,7 +98,7 @@ class HypothesisBuilder:
             yield self.made(name, self.total(curve, self.old_backlash), 0.1 * weight, old, **more)
 
     def held(self) -> Held:
-        """Return the values of the planned table at its points, by direction."""
+        """Return the values of the planned table at its points, one array for each direction."""
         return {d: self.table.curve(d) for d in Direction}
 
     def old_values(self) -> Held:
@@ -122,8 +122,8 @@ class HypothesisBuilder:
         )
 
     def _from_zero(self, curve: Curve, curves: Mapping[Direction, FloatArray]) -> Curve | None:
-        """Return ``curve`` with each direction shifted to the planned value at the reference, or
-        None if both shifts are equal.
+        """Return ``curve`` shifted, in each direction on its own, to the planned value at the
+        reference; None if the shift is the same in both directions.
         """
         nodes, at = self.table.positions, self.loading.reference
         off = [
@@ -149,8 +149,8 @@ class HypothesisBuilder:
             yield from self.both(name, counted, 0.5 * weight, **more)
 
     def shifts(self, by: int, held: Held) -> Iterator[Held]:
-        """Yield the table values ``held`` shifted ``by`` points towards +. Points that become free
-        get the end value, or zero.
+        """Yield the table values ``held`` shifted ``by`` points towards +. Points without a shifted
+        value get the value of the nearest end, and in a second variant zero.
         """
         if self.table.period is not None:
             yield {d: _around(values, by) for d, values in held.items()}
@@ -170,6 +170,8 @@ def _only_others(one: AxisCompensation) -> AxisCompensation:
 
 
 def _around(values: FloatArray, by: int) -> FloatArray:
-    """Return the values of an endless axis shifted ``by`` points; the last repeats the first."""
+    """Return the table values of an endless rotary axis shifted ``by`` points; values beyond one
+    end continue at the other end, and the last value equals the first.
+    """
     turned = np.roll(values[:-1], by)
     return np.append(turned, turned[0])

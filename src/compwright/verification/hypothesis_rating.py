@@ -53,8 +53,8 @@ class RatedHypothesis:
 def rate_hypotheses(
     after: AfterMeans, views: Sequence[MeasurementCase], slope: float | None
 ) -> tuple[list[RatedHypothesis], tuple[float, float]]:
-    """Return all hypotheses with their probabilities, and the share of the planned effect that the
-    test shows.
+    """Return all hypotheses with their probabilities, and the fraction of the planned change of the
+    correction that the test shows.
 
     1 is loaded, 0 not active; with its standard error (inf: the test cannot show it).
     """
@@ -113,8 +113,8 @@ def _rated_by(
 
 
 def _relevant(after: AfterMeans, rated: Sequence[RatedHypothesis]) -> list[RatedHypothesis]:
-    """Return the hypotheses, with less weight for those that this test cannot distinguish from
-    ``loaded`` or ``not_active``.
+    """Return the hypotheses with their weights; those that this test cannot distinguish from
+    ``loaded`` or ``not_active`` get a smaller weight.
 
     The weight is reduced by the square of the distance, up to `_SEEN` standard errors: such
     hypotheses change nothing that the test could show.
@@ -137,8 +137,8 @@ def _relevant(after: AfterMeans, rated: Sequence[RatedHypothesis]) -> list[Rated
 
 
 def _effect(ways: Sequence[Hypothesis]) -> Hypothesis | None:
-    """Return the hypothesis that an unknown share of the planned change is active, or None unless
-    both ``loaded`` and ``not_active`` are hypotheses.
+    """Return the hypothesis that an unknown fraction of the planned change is active; None if
+    ``loaded`` or ``not_active`` is not among the hypotheses.
     """
     loaded = next((each for each in ways if each.name == "loaded"), None)
     inactive = next((each for each in ways if each.name == "not_active"), None)
@@ -157,7 +157,7 @@ def _on_slope(way: Hypothesis, share: float) -> Hypothesis:
 
 
 def _curves_of(ways: Sequence[Hypothesis]) -> Curves:
-    """Return the curves of the hypotheses as input of the likelihood."""
+    """Return the changes of the correction under the hypotheses, as the input of `fits_of`."""
     return Curves(
         change=np.stack([each.change for each in ways], axis=2),
         free={number: each.free for number, each in enumerate(ways) if each.free is not None},

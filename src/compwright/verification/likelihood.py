@@ -169,8 +169,8 @@ def _means(block: FloatArray) -> FloatArray:
 def _as_before(
     test: PositioningTest, plain: FloatArray, counts: FloatArray, noise: NoiseDraws
 ) -> AfterMeans:
-    """Return the mean readings of a ``test``, with the ``noise`` that was estimated from another
-    test of the axis.
+    """Return the mean readings of a ``test`` with the ``noise`` that was estimated from an earlier
+    test of the same axis.
     """
     m = test.targets.size
     taken = noise.taken(_evenly(noise.count, m))
@@ -200,7 +200,8 @@ def _as_before(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Curves:
-    """H possible curves of a test, as differences from the expected deviation, mm or deg.
+    """H curves of the deviation that a test may show, each as the difference from the expected
+    deviation, mm or deg.
 
     ``change`` (2, m, H): the correction minus the one that the expected deviation contains.
     ``free``: by the number of a curve, a direction (2, m) in which it may differ further by a
@@ -214,8 +215,8 @@ class Curves:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fits:
-    """How well each of H curves fits a test: log likelihood, residual, fitted slope, and fitted
-    unknown amount such as a factor.
+    """How well each of H curves fits a test: its log likelihood, its residual, the fitted slope,
+    and the fitted unknown amount (such as an unknown factor on the table).
 
     ``log_likelihood`` (H,): of the means, integrated over all unknowns. ``score`` (H,): the
     residual, as an equally improbable standard normal value. ``slope`` (H, 2): slope of the test
@@ -315,8 +316,8 @@ def _products(
     free: FloatArray | None,
     numbers: Sequence[int],
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the score and the normal matrix of the least-squares fit: amount of the change, free
-    amount, and slope.
+    """Return the right-hand side and the matrix of the normal equations of a least-squares fit with
+    three unknowns: the factor on the change, the free amount, and the slope.
 
     Score (H, 3): products of the residuals ``left`` with the three whitened curves; matrix (H, 3,
     3): products of these with each other. ``free`` (n, f): the curves with a free amount of the
@@ -344,8 +345,8 @@ def _along(after: AfterMeans) -> FloatArray:
 
 
 def _estimate(slope: FloatArray, score: FloatArray, declared: float) -> FloatArray:
-    """Return the least-squares slope of each curve with its standard error, (H, 2), without the
-    prior of the declared slope.
+    """Return the least-squares slope of each curve with its standard error, (H, 2). The declared
+    uncertainty of the slope is not used as prior knowledge.
 
     As if nothing was declared of it: a'V a = g / (1 + g s²) where V holds s² already (Sherman and
     Morrison).
@@ -359,8 +360,8 @@ def _estimate(slope: FloatArray, score: FloatArray, declared: float) -> FloatArr
 
 
 def _amounts(score: FloatArray, square: FloatArray) -> FloatArray:
-    """Return the fitted unknown amount of each hypothesis with its standard error, (H, 2). Both are
-    0 where the hypothesis has no unknown amount.
+    """Return the fitted unknown amount (such as a factor on the table) of each hypothesis with its
+    standard error, (H, 2); both are 0 for a hypothesis without an unknown amount.
     """
     there = square > 0.0
     safe = np.where(there, square, 1.0)
@@ -396,8 +397,8 @@ class _Whitener:
     def of(
         cls, precision: FloatArray, used: FloatArray, blocks: FloatArray, columns: FloatArray
     ) -> _Whitener:
-        """Return the inverse root of a covariance matrix: ``blocks`` + 1 / ``precision`` + C C'
-        with C = ``columns``, for the means marked in ``used`` (2, m).
+        """Return the whitener of the covariance matrix ``blocks`` + 1 / ``precision`` + C C' with C
+        = ``columns``, only for the means marked in ``used`` (2, m).
         """
         noise = np.where(used > 0.0, 1.0 / np.where(used > 0.0, precision, 1.0), 0.0)
         up, down = used

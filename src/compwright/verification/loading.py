@@ -56,8 +56,8 @@ def judge_loading(
     further: Callable[[], Sequence[MeasurementCase]] = tuple,
     read_back: bool = False,
 ) -> LoadingVerdict:
-    """Return the loading verdict from the mean readings ``after`` loading and all hypotheses. Those
-    of each of the ``views`` share one expected deviation.
+    """Return the verdict on how the table was loaded, from the mean readings ``after`` loading.
+    Each of the ``views`` contains an expected deviation and the hypotheses that start from it.
 
     ``further`` makes more hypotheses where the test fits neither the loaded table nor the control
     as before. The first view is the test as given; its first hypotheses of the names ``loaded`` and
@@ -89,8 +89,8 @@ def judge_loading(
 
 
 def _fits_unchanged(each: RatedHypothesis) -> bool:
-    """Return whether a hypothesis is the loaded table or the old correction, without any fault, and
-    fits the test.
+    """Return whether a hypothesis without any fault fits the test: the table is loaded, or the old
+    correction is still active.
     """
     return each.hypothesis.name in ("loaded", "not_active") and each.score <= REFUSED
 
@@ -133,8 +133,8 @@ def _verdict(
 
 
 def _neither(shown: ShownTest, names: NamedLoading) -> LoadingVerdict:
-    """Return the verdict ``undecided`` for a test that fits no hypothesis. The most probable name
-    would mislead.
+    """Return the verdict ``undecided`` for a test that fits no hypothesis, because the name of the
+    most probable one would mislead.
     """
     sentence = neither_message(shown)
     return LoadingVerdict(
@@ -155,8 +155,8 @@ def _findings(verdict: LoadingName, sentence: Sentence) -> tuple[Finding, ...]:
 
 
 def _explains(shown: ShownTest, best: RatedHypothesis) -> bool:
-    """Return whether a faulty table explains nearly all differences that remain with the loaded
-    table and with the old correction.
+    """Return whether the ``best`` hypothesis, a faulty table, explains nearly all of the difference
+    between the test and both the loaded table and the old correction.
     """
     if best.name in ("loaded", "not_active", "thermal", "measurement"):
         return False

@@ -32,7 +32,8 @@ VISIBLE: Final = 10.2
 
 @dataclass(frozen=True, slots=True)
 class ShownTest:
-    """The measured and the expected mean deviations of a test, for the sentences of a verdict.
+    """The measured mean deviations of a test and those expected with and without the new table,
+    from which the sentences of a verdict are made.
 
     ``means`` (2, m) in + and - at ``targets``, NaN where there is none; ``noise`` of a reading; the
     means expected with the new table and without it. ``effect``: which part of their difference the
@@ -59,8 +60,8 @@ class ShownTest:
         *,
         read_back: bool = False,
     ) -> ShownTest:
-        """Return the test ``after`` with its expected deviations if the table is loaded, and if it
-        is not.
+        """Return the mean deviations of the test ``after``, with those expected if the table is
+        loaded and those expected if the table is not active.
         """
         expected = {
             name: next((belief.mean + h.change for h in hypotheses if h.name == name), None)
@@ -78,7 +79,9 @@ class ShownTest:
         )
 
     def left(self, expected: FloatArray) -> FloatArray:
-        """Return the measured minus the ``expected`` means (2, m), less their common offset."""
+        """Return the measured minus the ``expected`` mean deviations (2, m), without the offset
+        that all have in common.
+        """
         left = self.means - expected
         removed: FloatArray = left - np.nanmean(left)
         return removed
@@ -93,7 +96,9 @@ class ShownTest:
         return say("loading.rms", rms=self.length(float(np.sqrt(np.nanmean(values**2)))))
 
     def worst(self, values: FloatArray) -> Sentence:
-        """Return the largest of the ``values`` and its target, as text."""
+        """Return, as text, the largest of the ``values`` (2, m) by amount, with its target and
+        direction.
+        """
         side, target = np.unravel_index(int(np.nanargmax(np.abs(values))), values.shape)
         return say(
             "loading.worst",
@@ -125,7 +130,9 @@ class ShownTest:
 
 
 def candidate_text(candidate: LoadingName, detail: Sentence | None = None) -> Sentence:
-    """Return a verdict and its variant as printed for the user."""
+    """Return the name of a possible verdict, with its most probable variant ``detail``, as printed
+    for the user.
+    """
     return say("loading.name", name=candidate, detail=detail)
 
 
@@ -200,7 +207,8 @@ def _evidence(shown: ShownTest, name: LoadingName, expected: FloatArray) -> Iter
 def open_message(
     shown: ShownTest, candidates: Sequence[Candidate], unexplained: FloatArray | None
 ) -> Sentence:
-    """Return the sentence of an undecided verdict, with the correction that a test could detect.
+    """Return the sentence of an undecided verdict, with the smallest change of the correction that
+    such a test could detect.
 
     ``unexplained`` (2, m): the test that the most probable name would show, where the remaining
     difference is more than noise; None where the name fits.

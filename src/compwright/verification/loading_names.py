@@ -1,4 +1,5 @@
-"""The name of a loading verdict from rated hypotheses, with the names that remain possible.
+"""Choice of the name of a loading verdict (such as ``loaded`` or ``inverted``) by the probabilities
+of the hypotheses, and the other names that remain possible.
 
 The most probable one, those that no test can distinguish from it, and those that this test leaves
 open.
@@ -34,7 +35,8 @@ _LISTED: Final = 0.005
 
 @dataclass(frozen=True, slots=True)
 class NamedLoading:
-    """The name of a loading verdict that a test supports, and the possible other names.
+    """The name of a loading verdict that a test supports, and the other names that the test does
+    not exclude.
 
     ``best``: the most probable hypothesis of the most probable name; ``fits``: whether the test
     fits it. ``together``: probability of that name and of everything within one standard error of
@@ -101,7 +103,9 @@ def _margin(
     names: Collection[LoadingName],
     excluded: Collection[LoadingName],
 ) -> float:
-    """Return the log odds of ``names`` against the most probable name not ``excluded``."""
+    """Return the logarithm of the odds that one of ``names`` is right, compared with the most
+    probable name that is not ``excluded``.
+    """
 
     def together(chosen: Collection[LoadingName]) -> float:
         logs = np.array([each.log for each in rated if each.name in chosen])
@@ -130,7 +134,7 @@ def _loaded_or_thermal(
 def _equivalent(
     best: RatedHypothesis, far: FloatArray, rated: Sequence[RatedHypothesis]
 ) -> tuple[LoadingName, ...]:
-    """Return the names whose hypotheses no test could distinguish from the ``best`` one.
+    """Return the names of verdicts that no test could distinguish from the ``best`` hypothesis.
 
     A hypothesis whose limit is the loaded table, or none, is no other name there (a factor near
     one, a cut near an end, a small slope); nor is an unknown factor for an inverted table, whose
@@ -185,7 +189,9 @@ def _candidates(
 
 
 def factor_of(best: RatedHypothesis) -> float:
-    """Return the factor on the planned table, as in the hypothesis or, if unknown, as measured."""
+    """Return the factor by which the planned table is multiplied under a hypothesis; if the
+    hypothesis leaves the factor open, as estimated from the test.
+    """
     way = best.hypothesis
     if way.name != "scaled" or way.free is None:
         return way.factor

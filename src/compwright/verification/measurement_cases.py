@@ -29,15 +29,17 @@ _UNITS: Final = (1000.0, 0.001, 25.4, 1.0 / 25.4)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MeasurementCase:
-    """Hypotheses with one expected deviation ``belief`` before any change of the correction."""
+    """An expected deviation ``belief`` without any change of the correction, and the hypotheses
+    that start from it.
+    """
 
     belief: ErrorBelief
     hypotheses: tuple[Hypothesis, ...]
 
 
 def measurement_cases(view: MeasurementCase, *, both: bool = True) -> tuple[MeasurementCase, ...]:
-    """Return the cases in which the test has the wrong sign or exchanged directions, for the loaded
-    table and for the old correction.
+    """Return the cases that the test was recorded with the wrong sign or with exchanged directions,
+    while the table was loaded or the old correction was active.
 
     ``both`` directions are measured.
     """
@@ -51,7 +53,7 @@ def measurement_cases(view: MeasurementCase, *, both: bool = True) -> tuple[Meas
 
 
 def unit_cases(view: MeasurementCase, louder: float) -> tuple[MeasurementCase, ...]:
-    """Return the cases in which the loaded table was measured in another unit.
+    """Return the cases that the table is loaded and the test was recorded in a wrong unit.
 
     ``louder``: the noise of the test over that of the tests before. Readings in another unit
     scatter by as much more: honest noises differ by a factor of two or so (normal law of its
@@ -71,7 +73,9 @@ def unit_cases(view: MeasurementCase, louder: float) -> tuple[MeasurementCase, .
 
 
 def _honest(ratio: float) -> float:
-    """Return the log probability density of a ``ratio`` of noises in one unit, up to a constant."""
+    """Return the logarithm of the probability density of the ``ratio`` of the noise in two tests
+    that have the same unit, up to a constant.
+    """
     return -0.5 * (math.log(ratio) / _OTHER_NOISE) ** 2
 
 

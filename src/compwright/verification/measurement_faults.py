@@ -50,8 +50,8 @@ _FEW_REPEATS: Final = 5
 
 @dataclass(frozen=True, slots=True)
 class NamedFault:
-    """A certain fault of the measurement: its name in the JSON (``of``), and the ``sentence`` with
-    evidence and next step.
+    """A fault that the measurement certainly has: its name in the JSON (``of``), and the
+    ``sentence`` with evidence and next step.
     """
 
     of: MeasurementFault
@@ -80,8 +80,8 @@ def measurement_fault(
 
 
 def _copied(after: PositioningTest, first: PositioningTest) -> Sentence | None:
-    """Return the sentence that states how the readings were copied from the first test, or None if
-    they are independent.
+    """Return the sentence that readings of the test ``after`` are copies (of the ``first`` test, or
+    of one run), or None if no copy is found.
     """
     for way, positive, negative in (
         ("same", first.positive, first.negative),
@@ -191,8 +191,8 @@ def _thousand(after: PositioningTest, first: PositioningTest) -> Sentence | None
 def noise_odds(
     s: float, dof: float, s_first: float, dof_first: float
 ) -> Literal["", "quiet", "loud"]:
-    """Return ``quiet`` or ``loud`` if the scatter ``s`` is too small or too large compared with
-    that of the first test, else an empty text.
+    """Return ``quiet`` if the scatter ``s`` is implausibly small compared with that of the first
+    test, ``loud`` if it is implausibly large, else an empty text.
 
     Too quiet: even with a third of the first test's noise, a scatter this small would appear less
     than once in 1000 tests (ratio of two variances, Paulson's normal score). Too loud: the same
@@ -221,8 +221,8 @@ def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
 
 
 def proof_findings(after: PositioningTest, first: PositioningTest) -> list[Finding]:
-    """Return the findings that the test after loading proves little: missing targets (CW-V020), or
-    implausible noise (CW-V021).
+    """Return the findings that a test after loading is only weak evidence: targets of the first
+    test are missing (CW-V020), or the noise is implausible (CW-V021).
 
     Both are relative to the ``first`` test.
     """
@@ -288,8 +288,8 @@ def _noise(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
 
 
 def file_disagreement(parts: Sequence[PositioningTest]) -> tuple[PositioningTest, str] | None:
-    """Return which file of one test differs most from the first file, and by how much as text, or
-    None if all agree.
+    """Return the file whose mean deviations differ most from those of the first file of the same
+    test, with the difference as text; None if all files agree.
 
     Two files differ where their means at the same targets and directions are more than `_BELIEVED`
     times the scatter of a reading within the files apart: another datum, or another correction. The

@@ -20,8 +20,8 @@ _FAMILY: Final = 0.025  # prior odds of a whole family of cuts of one kind
 
 
 def one_direction(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield hypotheses of a table that is active in only one direction. The other has the old
-    correction, none, or the new backlash value alone.
+    """Yield hypotheses of a table that is active in only one direction. The other direction has the
+    old correction, no correction, or only the new backlash value.
     """
     new = ways.total(ways.own)
     beyond = [("before", ways.old - ways.active_before)]
@@ -72,8 +72,8 @@ def _reversal(ways: HypothesisBuilder) -> Curve:
 
 
 def partial(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield hypotheses of a table that is active only up to a point or only from a point on. The
-    other points have further values, such as zero or the old values.
+    """Yield hypotheses of a table that is active only up to one of its points, or only from one of
+    its points on. The other points have zero, old or constant values.
     """
     nodes = ways.table.positions
     if nodes.size < 3:
@@ -137,7 +137,9 @@ def cut_off(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def _part(nodes: FloatArray, edge: int, beyond: str, *, first: bool) -> Sentence:
-    """Return the text of a part: all points up to the one with the index ``edge`` or from it on."""
+    """Return the text for the active part of a table: ``first``: the points up to the index
+    ``edge``, else the points from the index ``edge`` on.
+    """
     return say("loading.part", first=first, number=edge + 1, position=nodes[edge], beyond=beyond)
 
 

@@ -1,5 +1,5 @@
-"""Requirements of a verification besides its numbers: the right plan, tests of all planned axes,
-and credible tests.
+"""Requirements of a verification in addition to the limits: the right plan, tests of all planned
+axes, and credible tests.
 
 A plan of this very job, every planned axis, and tests that prove something.
 
@@ -100,7 +100,9 @@ _Budget = TypeVar("_Budget", UncertaintyBudget, CircularBudget)
 
 
 def _budget(one: _Budget | None, other: _Budget | None) -> str:
-    """Return as text the values of one uncertainty budget that differ from another budget."""
+    """Return, as text, the values in which the uncertainty budget ``one`` differs from the budget
+    ``other``.
+    """
     if one is None:
         return ""
     other_values = asdict(other or type(one)())
@@ -199,8 +201,8 @@ def doubt_warnings(
     *,
     guarded: bool,
 ) -> Iterator[Finding]:
-    """Yield the warnings (CW-V024) that make the verdict undecided, except for doubts in
-    ``acknowledged``.
+    """Yield a warning (CW-V024) for each finding on the test after loading that makes the verdict
+    undecided, unless the finding is among ``acknowledged``.
     """
     had = {finding.code for finding in before.findings}
     for finding in after.findings:
@@ -220,7 +222,9 @@ def doubt_warnings(
 
 
 def copied_tests(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
-    """Return, by axis, faults of tests that repeat a file or another axis' measurement."""
+    """Return, by axis, the fault of each test that contains one file twice, or is the same
+    measurement as the test of another axis.
+    """
     every = tuple(tests)
     found = {
         entry.axis: NamedFault("copied", say("CW-V026.file_twice", axis=entry.axis))
@@ -238,7 +242,9 @@ def copied_tests(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
 
 
 def repeated_circles(plan: Plan, circles: Mapping[str, CircularTest]) -> Iterator[Finding]:
-    """Yield the finding CW-V025 for each circle that has the same file as before loading."""
+    """Yield the finding CW-V025 for each circle whose test after loading has the same file as the
+    test before loading.
+    """
     for name, test in circles.items():
         if share_a_file(plan.circles[name].test.sources, test.sources):
             yield Finding.of("CW-V025", "warning", circle=name)

@@ -1,4 +1,6 @@
-"""Facts about a control that a good verification proves, and facts that it does not prove."""
+"""Facts about a control that a verification with the verdict ``good`` proves, and facts that it
+leaves unproven.
+"""
 
 from __future__ import annotations
 
@@ -39,8 +41,8 @@ def proven_axis(
     backlash: bool,
     two_curves: bool,
 ) -> ProvenAxis:
-    """Return the facts that the tests of a loaded axis prove, because the test would otherwise
-    differ clearly.
+    """Return the facts about the loaded table of an axis that its tests prove: if a fact were
+    wrong, the test after loading would differ clearly.
 
     That a fact is probable beforehand is no proof. ``loading``: the verdict as in its document;
     ``sign_odds`` from `sign_odds`; ``others``: more axes are planned; ``backlash``: the plan

@@ -1,4 +1,6 @@
-"""Exact comparison of the correction read back from a control with the plan, no test needed."""
+"""Exact comparison of the correction in the files read back from a control with the plan, without a
+measurement.
+"""
 
 from __future__ import annotations
 
@@ -48,7 +50,9 @@ def judge_read_back(
 
 
 def _cause(cause: str, *, backlash: bool = True) -> SentenceText:
-    """Return the sentence that states the cause. ``backlash``: it explains the backlash too."""
+    """Return the sentence that states the cause of a difference. ``backlash``: the cause explains
+    the difference of the backlash value too.
+    """
     return SentenceText(say("read_back.cause", cause=cause, apart=not backlash))
 
 
@@ -143,5 +147,7 @@ def _one_side(wish: _Curves, found: _Curves) -> Iterator[tuple[str, str]]:
 
 
 def _shifted(planned: Correction, where: FloatArray, side: Direction, by: float) -> FloatArray:
-    """Return the planned correction shifted by ``by`` towards + (mm or deg)."""
+    """Return the planned correction at the positions ``where`` in one direction, shifted by ``by``
+    towards + (mm or deg).
+    """
     return planned(where - by, side)

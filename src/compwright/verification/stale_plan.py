@@ -19,7 +19,8 @@ ReadAgain = Callable[[AxisJob, TestRequest], PositioningTest | None]
 def stale_plan(
     job: Job, plan: Plan, file: str, *, options: Mapping[str, object], read: ReadAgain
 ) -> list[Fault]:
-    """Return a fault for each difference between the job and the inputs of the plan, except limits.
+    """Return a fault for each difference between the job and the inputs from which the plan was
+    made. Limits are not compared.
 
     ``options``: those of the job, with the values that it leaves to the control; ``read``: reads a
     test of the job from its present files, None where they are gone.
@@ -42,7 +43,9 @@ def stale_plan(
 
 
 def stale_fault(what: str, mine: str, theirs: str, file: str) -> Fault:
-    """Return the fault that ``what`` is ``mine`` in the job, but ``theirs`` in its plan."""
+    """Return the fault that the key ``what`` has the value ``mine`` in the job, but ``theirs`` in
+    the plan.
+    """
     return Fault(
         message="the plan was made for another job, or before this job was edited",
         file=file,
@@ -71,8 +74,8 @@ def _axes_differ(job: Job, plan: Plan, read: ReadAgain) -> Iterator[tuple[str, s
 
 
 def _differences(place: str, mine: Any, theirs: Any) -> Iterator[tuple[str, str, str]]:
-    """Yield each difference between two records of one kind: key in the job, value in the first,
-    value in the second.
+    """Yield each difference between a record of the job (``mine``) and that of the plan
+    (``theirs``): the key in the job, and both values as text.
     """
     for field in fields(mine):
         one, other = getattr(mine, field.name), getattr(theirs, field.name)

@@ -79,15 +79,17 @@ def with_existing(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def inverted(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield hypotheses of a table with the opposite sign, with and without its backlash value."""
+    """Yield the hypothesis of a table with the opposite sign, and a second one in which only the
+    table, not the backlash value, has the opposite sign.
+    """
     yield ways.made("inverted", ways.total(-ways.own, -ways.backlash), COMMON)
     if np.any(ways.backlash):
         yield ways.made("inverted", ways.total(-ways.own), COMMON, _apart())
 
 
 def scaled(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield hypotheses of a table multiplied by a factor: by one with a known cause, or by an
-    unknown one.
+    """Yield hypotheses of a table multiplied by a wrong factor: each typical factor (such as one
+    from a wrong unit), and an unknown factor.
     """
     for factor, share in _FACTORS.items():
         words = say("loading.factor", factor=f"{factor:.4g}")
@@ -136,7 +138,9 @@ def mirrored(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def wrong_axis(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield hypotheses that another axis' table is active, by position or by point number."""
+    """Yield hypotheses that the table of another axis is active: with its values at the same
+    positions, or at the same point numbers.
+    """
     for name, other in ways.loading.others.items():
         if other.kind is not ways.table.kind or not other.positions.size:
             continue
