@@ -129,8 +129,8 @@ def _first_of(readings: Readings, direction: Direction) -> dict[float, int]:
 def _check_both_directions(
     readings: Readings, kind: AxisKind, faults: FaultList
 ) -> dict[float, str]:
-    """Return as text the targets that lack one direction, if only a few of a bidirectional test do.
-    Many such targets are a fault.
+    """Return, as text, the targets that have readings in only one direction, if these are few in a
+    bidirectional test. If they are many, add a fault for each.
 
     If they are many, each is a fault; so is one near a different target of the opposite direction.
     """

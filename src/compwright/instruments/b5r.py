@@ -193,7 +193,9 @@ def _spec(bar: Element, faults: FaultList) -> _Spec:
 
 
 def _plane(bar: Element, faults: FaultList) -> tuple[str, tuple[str, str]]:
-    """Return the plane, such as ``XY``, and its axis names: as in the file, else X and Y."""
+    """Return the plane, such as ``XY``, and the names of its two axes: those in the file, or the
+    letters of the plane if the file does not name both.
+    """
     element = bar.first("PLANE")
     plane = element.attributes.get("TEST_PLANE", "").upper() if element else ""
     letters = axes_of_plane(plane)

@@ -1,4 +1,6 @@
-"""The known elements of a ballbar file, with the meaning of their texts and attributes."""
+"""The XML elements of a ballbar file that compwright knows, and the meaning of their texts and
+attributes.
+"""
 
 from __future__ import annotations
 

@@ -44,7 +44,9 @@ _HEADER: Final[Mapping[str, tuple[str, ...]]] = {
 
 
 def header_of(root: Element, elements: Sequence[Element]) -> dict[str, str]:
-    """Return the facts about test, machine and instrument under compwright's own keys."""
+    """Return the facts about test, machine and instrument in a ballbar file, by compwright's names
+    of the facts.
+    """
     header = {
         key: " ".join(found.text.split())
         for key, path in _HEADER.items()
@@ -69,7 +71,8 @@ def header_of(root: Element, elements: Sequence[Element]) -> dict[str, str]:
 def vendor_results(
     root: Element, elements: Sequence[Element], runs: Sequence[CircularRun]
 ) -> dict[str, object]:
-    """Return the results printed by the vendor's software, by run and by analysis.
+    """Return the results that the vendor's software printed: those of each run, and those of each
+    analysis.
 
     By run (``ccw``, ``cw``, ``ccw 2``) and by analysis (name and version), then by feature name.
     """

@@ -51,7 +51,9 @@ class Sweep:
 
     @property
     def full(self) -> bool:
-        """Whether the extent plus one sample step is a whole circle."""
+        """Whether the samples cover a whole circle: the first and the last sample are not more than
+        about one sample step apart.
+        """
         return 360.0 - self.extent <= _ONE_SAMPLE * self.step + _TINY
 
     @property
@@ -118,7 +120,8 @@ def sweep_of(sense: Sense, number: int, angles: FloatArray, faults: FaultList) -
 
 
 def run_of(sweep: Sweep, deviations: FloatArray, start: float) -> CircularRun:
-    """Return the run in the order of its motion: ascending for ccw, descending for cw.
+    """Return the run with its samples in the order in which the machine moved: ascending angles for
+    ccw, descending for cw.
 
     ``deviations`` (n,) mm in the order given to `sweep_of`; whole turns are added so that the run
     is as near as possible to ``start`` deg.

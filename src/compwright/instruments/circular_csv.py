@@ -408,7 +408,9 @@ def _assembled(
 
 
 def _check_unit(radii: FloatArray, nominal: float, name: str, faults: FaultList) -> None:
-    """Add a fault if the radii differ much from the nominal one, with a unit that explains it."""
+    """Add a fault if the radii differ much from the nominal radius; the fault names a wrong unit
+    that would explain the difference.
+    """
     middle = float(np.median(radii))
     far = max(_FAR[0], _FAR[1] * nominal)
     if abs(middle - nominal) <= far:

@@ -52,7 +52,9 @@ def paired(tests: Sequence[CircularTest]) -> tuple[CircularTest, ...]:
 
 
 def _partners(tests: Mapping[int, CircularTest], *, by_name: bool) -> dict[int, list[int]]:
-    """Return for each test with one direction at most two tests that may be its other direction."""
+    """Return, for each test that has only one direction, at most two tests that may be the other
+    direction of the same test.
+    """
     ways: dict[tuple[Sense, Hashable], list[int]] = defaultdict(list)
     mine: dict[int, tuple[Sense, Hashable]] = {}
     for index, test in tests.items():
@@ -81,7 +83,9 @@ def _partners(tests: Mapping[int, CircularTest], *, by_name: bool) -> dict[int, 
 
 
 def _only(test: CircularTest) -> Sense | None:
-    """Return the direction of a test with only one direction (ccw or cw), else None."""
+    """Return the direction (ccw or cw) of a test whose runs all have that direction, None if it has
+    both.
+    """
     senses = {run.sense for run in test.runs}
     return senses.pop() if len(senses) == 1 else None
 

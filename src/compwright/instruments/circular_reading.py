@@ -212,7 +212,9 @@ def _apart(one: Sequence[float], other: Sequence[float]) -> bool:
 
 
 def _joined_header(tests: Sequence[CircularTest]) -> dict[str, str]:
-    """Return every header key with its different values, one per line."""
+    """Return the header of a test in several files: for each key the values in the files, one per
+    line, equal values once.
+    """
     keys = dict.fromkeys(key for test in tests for key in test.header)
     return {
         key: "\n".join(dict.fromkeys(test.header[key] for test in tests if key in test.header))
@@ -221,7 +223,9 @@ def _joined_header(tests: Sequence[CircularTest]) -> dict[str, str]:
 
 
 def _joined_vendor(tests: Sequence[CircularTest]) -> Mapping[str, object]:
-    """Return the results printed by the vendor's software, by file name if in several files."""
+    """Return the results printed by the vendor's software. If several files have such results, they
+    are returned by file name.
+    """
     printed = {_file_of(test): test.vendor for test in tests if test.vendor}
     return next(iter(printed.values())) if len(printed) == 1 else printed
 

@@ -1,4 +1,5 @@
-"""Read plain CSV in a Windows code page, if the choice of the code page changes no relevant text.
+"""Read plain CSV in a Windows code page, because the numbers and key words are the same in all
+these code pages.
 
 Numbers, directions and key words are ASCII, which all these code pages share. Only free text
 (comment lines, and names in the header row) may need the code page, and that is reported.

@@ -253,7 +253,9 @@ def _grid(found: _Text, marks: DecimalMarks, faults: FaultList) -> list[float]:
 def _columns(
     found: _Text, grid: Sequence[float], marks: DecimalMarks, faults: FaultList
 ) -> dict[str, list[tuple[float, float, int]]]:
-    """Return the rows of each column (combined, forward, reverse): position, value and line."""
+    """Return, for each column of the table (combined, forward, reverse), its points: position,
+    value and line number.
+    """
     names = found.columns or ("combined",)
     columns: dict[str, list[tuple[float, float, int]]] = {
         name: [] for name in names if name in {"combined", "forward", "reverse"}

@@ -94,8 +94,8 @@ class CsvTable:
     def which(
         self, column: str, words: tuple[str, str], spelt: Callable[[str], str], faults: FaultList
     ) -> IntArray:
-        """Return the index (0 or 1) of the word in each cell of a column, -1 for neither of the two
-        ``words``.
+        """Return, for each cell of a column, the index (0 or 1) of that one of the two ``words``
+        which it contains; -1 and a fault for any other cell.
 
         ``spelt`` gives the form of a cell in which it is compared.
         """
@@ -165,7 +165,9 @@ def like_traverse(column: str) -> bool:
 
 
 def in_inches(names: Iterable[str]) -> str:
-    """Return the first name of a column or unit in inches, or "" if there is none."""
+    """Return the first of the ``names`` (of columns or units) that means inches, or "" if there is
+    none.
+    """
     return next((name for name in names if _INCH.fullmatch(name)), "")
 
 
@@ -185,7 +187,8 @@ def split_lines(lines: Sequence[str]) -> tuple[list[tuple[int, str]], list[tuple
 def rows_as_comments(
     lines: Sequence[str], header_line: int, cells_of: Callable[[str], list[str] | None], width: int
 ) -> list[tuple[int, str]]:
-    """Return number and text of comment lines below the header row that look like data rows.
+    """Return line number and text of each comment line below the header row that looks like a row
+    of data.
 
     Rows that were commented out, and rows whose target a spreadsheet shows as ``#####`` or
     ``#REF!``.
@@ -214,8 +217,8 @@ def first_row(lines: Sequence[str]) -> tuple[int, str] | None:
 
 
 def header_names(header: str) -> tuple[str, list[str], int]:
-    """Return the delimiter of a header row, its names, and how many of them are typical of a
-    positioning file.
+    """Return the delimiter of a header row, its column names, and how many of these names are known
+    from positioning files.
 
     The delimiter is the one that gives most of these names, else the one that gives most cells.
     """
@@ -309,8 +312,8 @@ class GatheredRows:
             self._turn()
 
     def add_plain(self, rows: Sequence[tuple[int, str]], delimiter: str) -> bool:
-        """Add rows of text with their line numbers at once, if none has a quote and each has one
-        cell for each column. Return whether they were added.
+        """Add several rows of text at once, and return True. Return False and add none if a row
+        contains a quote or has too few or too many cells.
         """
         texts = [text for _, text in rows]
         others = len(self._columns) - 1
@@ -375,7 +378,9 @@ def _without_unnamed(table: CsvTable, faults: FaultList) -> CsvTable:
 
 
 def row_cells(line: str, delimiter: str) -> list[str] | None:
-    """Return the stripped cells of a line, or None for an unclosed quote or a huge quoted cell."""
+    """Return the cells of a line without surrounding blanks; None if a quote is not closed or a
+    quoted cell is too large to be read.
+    """
     if '"' not in line:
         return [cell.strip() for cell in line.split(delimiter)] if line else []
     if line.count('"') % 2:

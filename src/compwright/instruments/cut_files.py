@@ -29,8 +29,8 @@ def cut_findings(readings: Readings, kind: AxisKind, header: Mapping[str, str]) 
 
 
 def _unfinished(readings: Readings, kind: AxisKind) -> Sentence | None:
-    """Return the sentence that states why the last rows may belong to an incomplete traverse or
-    target, or None if both are complete.
+    """Return the sentence that states which readings the last traverse or the last target seems to
+    lack, or None if both are complete.
     """
     if not len(readings):
         return None
@@ -54,8 +54,8 @@ def _unfinished(readings: Readings, kind: AxisKind) -> Sentence | None:
 
 
 def _lacking(groups: IntArray, others: IntArray) -> tuple[int, int] | None:
-    """Return how many readings the last traverse (or target) lacks and how many a complete one has.
-    None unless it alone is incomplete.
+    """Return how many readings the last traverse (or target) lacks, and how many a complete one
+    has. None unless the last one, and only that, is incomplete.
 
     ``groups``, ``others`` (n,): traverse and target of each reading, or the reverse, or run and
     approach to a target, from 0. Groups go through the others in one order, or back and forth. A

@@ -1,4 +1,5 @@
-"""Readers of two plain CSV forms with two columns: drift tests and lost motion of small moves.
+"""Readers of two plain CSV forms with two columns: drift tests, and tests of lost motion after
+small or slow moves.
 
 Columns may be in any order, and others are ignored. Comment keys are kept as for other tests.
 
@@ -129,7 +130,9 @@ def _columns(
 def _pairs(
     table: CsvTable, columns: tuple[str, str], what: str, faults: FaultList
 ) -> list[tuple[float, float]]:
-    """Return the pairs of numbers in two columns. ``what``: the fault when a column is missing."""
+    """Return the pairs of numbers in two columns. ``what``: the message of the fault if one of the
+    columns is missing.
+    """
     if any(name not in table.columns for name in columns):
         faults.add(
             what,

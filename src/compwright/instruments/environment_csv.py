@@ -98,7 +98,8 @@ def read_environment(content: bytes, file: str) -> EnvironmentRecord:
 
 
 def joined(records: Sequence[EnvironmentRecord]) -> EnvironmentRecord:
-    """Return several files as one record. Raises InputError for different columns, equal times.
+    """Combine several environment records into one. Raises InputError if their columns differ, or
+    if a time occurs twice.
 
     The kind of time must be the same too.
     """

@@ -79,7 +79,9 @@ def _line(fault: Fault) -> float:
 
 
 def by_profile(file: str) -> str:
-    """Return the commands that make a mapping profile for a file and read the file by it."""
+    """Return, as text for the user, the commands that make a mapping profile for a file and read
+    the file with that profile.
+    """
     return f"`compwright profile {shlex.quote(file)} --out P.yaml`, then `--profile P.yaml`"
 
 

@@ -1,4 +1,6 @@
-"""Rows and columns of another program's table, with any delimiter, header row and text around."""
+"""Rows and columns of a table that another program wrote: any delimiter, with or without header
+row, with text above the table.
+"""
 
 from __future__ import annotations
 
@@ -59,7 +61,8 @@ def named_columns(cells: Sequence[str]) -> tuple[str, ...]:
 def foreign_table(
     text: Sequence[str], delimiter: str, header_line: int, faults: FaultList
 ) -> ForeignTable:
-    """Return the table below line ``header_line`` (0: there is no header row).
+    """Return the table whose header row is the line ``header_line``; 0 means that the table has no
+    header row.
 
     Short rows are filled up with empty cells; comment lines (``#``) and blank lines are left out.
     Faults: no such line, a quote that is not closed, more cells than the header row has.

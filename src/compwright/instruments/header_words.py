@@ -154,7 +154,9 @@ def plain(text: str) -> str:
 
 
 def role_of(header: str) -> Role | None:
-    """Return what a column contains, such as targets, by the words of its header, else None."""
+    """Return the kind of contents of a column (such as target or run) by the words in its header,
+    or None if no word is known.
+    """
     words = _WORD.findall(plain(without_unit(header)))
     for role, beginnings in _ROLES.items():
         for word in words:
@@ -204,7 +206,9 @@ def stated_unit(line: str) -> str:
 
 
 def sign_word(text: str) -> str:
-    """Return the direction that a word means: ``+``, ``-``, ``out`` or ``back``; else ""."""
+    """Return the direction that a word means: ``+`` or ``-``; ``out`` or ``back`` if the word does
+    not state the sign; "" for any other word.
+    """
     found = {
         sign
         for word in re.findall(r"[^\W\d_]+|[+-](?![0-9])|[↑↓]|(?<![0-9])[+-]1$", plain(text))
@@ -215,7 +219,9 @@ def sign_word(text: str) -> str:
 
 
 def difference_of(text: str) -> str:
-    """Return the sign of deviations that a text such as ``Ist - Soll`` states, else ""."""
+    """Return the sign convention that a text such as ``Ist - Soll`` states ("measured minus target"
+    or "target minus measured"), or "" if it states none.
+    """
     for match in _DIFFERENCE.finditer(plain(text)):
         roles = (role_of(match["first"]), role_of(match["second"]))
         if roles == ("measured", "target"):

@@ -45,7 +45,9 @@ NOTHING_HIDDEN: Final = Hidden()
 
 
 def hidden_of(archive: zipfile.ZipFile) -> dict[str, Hidden]:
-    """Return the hidden parts of each sheet by name. Unknown sheets are left out."""
+    """Return, by sheet name, which rows, columns and sheets of a workbook are hidden. Sheets whose
+    XML part is not found are left out.
+    """
     # What is not a workbook needs no reader of XML.
     from compwright.instruments.safe_xml import read_xml
 
@@ -100,8 +102,8 @@ def _span(attributes: Mapping[bytes, bytes]) -> range:
 
 
 def hidden_finding(hidden: Hidden, lines: Sequence[str]) -> Finding | None:
-    """Return the finding about hidden rows and columns whose contents were read too, None without
-    any.
+    """Return the finding that a sheet has hidden rows or columns and that these were read like the
+    visible ones; None if nothing is hidden.
 
     ``lines``: those of the sheet, cells separated by tabs.
     """

@@ -298,7 +298,8 @@ def _check_counts(sections: FileSections, runs: _Runs, faults: FaultList) -> Non
 def _directions(
     sections: FileSections, runs: _Runs, faults: FaultList
 ) -> tuple[Mapping[int, tuple[Direction, int]], tuple[str, ...], list[Finding]]:
-    """Return direction and run number of each traverse, assumptions as text, and findings.
+    """Return the direction and the run number of each traverse, the assumptions made for that as
+    text, and the findings.
 
     Odd traverses go from the first target to the last, even ones back. Evidence, in this order: an
     even half of only zeros was not made; rows of an even traverse in falling order went back; flags
@@ -353,8 +354,8 @@ def _directions(
 
 
 def _other_version(sections: FileSections) -> list[str]:
-    """Return the assumed layout as text if the file states another version than the known one, else
-    nothing.
+    """Return, as text, the assumption that the file has the known layout although it states another
+    version; an empty list for the known version.
     """
     version = sections.value("HEADER", "Version no")[0]
     if version.startswith(_KNOWN_VERSION) or not version:
@@ -377,7 +378,9 @@ def _fewer_runs(runs: _Runs) -> Finding | None:
 def _unit(
     kind: AxisKind, runs: _Runs, answers: Answers, faults: FaultList
 ) -> tuple[float, tuple[str, ...], Finding | None]:
-    """Return the factor to mm or deg, the assumed unit as text, and a finding if doubtful."""
+    """Return the factor from the file's unit to mm or deg, the unit as text if it is assumed, and a
+    finding if the assumption is doubtful.
+    """
     units = LENGTHS if kind is AxisKind.LINEAR else ANGLES
     if answers.unit is not None:
         if answers.unit not in units:

@@ -185,7 +185,9 @@ def _blocks(
 
 
 def _above(text: Sequence[str]) -> list[tuple[int, str]]:
-    """Return the lines above the first title that look like a position with its mean."""
+    """Return the lines above the first block of means that look as if they belonged to a block: a
+    position with its mean.
+    """
     found: list[tuple[int, str]] = []
     listing = False
     for number, line in enumerate(text, start=1):
@@ -220,8 +222,8 @@ def _row(
 def _both_ways(
     blocks: Mapping[str, _Block], half_digit: float, faults: FaultList
 ) -> tuple[_Block, _Block, bool]:
-    """Return the forward and the backward means, and whether the backward means were computed from
-    the forward and the total means.
+    """Return the forward and the backward means. The third value is True if the file lacks the
+    backward means and they were computed from the forward means and the means of both directions.
     """
     both, out, back = (blocks.get(which) for which in (_BOTH, _FORWARD, _BACK))
     given = [block for block in (both, out, back) if block is not None]

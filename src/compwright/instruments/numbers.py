@@ -61,7 +61,9 @@ def parse_count(text: str) -> int:
 
 
 def plain_numbers(cells: Sequence[str], mark: str) -> FloatArray | None:
-    """Return the numbers (n,) in cells whose only decimal mark is ``mark``, else None."""
+    """Return the numbers (n,) in the cells if each is a plain number with no decimal mark other
+    than ``mark``, else None.
+    """
     if not all(map(_PLAIN[mark].fullmatch, cells)):
         return None
     texts = cells if mark == "." else [text.replace(mark, ".") for text in cells]
@@ -93,7 +95,9 @@ def counts_of(
 
 @dataclass(slots=True)
 class _Marked:
-    """What is known of the numbers in a file that use the same decimal mark."""
+    """The numbers of a file that have the same decimal mark: how many, where the first one is, and
+    in which columns.
+    """
 
     count: int = 0
     #: Line (0 where it is not counted) and place of the first.
@@ -222,7 +226,8 @@ class DecimalMarks:
             )
 
     def doubtful_point(self) -> str:
-        """Return a number such as ``1.250``, read as a fraction, that may mean 1250; else "".
+        """Return a number such as ``1.250`` that was read as a decimal fraction but may mean 1250;
+        "" if there is none.
 
         The point is the decimal mark of this form. It is doubtful if no number of the file proves
         it and whole numbers are in the same column (500, 750, 1.000); 100.000, 200.000 throughout

@@ -1,4 +1,6 @@
-"""Recognise files of unknown forms, with a guess of their kind."""
+"""Refuse files that are no plain CSV positioning file, and guess for the user what kind of file
+they are.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""Readers of plain CSV and target data files; like all readers they return a `Parsed`."""
+"""Readers of plain CSV files and of target data files (lines ``TGT_DATA[i]=``); each returns a
+`Parsed`, the readings before further checks.
+"""
 
 from __future__ import annotations
 
@@ -161,7 +163,9 @@ def _of_column(name: str) -> Meaning:
 
 
 def _in_cells(line: str, delimiter: str, meanings: Sequence[Meaning]) -> Spans:
-    """Return the cells of a line as spans of characters, each with the meaning of its column."""
+    """Return, for each cell of a line, its first and last character in the line and the meaning of
+    its column.
+    """
     spans: list[TextSpan] = []
     start, cell = 0, _cell(delimiter)
     names: Iterator[Meaning] = chain(meanings, repeat("other cell"))

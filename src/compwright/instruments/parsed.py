@@ -1,5 +1,5 @@
-"""The result of one reader: the readings of a test and the facts in the file, before further
-checks.
+"""What a reader of a file format returns: the readings of a test and the facts in the file, before
+the checks that all formats share.
 """
 
 from __future__ import annotations

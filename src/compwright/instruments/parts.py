@@ -16,7 +16,8 @@ AXIS_COLUMN = "axis"
 
 @dataclass(frozen=True, slots=True)
 class TestPart:
-    """The lines of one test in a file. Other tests' lines are blank, so that line numbers stay.
+    """The lines of one test in a file. Lines of other tests are replaced by blank lines, so that
+    line numbers stay right.
 
     ``axis``: from the column of axes, else empty. ``sheet``: the name of the sheet, else empty.
     """
@@ -46,7 +47,8 @@ def parts_by_axis(
     rows: Sequence[int],
     faults: FaultList,
 ) -> tuple[TestPart, ...]:
-    """Return the lines of each axis. ``header``: line and index of the column with axis names.
+    """Return the lines of each axis. ``header``: line number of the header row, and index of the
+    column with the axis names.
 
     A row with contents but without an axis name is a fault.
     """

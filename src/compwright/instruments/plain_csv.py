@@ -50,8 +50,8 @@ _UNITS_OF = {AxisKind.LINEAR: "um or mm", AxisKind.ROTARY: "arcsec or deg"}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CsvReadings:
-    """The contents of the rows: kind of axis, readings in mm or deg, and remarks about the
-    columns.
+    """The contents of a plain CSV file: the kind of axis, the readings in mm or deg, and what has
+    to be reported about the columns.
     """
 
     kind: AxisKind
@@ -122,7 +122,8 @@ def read_csv(table: CsvTable, comments: Comments, faults: FaultList) -> CsvReadi
 
 # one caller
 def _refuse_unsigned(table: CsvTable, wide: bool, faults: FaultList) -> None:  # noqa: FBT001
-    """Raise an error for columns named 1, 2 or +0: a spreadsheet may have removed the plus sign.
+    """Raise an error for columns named by a number without direction (such as 1 or 2), because a
+    spreadsheet may have removed the plus sign.
 
     In a ``wide`` file also for ``up 3`` or ``+3 up``: a traverse that is left out would go
     unnoticed.
@@ -149,7 +150,7 @@ def _refuse_unsigned(table: CsvTable, wide: bool, faults: FaultList) -> None:  #
 def _refuse_twice(
     table: CsvTable, traverses: Mapping[str, tuple[str, int]], faults: FaultList
 ) -> None:
-    """Add a fault for two columns of the same traverse, such as ``+3`` and ``3 +``."""
+    """Add a fault if two columns contain the same traverse, such as ``+3`` and ``3 +``."""
     first: dict[tuple[str, int], str] = {}
     for column, traverse in traverses.items():
         other = first.setdefault(traverse, column)
@@ -309,7 +310,9 @@ def _long(
 
 
 def _timed(table: CsvTable, readings: Readings) -> Readings:
-    """Return the readings with the times in the column ``time``, NaN for a row without a time."""
+    """Return the readings with the time of each from the column ``time``; NaN for a row without a
+    time.
+    """
     if TIME not in table.columns:
         return readings
     clock, times = times_of(table.of(TIME), table.place(TIME), FaultList(""))
@@ -353,7 +356,9 @@ def _wide(
 def _rows_of_new_targets(
     table: CsvTable, target: str, positions: Sequence[float], faults: FaultList
 ) -> list[int]:
-    """Return the rows, and add a fault for each row that repeats the target of an earlier one."""
+    """Return the indices of the rows whose target is not in an earlier row, and add a fault for
+    each row that repeats a target.
+    """
     first: dict[float, int] = {}
     rows = []
     for row, position in enumerate(positions):

@@ -24,7 +24,8 @@ SIGNS: Final = ("measured minus target", "target minus measured")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Profile:
-    """The meaning of a table's columns. ``layout``: long, wide, or own for a known file form.
+    """The meaning of a table's columns. ``layout``: long (a row per reading), wide (a row per
+    target), or own (a file form with its own reader).
 
     Own: a form that has its own reader; only ``unit`` and ``sign`` count.
 

@@ -18,8 +18,8 @@ from compwright.instruments.workbook import is_workbook, sheets_of
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Proposed:
-    """The ``text`` of a proposed profile, sample readings as text, and the keys that the user must
-    fill in.
+    """The ``text`` of a proposed profile, some readings as sentences for a check, and the keys that
+    the user must fill in.
     """
 
     text: str
@@ -90,7 +90,9 @@ def _proposed(lines: Sequence[str], encoding: str, file: str) -> Proposed:
 
 
 def _answers(form: MeasurementForm, file: str) -> Proposed:
-    """Return the profile for a file of a known form that lacks its unit or its sign."""
+    """Return the profile for a file of a known form, in which the user states only what the file
+    lacks: the unit or the sign.
+    """
     text = (
         f"# For {file}: {form.name}. Only what its own reader cannot know has to be filled in.\n"
         f"{MARK}: {VERSION}\n"

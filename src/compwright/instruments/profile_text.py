@@ -72,7 +72,8 @@ def profile_text(proposal: Proposal, file: str) -> str:
 
 
 def worked_rows(proposal: Proposal, text: Sequence[str], file: str) -> list[str]:
-    """Return three readings as sentences, read from the table with the proposed profile.
+    """Return three readings of the table as sentences, as the proposed profile reads them, so that
+    the user can check the profile.
 
     If only the sign or directions are open: with an assumed answer, which is named. If more is
     open: as written in the file.
@@ -96,7 +97,9 @@ def worked_rows(proposal: Proposal, text: Sequence[str], file: str) -> list[str]
 
 
 def _with_answers(proposal: Proposal) -> tuple[Proposal | None, list[str]]:
-    """Return the proposal with an assumed sign and assumed directions, and these as text."""
+    """Return the proposal with the sign and the directions assumed where they are unknown, and the
+    assumptions as text; None if other keys are unknown.
+    """
     keys, words = dict(proposal.keys), []
     for key in sorted(proposal.why, key=lambda one: one != "sign"):
         section, _, name = key.partition(": ")
@@ -118,7 +121,9 @@ def _with_answers(proposal: Proposal) -> tuple[Proposal | None, list[str]]:
 
 
 def _as_written(proposal: Proposal) -> list[str]:
-    """Return the first three rows as in the file, for a proposal with too many unknown keys."""
+    """Return the first three rows with their cells as written in the file, for a proposal with too
+    many unknown keys to read the rows.
+    """
     keys, lines = proposal.keys, []
     names = [keys.get(key) for key in ("target", "value", "direction", "run")]
     names += list(keys.get("traverses") or ())[:2]
@@ -130,8 +135,8 @@ def _as_written(proposal: Proposal) -> list[str]:
 
 
 def _filled(proposal: Proposal) -> list[tuple[str, Proposal]]:
-    """Return the proposal if it is complete, or one proposal for each sign if only the sign is
-    unknown. Else the list is empty.
+    """Return the proposal if it is complete; if only the sign is unknown, one proposal for each of
+    the two signs; else an empty list.
     """
     if not proposal.why:
         return [("", proposal)]

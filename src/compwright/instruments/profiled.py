@@ -185,7 +185,9 @@ class _Cells:
         self.table, self.profile, self.faults = table, profile, faults
 
     def text(self, rows: Sequence[int], name: str) -> list[str]:
-        """Return the cells of a column in the given rows; empty texts if no column is named."""
+        """Return the cells of the column ``name`` in the given rows; empty texts if the profile
+        names no such column.
+        """
         if not name:
             return [""] * len(rows)
         cells = self.table.of(name)
@@ -299,7 +301,7 @@ def _long(
 
 
 def _refuse_steps(rows: _ProfiledRows, profile: Profile, faults: FaultList) -> None:
-    """Add a fault for a column of distances between targets instead of deviations."""
+    """Add a fault if the values in the column are distances between the targets, not deviations."""
     steps = np.diff(rows.targets)
     if profile.measured or steps.size < 2 or not np.any(steps):
         return
@@ -343,7 +345,9 @@ def traverses_of(targets: FloatArray) -> list[slice]:
 
 
 def _by_order(rows: _ProfiledRows, faults: FaultList) -> Iterator[Direction | None]:
-    """Yield the direction of each row: + where the targets rise, - where they fall."""
+    """Yield the direction of each row: + in a traverse with rising targets, − in one with falling
+    targets; None, with a fault, if neither.
+    """
     for part in traverses_of(rows.targets):
         targets = rows.targets[part]
         steps = np.unique(np.sign(np.diff(targets))).tolist()
@@ -364,7 +368,9 @@ def _by_order(rows: _ProfiledRows, faults: FaultList) -> Iterator[Direction | No
 def _runs(
     rows: _ProfiledRows, directions: Sequence[Direction], profile: Profile, faults: FaultList
 ) -> list[int]:
-    """Return the run number of each row, from its column or counted; 0 for an invalid cell."""
+    """Return the run number of each row: from the column of run numbers, or else counted as
+    repeated approaches to a target; 0 for an invalid cell.
+    """
     if not profile.run:
         times: Counter[tuple[float, Direction]] = Counter()
         counted = []
@@ -397,7 +403,9 @@ def _count(text: str) -> int:
 
 
 def _above(text: Sequence[str], table: ForeignTable, profile: Profile) -> list[tuple[int, str]]:
-    """Return the lines above the header row with numbers in the target and reading columns."""
+    """Return the lines above the header row that look like data rows, with numbers in the columns
+    of targets and of readings.
+    """
     if not profile.header_line:
         return []
     target = table.columns.index(profile.target)

@@ -159,7 +159,9 @@ class _ProposedColumns:
         return [name for name in self.table.columns if self.roles[name] == role]
 
     def numbers_rows(self, name: str) -> bool:
-        """Return whether a column probably contains row numbers: none of its values is repeated."""
+        """Return whether a column may be a mere numbering of the rows, because none of its values
+        is repeated.
+        """
         texts = [text for text in self.texts[name] if text]
         return len(texts) > 2 and len(set(texts)) == len(texts)
 
@@ -311,8 +313,8 @@ def _direction(proposal: Proposal, columns: _ProposedColumns, target: str | None
 def _direction_words(
     proposal: Proposal, columns: _ProposedColumns, target: str | None, name: str
 ) -> Mapping[str, str | None]:
-    """Return the sign of each word in a direction column: by its meaning, or by the order of its
-    targets.
+    """Return, for each word in a direction column, its sign by the meaning of the word or by the
+    order of the targets next to it; None if unknown.
     """
     words = dict.fromkeys(text for text in columns.texts[name] if text)
     found: dict[str, str | None] = {}
@@ -353,7 +355,9 @@ def _steps_of(columns: _ProposedColumns, target: str | None, name: str, word: st
 
 
 def _order(columns: _ProposedColumns, target: str | None) -> str:
-    """Return ``turns`` if targets go up and down in turn, ``rising`` if they rise, else ""."""
+    """Return the order of the targets: ``turns`` if they rise and fall in turn, ``rising`` if most
+    of them rise, else "".
+    """
     if target is None:
         return ""
     values = columns.numbers(target)
@@ -367,7 +371,9 @@ def _order(columns: _ProposedColumns, target: str | None) -> str:
 
 
 def _run_counts(columns: _ProposedColumns, keys: Mapping[str, Any]) -> str:
-    """Return ``traverses`` if each run number belongs to one direction only, else ``runs``."""
+    """Return how the column of run numbers counts: ``traverses`` if no number occurs in both
+    directions, else ``runs``.
+    """
     direction = keys.get("direction")
     if not direction:
         return "runs"

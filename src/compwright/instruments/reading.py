@@ -180,8 +180,8 @@ def _listed(names: Sequence[str]) -> str:
 
 
 def _source(read: _Read, content: bytes, file: str, *, several: bool) -> Source:
-    """Return file name and SHA-256 of a test. If the file has ``several`` tests, the hash is that
-    of the test's lines.
+    """Return file name and SHA-256 of a test. ``several``: the file contains several tests, and the
+    hash is that of this test's lines only.
     """
     if not several:
         return source_of(file, content)
@@ -230,7 +230,9 @@ def _test_of(read: _Read, source: Source, name: str) -> PositioningTest:
 
 
 def _with_axis(parsed: Parsed, part: TestPart) -> tuple[dict[str, str], tuple[str, ...]]:
-    """Return header and assumptions of a test, with the axis from its column or sheet name."""
+    """Return the header and the assumptions of a test, with the axis name from the file's column of
+    axes, or else from the sheet name.
+    """
     header = dict(parsed.header)
     if part.axis:
         return {**header, "axis": part.axis}, parsed.assumed

@@ -32,7 +32,9 @@ def left_out_finding(columns: Sequence[str]) -> Finding | None:
 
 
 def stray_finding(lines: Sequence[tuple[int, str]]) -> Finding | None:
-    """Return the finding about lines that look like readings but are not read, None without any."""
+    """Return the finding about ``lines`` that look like readings but were not read, or None if
+    there are no such lines.
+    """
     if not lines:
         return None
     listed = [f"{number} {shown(text)}" for number, text in lines[:_LISTED]]
@@ -53,18 +55,21 @@ def unread_finding(targets: FloatArray, readings: Readings, kind: AxisKind) -> F
 
 
 def missing_finding(sentence: Sentence) -> Finding:
-    """Return the finding about missing readings. ``sentence``: which ones are missing."""
+    """Return the finding about missing readings. ``sentence``: states which readings are missing.
+    """
     return Finding("CW-R006", "warning", sentence)
 
 
 def sheets_finding(sentence: Sentence) -> Finding:
-    """Return the finding about left-out sheets of a workbook. ``sentence``: which ones."""
+    """Return the finding about sheets of a workbook that were not read. ``sentence``: states which
+    sheets.
+    """
     return Finding("CW-R061", "warning", sentence)
 
 
 def unfinished_finding(lines: Sequence[str]) -> Finding | None:
-    """Return the finding that a file may end inside its last number, or None if the number is
-    complete.
+    """Return the finding that the last number of a file may have lost digits, or None if that
+    number is complete.
     """
     number = unfinished_number(lines)
     if not number:
@@ -73,14 +78,18 @@ def unfinished_finding(lines: Sequence[str]) -> Finding | None:
 
 
 def doubtful_finding(number: str) -> Finding | None:
-    """Return the finding about a point that may be a thousands separator, None without one."""
+    """Return the finding that the point in ``number`` may separate thousands, or None if ``number``
+    is empty.
+    """
     if not number:
         return None
     return Finding.of("CW-R015", "warning", number=shown(number))
 
 
 def header_findings(header: Mapping[str, str]) -> list[Finding]:
-    """Return the findings about a file's header: no axis, readings that are already compensated."""
+    """Return the findings about a file's header: that it names no axis, and that its readings were
+    already compensated by the instrument.
+    """
     findings = []
     if not header.get("axis"):
         findings.append(Finding.of("CW-R002", "info"))
@@ -104,5 +113,7 @@ def cut_finding(sentence: Sentence) -> Finding:
 
 
 def falling_finding(sentence: Sentence) -> Finding:
-    """Return the finding about falling targets. ``sentence``: how the directions were found."""
+    """Return the finding that the targets fall within the file. ``sentence``: states how the
+    directions were found.
+    """
     return Finding("CW-R014", "warning", sentence)

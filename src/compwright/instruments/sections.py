@@ -81,7 +81,9 @@ class FileSections:
     last: Line = (0, "")
 
     def value(self, section: str, key: str) -> tuple[str, str]:
-        """Return the value of a key (in any case) and its line, or two empty texts."""
+        """Return the value of a key in a section, and the place of its line for messages; two empty
+        texts if there is none. Upper and lower case are the same.
+        """
         for number, text in self.lines.get(section, ()):
             match = _KEY.fullmatch(text)
             if match and match["key"].lower() == key.lower():
@@ -103,8 +105,8 @@ def spans_of(text: Sequence[str]) -> Iterator[Spans]:
 
 
 def spans_in(line: str, *, rows: bool) -> Spans:
-    """Return the parts of a line with their meaning. ``rows``: a line without a key counts as a row
-    of numbers.
+    """Return the parts of a line with their meaning. ``rows``: a line without a known key means a
+    row of numbers, else a remark.
     """
     match = _KEY.fullmatch(line)
     meaning = KEYS.get(" ".join(match["key"].lower().split())) if match is not None else None
@@ -166,7 +168,8 @@ def sections_of(text: Sequence[str], faults: FaultList) -> FileSections:
 
 
 def header_of(sections: FileSections, names: Iterable[str]) -> dict[str, str]:
-    """Return the ``Key: value`` lines of these sections as text.
+    """Return the keys and values of the lines ``Key: value`` in these sections; other lines are
+    values of the key ``comment``.
 
     Known keys get their usual name, other lines are kept as comment.
     """
@@ -189,8 +192,8 @@ def axis_name(text: str) -> str:
 
 
 def with_axis(header: Mapping[str, str], text: str) -> dict[str, str]:
-    """Return ``header`` with the axis from the file's ``text``: as key ``axis`` if the name is
-    clear, else ``axis as written``.
+    """Return ``header`` with the axis from the file's ``text``: as key ``axis`` if the text is an
+    axis name, else as key ``axis as written``.
     """
     name = axis_name(text)
     if name:

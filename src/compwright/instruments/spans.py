@@ -63,7 +63,7 @@ SpansOf = Callable[[Sequence[str]], Iterator[Spans]]
 
 
 def by_key(keys: Mapping[Meaning, Sequence[str]]) -> Mapping[str, Meaning]:
-    """Return the meaning of each key, given the list of ``keys`` for each meaning."""
+    """Return a mapping from each key to its meaning. ``keys``: the keys of each meaning."""
     return {key: meaning for meaning, names in keys.items() for key in names}
 
 

@@ -21,7 +21,9 @@ def has_table(text: Sequence[str]) -> bool:
 
 
 def shape_of(text: Sequence[str]) -> tuple[str, int] | None:
-    """Return the delimiter, by name, and the header line (0: none) of the largest table."""
+    """Return the largest table's delimiter (such as "comma") and the number of its header line (0
+    if it has none); None if there is no table.
+    """
     best: tuple[int, int, str, int] | None = None
     lines = text[:_LOOKED_AT]
     for name, delimiter in DELIMITERS.items():
@@ -52,8 +54,8 @@ def _numbers_in(line: str, delimiter: str) -> tuple[int, int]:
 
 
 def _names_in(lines: Sequence[str], first: int, delimiter: str) -> bool:
-    """Return whether the row with index ``first`` is a header whose column names look like numbers
-    (``+1``).
+    """Return whether the row with index ``first``, which contains numbers or names such as ``+1``,
+    is the header row.
 
     A header has a word where the next row has a number.
     """

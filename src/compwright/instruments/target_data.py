@@ -66,7 +66,8 @@ class TargetData:
 
 @dataclass(slots=True)
 class _TargetColumn:
-    """The entries ``NAME[i,j]=value`` of one name, in the order of the file, with their lines.
+    """The entries ``NAME[i,j]=value`` with one ``NAME``, in the order of the file, with their line
+    numbers.
 
     ``j`` 0 if there is only one index.
     """
@@ -79,7 +80,9 @@ class _TargetColumn:
 
 @dataclass(frozen=True, slots=True)
 class _Entries:
-    """The entries of one name as arrays (n,) sorted by index; NaN for an unreadable value."""
+    """The entries ``NAME[i,j]=value`` with one ``NAME`` as arrays (n,), sorted by index; NaN for an
+    unreadable value.
+    """
 
     i: IntArray
     j: IntArray
@@ -326,7 +329,9 @@ def _check_complete(
 def _check_block(
     name: str, block: _Entries, positions: int, cycles: int, faults: FaultList
 ) -> None:
-    """Add faults for readings without a target, and for targets without a reading in some cycle."""
+    """Add a fault for each reading whose target is missing, and one for the targets without a
+    reading in some cycle.
+    """
     inside = block.i <= positions
     for at in np.flatnonzero(~inside):
         faults.add(

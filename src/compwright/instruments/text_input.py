@@ -151,8 +151,8 @@ def _lines(text: str, file: str) -> list[str]:
 
 
 def unfinished_number(lines: Sequence[str]) -> str:
-    """Return the number at the end of a file that ends inside a line, if the number may lack
-    digits, else "".
+    """Return the last number of a file if the file may have been cut off within it, so that digits
+    may be missing; else "".
 
     A number is complete if all others at the end of a line like it have the same number of
     decimals, at least one.
@@ -210,7 +210,9 @@ def _decode(content: bytes, file: str) -> str:
 
 
 def _as_windows(byte: bytes) -> str:
-    """Return the Windows-1252 character of a ``byte`` as part of a message, or "" without one."""
+    """Return, as a part of a message, the character that ``byte`` is in Windows-1252; "" if it is
+    no printable character.
+    """
     try:
         character = byte.decode("cp1252")
     except UnicodeDecodeError:

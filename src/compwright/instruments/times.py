@@ -25,7 +25,8 @@ _DAY_FIRST: Final = re.compile(r"(\d{1,2})\.(\d{1,2})\.(\d{4})[ T]+(.*)")
 def times_of(
     cells: Sequence[str], place: Callable[[int], str], faults: FaultList
 ) -> tuple[Clock, FloatArray]:
-    """Return the form of the times in a column (such as date and time), and the times (n,).
+    """Return the form in which a column gives times (such as date and time, or a number), and the
+    times (n,).
 
     NaN, after noting the fault, for a cell without a time, or in another form than the first.
     Without cells the form is "number".

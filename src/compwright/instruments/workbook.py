@@ -154,7 +154,9 @@ def _check_parts(parts: Sequence[zipfile.ZipInfo], file: str) -> None:
 
 
 def _look_into(archive: zipfile.ZipFile, names: Sequence[str], file: str) -> bool:
-    """Return whether sheets contain formulas. Raises InputError for too many cells, or DOCTYPE."""
+    """Return whether the sheets of a workbook contain formulas. Raises InputError for too many
+    cells or an XML document type (DOCTYPE).
+    """
     cells, formulas = 0, False
     for name in names:
         if not name.endswith(_XML):
@@ -227,8 +229,8 @@ def _sheets(values: Any, formulas: Any | None, file: str) -> Iterator[WorkbookSh
 
 
 def _line(cells: list[str]) -> str:
-    """Return the cells of a row as one line. A comment with its value in the next cell is joined to
-    it.
+    """Return the cells of a row as one line, separated by tabs. A comment key and its value in the
+    next cell are joined as ``# key: value``.
     """
     while cells and not cells[-1]:
         cells.pop()

@@ -17,7 +17,9 @@ _SHOWN = 3
 
 
 def worked_readings(readings: Readings, kind: AxisKind) -> list[str]:
-    """Return up to three readings as sentences: the largest per direction, and a middle one."""
+    """Return up to three readings as sentences: the one with the largest deviation in each
+    direction, and one in the middle of the targets.
+    """
     chosen: dict[str, ApproachReading] = {}
     for positive in (True, False):
         ours = np.flatnonzero(readings.positive == positive)
@@ -33,8 +35,8 @@ def worked_readings(readings: Readings, kind: AxisKind) -> list[str]:
 
 
 def read_so_finding(readings: Readings, kind: AxisKind, by: str = "") -> Finding | None:
-    """Return the finding with some readings as sentences, None without readings. ``by``: the
-    profile.
+    """Return the finding that shows some readings as sentences, or None if there are no readings.
+    ``by``: the profile with which they were read.
     """
     if not len(readings):
         return None

@@ -97,7 +97,7 @@ def _between(text: str, cuts: Cuts) -> str:
 
 
 def kept_or_cut(text: str, meaning: Meaning, cuts: Cuts) -> str:
-    """Return a text unchanged if its meaning allows, else a neutral replacement."""
+    """Return a text unchanged if texts of its ``meaning`` may stay, else a neutral replacement."""
     bare = _bare(text)
     if not bare or (meaning in KEPT and KEPT[meaning](bare)):
         return text if bare else ""

@@ -1,4 +1,5 @@
-"""Remove private data from other programs' tables, with their mapping profile.
+"""Remove private data from tables of other programs. A mapping profile states which columns have to
+stay.
 
 Its columns stay; of all others neither the name nor a cell; of the text above the parts that the
 reading depends on.
@@ -40,7 +41,9 @@ _DIGITS: Final = 3
 
 
 def redacted_table(lines: Sequence[str], profile: Profile, cuts: Cuts) -> tuple[list[str], Profile]:
-    """Return the lines of a table without private data, and the profile that reads them."""
+    """Return the lines of a table without private data, and a profile with the new column names, by
+    which the copy can be read.
+    """
     head = profile.header_line
     table = foreign_table(lines, profile.delimiter, head, FaultList(""))
     words = _Words(profile, table.columns, cuts)
@@ -191,7 +194,9 @@ def _header(cell: str, cuts: Cuts) -> str:
 
 
 def _above(line: str, cuts: Cuts) -> str:
-    """Return a line above the table with only its axis, unit, sign and dates."""
+    """Return a line of the text above the table, reduced to the axis, the unit, the sign and the
+    dates in it.
+    """
     dates, rest = without_dates(line)
     if not rest.strip() or is_keywords(rest):
         return line

@@ -62,7 +62,8 @@ def _lines(element: Element, depth: int, known: Elements, cuts: Cuts) -> list[st
 
 
 def _meaning(tag: str, name: str, value: str, known: Elements, cuts: Cuts) -> Meaning | None:
-    """Return the meaning of an XML attribute, or None if it is unknown and removed."""
+    """Return the meaning of an XML attribute; None if it is unknown, and then record it as removed.
+    """
     if name == "NAME":
         return known.names.get(tag, "result")
     meaning = known.attributes.get(name.upper())
@@ -116,8 +117,8 @@ class Redacted:
 
     @property
     def answered(self) -> str:
-        """The profile as text, with an assumed sign, so that the redacted copy can be read for a
-        comparison with the original.
+        """The profile as text with an assumed sign. With it the copy and the original can be read
+        and compared, although the real sign is unknown.
         """
         return self.profile.replace(SIGN_TO_FILL_IN, f"sign: {SIGNS[0]}")
 
@@ -208,7 +209,9 @@ class _Lines:
     mark: bytes
 
     def to_bytes(self, lines: Sequence[str]) -> bytes:
-        """Return other lines as bytes, with the line ends and the encoding of this file."""
+        """Return ``lines``, which replace the lines of this file, as bytes with the line ends and
+        the encoding of this file.
+        """
         text = "".join(line + end for line, end in zip(lines, self.ends, strict=True))
         return self.mark + text.encode(self.encoding, errors="replace")
 

@@ -134,7 +134,8 @@ def is_date(text: str) -> bool:
 
 
 def without_dates(text: str) -> tuple[list[str], str]:
-    """Return the measurement dates in a text of several cells, and the rest of the text.
+    """Return the dates in a text that are marked as dates of the measurement, and the text without
+    them.
 
     Each with the word that marks it as the date of the measurement. Any other date may be private.
     """
@@ -161,7 +162,8 @@ def is_keywords(text: str, *, digits: int = 2) -> bool:
 
 
 def is_quantity(text: str) -> bool:
-    """Return whether a text is a quantity such as ``25 mm``, or permitted words.
+    """Return whether a text consists only of numbers, of a number with its unit (``25 mm``), or of
+    permitted words.
 
     Such as ``As errors``.
     """

@@ -26,7 +26,8 @@ _HEAD: Final = '<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n'
 
 
 def workbook_of(sheets: Sequence[WorkbookSheet]) -> bytes:
-    """Return a workbook with these sheets. Cells are separated by tabs.
+    """Return the bytes of a workbook with these sheets. In the lines of a sheet the cells are
+    separated by tabs.
 
     Numbers as numbers, except in the header row, where ``+1`` would lose its sign.
     """
