@@ -55,8 +55,7 @@ def unread_finding(targets: FloatArray, readings: Readings, kind: AxisKind) -> F
 
 
 def missing_finding(sentence: Sentence) -> Finding:
-    """Return the finding about missing readings. ``sentence``: states which readings are missing.
-    """
+    """Return the finding about missing readings. ``sentence``: states which readings are missing."""
     return Finding("CW-R006", "warning", sentence)
 
 
