@@ -55,13 +55,15 @@ def unread_finding(targets: FloatArray, readings: Readings, kind: AxisKind) -> F
 
 
 def missing_finding(sentence: Sentence) -> Finding:
-    """Return the finding about missing readings. ``sentence``: states which readings are missing."""
+    """Return the finding about missing readings; the ``sentence`` states which readings are
+    missing.
+    """
     return Finding("CW-R006", "warning", sentence)
 
 
 def sheets_finding(sentence: Sentence) -> Finding:
-    """Return the finding about sheets of a workbook that were not read. ``sentence``: states which
-    sheets.
+    """Return the finding about sheets of a workbook that were not read; the ``sentence`` states
+    which.
     """
     return Finding("CW-R061", "warning", sentence)
 
