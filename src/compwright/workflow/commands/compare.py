@@ -125,14 +125,18 @@ _NEW_IN_CONTROL = frozenset({"CW-S012", "CW-S081"})
 
 
 def _unread(planned: ComparedSide, back: ComparedSide) -> tuple[Finding, ...]:
-    """Return findings on axes that are readable in the plan's files but not in those read back."""
+    """Return the findings (CW-S080) that axes in the files read back cannot be read; none if the
+    same axes are unreadable in the plan's own files.
+    """
     all_lost = back.state is None and planned.state is not None
     lost = all_lost or back.unread - planned.unread
     return tuple(one for one in back.findings if one.code == "CW-S080") if lost else ()
 
 
 def _new_doubts(found: Sequence[Finding], known: Collection[str]) -> Iterator[Finding]:
-    """Yield the doubts about the files read back whose codes the plan (``known``) does not have."""
+    """Yield the doubts about the files read back, without those whose code is ``known`` from the
+    plan.
+    """
     for one in found:
         new_in_control = one.code in _NEW_IN_CONTROL and one.severity != "info"
         if (one.is_doubt or new_in_control) and one.code not in known:
@@ -142,7 +146,8 @@ def _new_doubts(found: Sequence[Finding], known: Collection[str]) -> Iterator[Fi
 def _found(
     control: Control, files: Sequence[ControlFile], axes: Sequence[Axis], loaded: Sequence[Path]
 ) -> tuple[dict[str, DecodedState | _Refused], _Refused | None]:
-    """Return for each axis address the correction read back, or the error that makes it unreadable.
+    """Return, for each axis address, the correction in the files read back, or the error because of
+    which it cannot be read.
 
     Where axes can be read alone, a fault of one hides no other. Raises InputError where the files
     contain no data of an axis.
@@ -183,7 +188,8 @@ def _axes_in(control: Control, side: ComparedSide) -> set[str]:
 def planned_files(
     control: Control, plan: Plan, as_found: DecodedState
 ) -> tuple[tuple[ControlFile, ...], DecodedState | None]:
-    """Return the control's files as the plan requires them, and the corrections in these files.
+    """Return the control's files as they are if the plan is loaded completely, and the corrections
+    in these files.
 
     The plan's files in the place of those that were patched.
     """
@@ -211,7 +217,8 @@ def _compared(
     own: Mapping[str, Sequence[Difference]],
     partly: PartialLoad | None,
 ) -> ComparedAxis:
-    """Return how the correction and the values of one axis on the control differ from the plan.
+    """Return how the correction and the other values of one axis in the files read back differ from
+    the plan.
 
     ``found`` an error: why the correction of the values read back is unknown. ``partly``: which
     files were loaded, where not all were.
@@ -242,7 +249,9 @@ def _compared(
 
 
 def _not_read_back(axis: ComparedAxis) -> ComparedAxis:
-    """Return an axis whose message says that the planned table is in files of run only."""
+    """Return an axis; if its values equal the plan, its message says that they were compared in
+    files that ``run`` wrote, not in files read back.
+    """
     found = axis.read_back
     if isinstance(found, str) or found.verdict != "loaded":
         return axis
@@ -250,7 +259,9 @@ def _not_read_back(axis: ComparedAxis) -> ComparedAxis:
 
 
 def _partly(load: PartialLoad, why: str) -> SentenceText:
-    """Return the next step for files that were not loaded, and what was read back."""
+    """Return the sentence for a plan of which only some files were loaded: which files are missing,
+    and ``why`` the values cannot be read.
+    """
     loaded, missing = list(load.loaded), list(load.missing)
     return SentenceText(say("read_back.partly", loaded=loaded, missing=missing, why=why))
 

@@ -29,7 +29,8 @@ def decoded_files(
     axis: str | None = None,
     at: str | None = None,
 ) -> tuple[DecodedState, Kinds, dict[str, Any]]:
-    """Return what the control files contain, which axes may be linear or rotary, and the JSON.
+    """Return the contents of the control files, the axes for which linear or rotary is unknown, and
+    the JSON document of the command.
 
     ``axis`` restricts it to one address; the option ``active`` states whether the tables are
     active, and whether all values of a program were carried out. Raises UsageError (options, a bad

@@ -23,7 +23,9 @@ from compwright.workflow.results.own_files import write_listed
 
 @dataclass(frozen=True, slots=True)
 class DemoStep:
-    """A step of the demo, with its folder, number and size (bytes) of files, and its duration."""
+    """A step of the demo: its name, its folder, how many files it wrote, their total size (bytes),
+    and its duration (s).
+    """
 
     what: str
     folder: Path

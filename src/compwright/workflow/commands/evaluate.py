@@ -68,7 +68,8 @@ Watch = Callable[[str, int, int], None]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EvaluationRun:
-    """The result of ``evaluate``. ``many``: whether it has too many tests for a report page each.
+    """The result of ``evaluate``. ``many``: there are too many tests for a report page for each
+    test.
 
     ``exit_code`` is 0, 3 for a file that cannot be read, 2 where the standard asked for does not
     fit a test and all else is read, 70 where compwright itself failed at one.
@@ -94,7 +95,8 @@ def evaluate_files(
     crew: Crew = alone,
     watch: Watch = _unwatched,
 ) -> EvaluationRun:
-    """Evaluate every file of ``paths`` by its standard, in the order of the files.
+    """Evaluate every file of ``paths`` by the standard for its kind of test, in the order of the
+    files.
 
     Folders: every file in them except hidden ones; ``crew``: the processes.
 
@@ -379,8 +381,8 @@ def _circular_standard(name: str) -> str:
 
 
 def _files(session: Session, paths: Sequence[Path]) -> tuple[FoundMeasurements, list[Fault]]:
-    """Return the files of all paths, each once, the skipped files, and the faults of paths without
-    files.
+    """Return the measurement files of all paths (each once) with the skipped files, and a fault for
+    each path that cannot be read.
     """
     found: list[FoundMeasurements] = []
     faults: list[Fault] = []
@@ -400,7 +402,9 @@ def _files(session: Session, paths: Sequence[Path]) -> tuple[FoundMeasurements, 
 def _evaluated(
     session: Session, files: Sequence[Path], request: EvaluationRequest, crew: Crew, watch: Watch
 ) -> tuple[list[Evaluated], list[Noted]]:
-    """Return the tests in the files, and the faults. Files of the same circular test are joined."""
+    """Return the evaluated tests in the files, and the faults of files and tests. The two files of
+    one circular test become one test.
+    """
     found: list[Evaluated | CircularTest] = []
     noted: list[Noted] = []
     given = (_given(session, file) for file in files)
@@ -435,7 +439,9 @@ def _with_circles(
     crew: Crew,
     watch: Watch,
 ) -> tuple[list[Evaluated], list[Noted]]:
-    """Return all tests in order, with joined and evaluated circular tests, and the faults."""
+    """Return all evaluated tests in their order, and the faults. Circular tests are joined from
+    their two files and evaluated here.
+    """
     from compwright.workflow.inputs.circles import pairs_joined
 
     joined = pairs_joined(found)
@@ -464,7 +470,9 @@ def _with_circles(
 
 
 def _with_repeats(tests: Sequence[Evaluated]) -> list[dict[str, Any]]:
-    """Return the JSON entries of tests, with a finding on tests that repeat another's readings."""
+    """Return the JSON entries of tests. A test with the same readings as an earlier test gets a
+    finding.
+    """
     readings = [one.test for one in tests if one.test is not None]
     circles = [one.circle.test for one in tests if one.circle is not None]
     if max(len(readings), len(circles)) < 2:

@@ -151,7 +151,8 @@ def _refitted(
 def _axes_here(
     plan: Plan, control: Control, addresses: Mapping[str, str], options: Mapping[str, object]
 ) -> tuple[dict[str, Axis], list[Assumption]]:
-    """Return a plan's axes by name, with their addresses on a control, and the assumed addresses.
+    """Return the axes of a plan by name, with the addresses that they have on ``control``, and the
+    assumptions about these addresses.
 
     For the plan's own control all axes; for another one those that get a table or whose name is
     given. Options belong to one control: those of the plan's control do not apply to another;
@@ -174,12 +175,16 @@ def _axes_here(
 
 
 def _every(plan: Plan) -> dict[str, Axis]:
-    """Return all axes of a plan by name, the axes with a test before those without."""
+    """Return all axes of a plan by name: first the axes with positioning tests, then the axes
+    without.
+    """
     return {name: entry.axis for name, entry in plan.axes.items()} | dict(plan.untested)
 
 
 def _addressed(entry: PlannedCross, axes: Mapping[str, Axis]) -> PlannedCross:
-    """Return a correction between axes with the addresses that the axes have on this control."""
+    """Return a planned cross-axis correction, in which the two axes have their addresses on the
+    control of the export.
+    """
     given, bent = axes.get(entry.input), axes.get(entry.output)
     added = entry.added if given is None else replace(entry.added, input=given.address)
     return replace(entry, added=added if bent is None else replace(added, output=bent.address))

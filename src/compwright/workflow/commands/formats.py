@@ -23,7 +23,8 @@ NOT_JUDGED = "not independently checked: there is no virtual control for it"
 
 
 def list_formats(session: Session) -> tuple[str, ...]:
-    """Return the installed controls as lines of text, by maker. Raises InputError.
+    """Return the installed controls as lines of text, sorted by maker. Raises InputError for an
+    unreadable definition.
 
     Id, title, the names that are understood, and how many facts are known how well.
     """
@@ -57,7 +58,7 @@ def show_format(session: Session, name: str) -> tuple[str, ...]:
 
 
 def check_formats(session: Session, paths: Sequence[Path]) -> tuple[str, ...]:
-    """Check the definitions in ``paths`` and return one line for each.
+    """Check the control definitions in ``paths``, and return a line of text about each definition.
 
     Files or folders; none: those that ship with compwright.
 

@@ -48,7 +48,8 @@ def history_of(
     table_path: Path | None = None,
     force: bool = False,
 ) -> HistoryOutcome:
-    """Show the tests in result folders below ``tops`` by machine, axis and date, with changes.
+    """Show the tests in the result folders below ``tops`` by machine, axis and date, with the
+    changes between them.
 
     ``index``: a database of what was read, kept between calls. Raises UsageError, InputError where
     nothing can be read or the index is none, and StorageError; nothing is written then.
@@ -171,7 +172,8 @@ def _machine(entry: HistoryEntry, tops: Sequence[Path]) -> str:
 
 
 def _in_time(group: Iterable[HistoryEntry]) -> Callable[[HistoryEntry], tuple[object, ...]]:
-    """Return a sort key by date; undated tests are next to the dated tests of their folder.
+    """Return a sort key that orders tests by date. A test without a date is sorted next to the
+    dated tests of the same folder.
 
     Tests of one day are in the order of the folders, unless each of them says its time.
     """
@@ -290,7 +292,9 @@ def _requested_files(
 def _written(
     session: Session, requested: Mapping[Path, bytes], index: Mapping[Path, bytes], *, force: bool
 ) -> tuple[Path, ...]:
-    """Write the requested files and the index, all or none. The index may always be replaced."""
+    """Write the requested files and the index, all or none. An existing index is replaced even
+    without ``force``.
+    """
     storage.refuse_overwriting(session, requested, force=force)
     refuse_other_kinds(session, requested, force=force)
     files = {**requested, **index}

@@ -95,7 +95,9 @@ def new_job(
 
 
 def _unknown_option(control: Control) -> UnansweredOption | None:
-    """Return the control's option that the user must give, or None if the files state its value."""
+    """Return the option of the control whose value no file states and the user did not give, so
+    that the user must state it; None if there is none.
+    """
     open_option = control.format.unanswered_option
     if open_option is None or open_option.name not in control.definition.options:
         return None
@@ -103,7 +105,9 @@ def _unknown_option(control: Control) -> UnansweredOption | None:
 
 
 def _unanswered(unknown: UnansweredOption, drafts: Sequence[AxisDraft]) -> dict[str, Prefilled]:
-    """Return the control's option for the user to fill in; none if each axis has its options."""
+    """Return the control's ``unknown`` option as a key for the user to fill in, or nothing if each
+    axis states its own options.
+    """
     if all("options" in draft.values for draft in drafts):
         return {}
     return {unknown.name: Prefilled(None, f"{unknown.words}; nothing in the files says it")}
@@ -204,7 +208,9 @@ def _drafts(
 
 
 def _partners(address: str, name: str, facts: AxisFacts) -> list[str]:
-    """Return the numbers of the other joints that move the same axis, by the control's files."""
+    """Return the numbers of the joints (motors), other than ``address``, that move the same axis
+    according to the control's files.
+    """
     return [
         str(index)
         for index, letter in enumerate(facts.letters)
@@ -213,7 +219,9 @@ def _partners(address: str, name: str, facts: AxisFacts) -> list[str]:
 
 
 def _idle(control: Control, state: ControlState, drafts: Sequence[AxisDraft]) -> Iterator[str]:
-    """Yield a message about axes that are not in the job because they have no compensation."""
+    """Yield one message that lists the axes in the control's files that are not in the job, because
+    they have no compensation.
+    """
     held = {
         str(entry.value)
         for draft in drafts

@@ -57,7 +57,7 @@ class RedactOutcome:
 
     @property
     def exit_code(self) -> int:
-        """The exit code: 0, or the code for files that could not be copied."""
+        """The exit code: 0 if all files were copied, else that of an unreadable input."""
         return InputError.exit_code if self.faults else 0
 
     @property
@@ -221,8 +221,8 @@ def _copy(
     format_id: str | None,
     faults: list[Fault],
 ) -> None:
-    """Copy the files: measurements one by one, control files together, other files by a proposed
-    profile.
+    """Copy each measurement file by itself and all control files together. Files of unknown kind
+    are copied as tables, by a proposed mapping profile.
     """
     others: list[_FileToCopy] = []
     for one in inputs:
@@ -285,7 +285,7 @@ def _redacted_files(
 
 
 def _counted(count: int, kind: str) -> str:
-    """Return how many texts of a kind were removed, as text: "1 comment", "3 rows next to the
+    """Return a number of removed texts of one kind as words: "1 comment", "3 rows next to the
     table".
     """
     noun, *where = _WHERE.split(kind, maxsplit=1)
@@ -293,8 +293,8 @@ def _counted(count: int, kind: str) -> str:
 
 
 def redaction_lines(outcome: RedactOutcome, *, show: bool = False) -> list[str]:
-    """Return lines of text about the copies and the removed texts. ``show``: the removed texts
-    themselves too.
+    """Return lines of text about the copies, with the number of removed texts. ``show``: list the
+    removed texts themselves too.
     """
     lines = []
     for one in outcome.files:

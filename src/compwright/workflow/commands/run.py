@@ -1,4 +1,6 @@
-"""``run``: evaluate measurements, fit tables, write and read them back, predict, report."""
+"""``run``: evaluate measurements, fit tables, write the control's files and read them again as a
+check, predict new tests, and report.
+"""
 
 from __future__ import annotations
 
@@ -183,7 +185,9 @@ def write_planned(
 
 
 def _assumed_job(stated: Mapping[str, Any], finished: Finished) -> dict[str, bytes]:
-    """Return a job file with all assumptions written out, unless a file name is not valid UTF-8."""
+    """Return a job file that states all assumptions. No file is returned if the name of an input
+    file is not valid UTF-8.
+    """
     as_text = json.dumps(stated, ensure_ascii=False)
     if encoded(as_text).decode() != as_text:
         return {}
@@ -200,7 +204,9 @@ def _no_job(stated: Mapping[str, Any] | None, draft: Mapping[str, bytes]) -> Ite
 
 
 def _answered_by_files(finished: Finished) -> dict[str, object]:
-    """Return the keys for an axis whose reference position was read from the control's files."""
+    """Return the job keys ``reference`` and ``reference_return`` with the values that the control's
+    files state for an axis.
+    """
     return {
         key: value
         for axis in finished.measured.axes.values()
@@ -213,7 +219,9 @@ def _answered_by_files(finished: Finished) -> dict[str, object]:
 
 
 def _gone(out: Path, outdated: Sequence[str]) -> Iterator[str]:
-    """Yield notes that a verification in the folder was removed because it was of another plan."""
+    """Yield notes that an earlier verification in the result folder was removed because it belongs
+    to another plan.
+    """
     if not outdated:
         return
     names = ", ".join(encoded(name).decode() for name in outdated)

@@ -63,7 +63,9 @@ class Check:
 
 
 def selftest(session: Session) -> dict[str, Any]:
-    """Return the document of the self-test: comparisons, platform, versions and data SHA-256."""
+    """Return the JSON document of the self-test: all comparisons, the platform, the versions of the
+    libraries, and the SHA-256 of the reference data.
+    """
     files = storage.reference_files(session)
     checks = [*_values(files), *_controls(session)]
     return {
@@ -86,7 +88,8 @@ def write_selftest(
     *,
     force: bool,
 ) -> list[Path]:
-    """Write pages to be signed and JSON documents, all or none. Returns the written paths.
+    """Write the self-test as ``pages`` to be signed and as JSON documents, all or none. Returns the
+    written paths.
 
     Raises StorageError, and UsageError where the report extra is missing.
     """
@@ -154,7 +157,9 @@ def _fitted(content: bytes, name: str) -> Mapping[str, float]:
 
 
 def _controls(session: Session) -> Iterator[Check]:
-    """Yield checks of each control definition: sample files read by both readers, and rewritten."""
+    """Yield the checks of each control definition: hand-worked corrections as both readers decode
+    them, and sample files written again.
+    """
     definitions = list(checked_definitions(session, ()))
     if not definitions:
         yield _faults("controls", "definitions", 1, "none was found: install compwright again")

@@ -45,7 +45,8 @@ def simulate_files(
     force: bool = False,
     file: str = "",
 ) -> list[Path]:
-    """Measure every axis and circle of a virtual machine, and write one file for each into ``out``.
+    """Measure every axis and every circle of a virtual machine, and write a measurement file for
+    each axis and circle into ``out``.
 
     ``tables``: a folder with what the control loads; ``file``: the machine file, for messages.
     Noise comes from ``seed`` alone: the same seed gives the same bytes.
@@ -99,7 +100,9 @@ def _file_of(
 
 
 def _bent(recording: CircleRecording, between: ActiveCorrections) -> CircleRecording:
-    """Return the recording of a circle, changed by the active corrections between its two axes."""
+    """Return the recording of a circle after the active cross-axis corrections of its two axes have
+    displaced the path.
+    """
     plan = recording.plan
     step = plan.arc[1] / plan.samples
     whole = []
@@ -131,7 +134,9 @@ def _rerecorded(traverse: Traverse, moved: CircularRun) -> Traverse:
 def _loaded(
     session: Session, machine: VirtualMachine, tables: Path, file: str
 ) -> ActiveCorrections:
-    """Return the corrections that the tables in a folder make, along and between axes."""
+    """Return the corrections that the control of the virtual machine makes with the tables in a
+    folder, along axes and between axes.
+    """
     if not machine.format:
         raise UsageError(
             Fault(

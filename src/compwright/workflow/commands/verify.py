@@ -94,8 +94,8 @@ class VerifyOutcome:
 
 
 def plan_path(session: Session, given: Path | None, default: Path) -> Path:
-    """Return the plan file: from ``given`` (a file or the folder of a run), else from the default
-    folder.
+    """Return the path of the plan file. ``given``: the file itself, or the folder of a run; None
+    means the folder ``default``.
     """
     chosen = default if given is None else given
     is_file = storage.is_there(session, chosen) and not storage.is_folder(chosen)
@@ -250,8 +250,8 @@ def _verified(
 def _between(
     control: Control, plan: Plan, as_found: DecodedState, read_back: DecodedState | None
 ) -> Iterator[Finding]:
-    """Yield a finding for each planned table between axes that the files read back lack or contain
-    with other values.
+    """Yield a finding for each planned cross-axis table that is missing in the files read back, or
+    that has other values there.
     """
     planned = [entry for entry in plan.cross if entry.written]
     if read_back is None or not planned:
@@ -299,7 +299,9 @@ def _stored(
     *,
     force: bool,
 ) -> tuple[Path, ...]:
-    """Write the verification and the files of the next round, all or none. Returns their paths."""
+    """Write the files of the verification and of the next round (``then``), all or none. Returns
+    the written paths.
+    """
     below = {} if then is None else then.files
     page = files.get("verification.html")
     answer = answer_files(files[VERIFICATION], json_path, page, report)
@@ -322,7 +324,9 @@ def _stored(
 
 
 def _left_over(out: Path, then: Round | None) -> tuple[str, ...]:
-    """Return the message that a next round of an earlier verification is still in the folder."""
+    """Return a warning that the folder still contains the next round of an earlier verification,
+    whose files must not be loaded; else nothing.
+    """
     if (then is not None and then.files) or not storage.is_folder(out / FOLDER):
         return ()
     return (f"{out / FOLDER} is of an earlier verification; do not load anything of it",)
@@ -379,7 +383,9 @@ def _verdict(
     circles: Mapping[str, VerifiedCircle],
     general: Sequence[Finding],
 ) -> OverallVerdict:
-    """Return the verdict on the job. Squareness decides if there are no positioning tests."""
+    """Return the verdict on the job. If there are only circular tests, the decisions on squareness
+    are used in place of loading verdicts.
+    """
     squareness = squareness_decisions(circles)
     tested: list[VerifiedAxis | VerifiedCircle] = [*axes.values(), *circles.values()]
     findings = [finding for one in tested for finding in one.findings]

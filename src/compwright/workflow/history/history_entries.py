@@ -113,7 +113,9 @@ def _errors(test: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
 
 
 def _of_axes(verification: Mapping[str, Any], test: Mapping[str, Any]) -> list[Mapping[str, Any]]:
-    """Return the verification of a test's axis, or of all axes if the test is circular."""
+    """Return the verification results of the axis of a positioning test; for a circular test, those
+    of all axes in the verification.
+    """
     axes = verification.get("axes", {})
     if test["kind"] == "circular":
         return list(axes.values())
@@ -123,7 +125,9 @@ def _of_axes(verification: Mapping[str, Any], test: Mapping[str, Any]) -> list[M
 def _active_compensation(
     record: Mapping[str, Any], test: Mapping[str, Any], verified: Sequence[Mapping[str, Any]]
 ) -> tuple[str, str]:
-    """Return which compensation was active in a test, and its files' SHA-256; "" if unknown."""
+    """Return which compensation was active in a test, and the SHA-256 of the control's files that
+    contain it; "" if unknown.
+    """
     if test["taken"] == "after":
         tables = [
             str(entry["sha256"])

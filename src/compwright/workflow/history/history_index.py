@@ -103,7 +103,9 @@ class HistoryIndex:
             raise _refused(self._file, "is a damaged index", str(error)) from error
 
     def notes_of(self, folder: Path) -> tuple[list[str], list[tuple[str, str]]]:
-        """Return the notes about a folder, and its files that were changed after writing."""
+        """Return the notes about a folder, and those files of the folder that were changed after
+        the command had written them.
+        """
         row = self._one("SELECT notes, files FROM folder WHERE path = ?", _key(folder))
         if row is None:
             return [], []
@@ -185,7 +187,9 @@ def _row(key: str, entry: HistoryEntry) -> tuple[object, ...]:
 
 
 def _entry(data: dict[str, Any], folder: Path) -> HistoryEntry:
-    """Return a stored history entry, with the path at which its folder is now."""
+    """Return the history entry stored as ``data``, with ``folder``, where the result folder is now,
+    as its folder.
+    """
     pairs = {
         key: {name: (pair[0], pair[1]) for name, pair in data[key].items()}
         for key in ("errors", "declared")

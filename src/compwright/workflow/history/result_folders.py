@@ -30,7 +30,9 @@ _NO_RESULTS = frozenset({"inputs", "tables", "rollback", "card", "proven"})
 
 @dataclass(frozen=True, slots=True)
 class ResultFolder:
-    """A result folder: its record, notes, changed or missing files, and names of all its files."""
+    """A result folder: its record, the notes about it, those of its files that were changed or are
+    missing, and the names of all its files.
+    """
 
     path: Path
     record: Mapping[str, Any]
@@ -40,7 +42,9 @@ class ResultFolder:
 
 
 def result_folders(session: Session, tops: Sequence[Path]) -> tuple[list[Path], list[Fault]]:
-    """Return the result folders below ``tops``, each once, and the unreadable ones."""
+    """Return the result folders below ``tops`` (each once), and a fault for each folder that cannot
+    be read or has no results.
+    """
     found: dict[Path, Path] = {}
     faults: list[Fault] = []
     for top in tops:
@@ -68,7 +72,9 @@ def result_folders(session: Session, tops: Sequence[Path]) -> tuple[list[Path], 
 
 
 def _is_part(folder: Path, folders: Collection[Path]) -> bool:
-    """Return whether a folder is part of another result folder, such as its copies of inputs."""
+    """Return whether a folder is inside another result folder and belongs to it, such as the folder
+    of its input copies.
+    """
     way = (folder, *folder.parents)
     return any(above in folders and below.name in _NO_RESULTS for below, above in pairwise(way))
 

@@ -45,8 +45,8 @@ def after_tests(
     specs: Sequence[str | PositioningTest],
     profile: Path | None = None,
 ) -> list[AfterTest]:
-    """Read the tests after loading. Several files of one test are joined. Raises with every fault
-    at once.
+    """Read the tests after loading; several files of one test are joined. Raises one error with the
+    faults of all files.
 
     ``specs``: values of ``--after``, or tests in memory; ``profile``: that of the tests after
     loading, in the place of the job's.
@@ -94,7 +94,8 @@ def after_tests(
 
 
 def _later(request: TestRequest, paths: Sequence[str]) -> TestRequest:
-    """Return the request to read a test after loading: that of the job's test, with other files.
+    """Return how to read a test after loading: as the job's own test is read, but from the files
+    ``paths``.
 
     Those that the job states are of the test before. Of a record of the environment only the times
     after loading count.
@@ -175,7 +176,9 @@ def _without_temperature(
 
 
 def _unfit(plan: Plan, axes: Sequence[str]) -> Iterator[Fault]:
-    """Yield faults if no test is given, if an axis has two tests, or is not in the plan."""
+    """Yield a fault if no test is given at all, if an axis has two tests, or if an axis is not in
+    the plan.
+    """
     for axis in dict.fromkeys(axes):
         if axes.count(axis) > 1:
             yield Fault(
@@ -203,7 +206,9 @@ def _unfit(plan: Plan, axes: Sequence[str]) -> Iterator[Fault]:
 def _assign(
     session: Session, job: Job, spec: str | PositioningTest, profiles: Sequence[Path]
 ) -> tuple[tuple[str, str], str | PositioningTest]:
-    """Return axis and name of the repeated test, and the file, of an ``--after`` value."""
+    """Return what a value of ``--after`` means: the axis and the name of the test that it repeats,
+    and the file or the test in memory.
+    """
     names = {request.name: axis for axis, entry in job.axes.items() for request in entry.before}
     if isinstance(spec, PositioningTest):
         return _first_test(job, _axis_of(job, spec.axis, spec.name, names), spec.name, names), spec
@@ -236,7 +241,9 @@ def _assign(
 
 
 def _first_test(job: Job, axis: str, spec: str, names: Mapping[str, str]) -> tuple[str, str]:
-    """Return the axis, and the name of its first test in the job. ``names``: test name to axis."""
+    """Return ``axis`` and the name of the axis's first test in the job. ``names``: the axis of each
+    test name.
+    """
     before = job.axes[axis].before
     if not before:
         raise UsageError(

@@ -33,7 +33,9 @@ _LEVELS = 3
 
 @dataclass(frozen=True, slots=True)
 class Kinds:
-    """The addresses of axes not known to be linear or rotary, with assumptions and findings."""
+    """The addresses of the axes for which linear or rotary is unknown, with the assumptions and the
+    findings about the kind of axes.
+    """
 
     unknown: tuple[str, ...] = ()
     assumed: tuple[Assumption, ...] = ()
@@ -49,7 +51,8 @@ def decode_kinds(
     *,
     active: bool | None = None,
 ) -> tuple[Control, DecodedState, Kinds]:
-    """Return a control, what its files contain, and which axes may be linear as well as rotary.
+    """Return a control, the decoded contents of its files, and the axes for which the files leave
+    open whether they are linear or rotary.
 
     Raises UsageError where the numbers themselves depend on an unknown kind, or a given kind
     contradicts the files.
@@ -80,7 +83,9 @@ def decode_kinds(
 
 
 def _unknown(found: DecodedState, given: object) -> tuple[str, ...]:
-    """Return the addresses of axes of which neither files nor user state linear or rotary."""
+    """Return the addresses of the axes for which neither the files nor the user state whether they
+    are linear or rotary.
+    """
     if isinstance(given, str):
         return ()
     crossed = (end for entry in found.state.cross for end in (entry.input, entry.output))
@@ -93,7 +98,9 @@ def _unknown(found: DecodedState, given: object) -> tuple[str, ...]:
 
 
 def _planned_kinds(session: Session, paths: Sequence[Path], format_id: str) -> dict[str, AxisKind]:
-    """Return the kind (linear, rotary) of each address, from the plan that made these files."""
+    """Return the kind (linear, rotary) of each axis address as in the plan whose run wrote these
+    files; no kinds if no plan is found.
+    """
     kinds: dict[str, AxisKind] = {}
     for folder in dict.fromkeys(
         above for path in paths for above in (path, *path.absolute().parents[:_LEVELS])
@@ -138,7 +145,9 @@ def _readable(
 
 
 def _same_numbers(linear: DecodedState, rotary: DecodedState | None) -> None:
-    """Raise an error if table values depend on whether the axis is linear or rotary."""
+    """Raise an error if an axis's table, decoded as ``linear`` and as ``rotary``, has different
+    values, because the kind is unknown.
+    """
     if rotary is None:
         return
     faults = []

@@ -57,7 +57,9 @@ def pairs_joined(tests: Sequence[T | CircularTest]) -> list[T | CircularTest]:
 
 
 def machines_of(circles: Sequence[CircularResult]) -> tuple[list[dict[str, Any]], list[Fault]]:
-    """Return what all circles of a machine show together, for each machine, and the faults."""
+    """Return, for each machine with several circles, the result that they have in common, and the
+    faults.
+    """
     machines: dict[tuple[str | None, ...], list[CircularResult]] = {}
     seen: set[str] = set()
     for result in circles:

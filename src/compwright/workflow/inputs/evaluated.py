@@ -29,7 +29,8 @@ Entry = dict[str, Any]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EvaluationRequest:
-    """The settings for all evaluations: standards, formula for the scatter s, mapping profile.
+    """The settings for all evaluations: the standards, the formula for the scatter s of repeated
+    readings, and the mapping profile.
 
     ``whole``: whether entries carry targets and readings.
     """
@@ -66,7 +67,7 @@ Why = Literal["unread", "refused", "unfit", "own"]
 
 @dataclass(frozen=True, slots=True)
 class Noted:
-    """A fault of a file or of one of its tests, and what failed (``why``)."""
+    """A fault of a file or of one of its tests. ``why``: the kind of failure, such as ``unread``."""
 
     why: Why
     fault: Fault
@@ -91,7 +92,9 @@ class FilesEvaluator:
     request: EvaluationRequest
 
     def __call__(self, given: FileToEvaluate) -> FileTests:
-        """Return the tests in a file, evaluated, or the faults."""
+        """Return the evaluated tests of a file, together with the faults of the file and of its
+        tests.
+        """
         if given.faults:
             return FileTests(noted=tuple(Noted("unread", fault) for fault in given.faults))
         try:
@@ -108,7 +111,9 @@ class FilesEvaluator:
         )
 
     def _two_columns(self, given: FileToEvaluate) -> Callable[[FileToEvaluate], Entry] | None:
-        """Return the function that evaluates a file of drift or lost motion, else None."""
+        """Return the function that evaluates this file if it is a drift test or a table of lost
+        motion, else None.
+        """
         from compwright.instruments.drift_csv import is_drift, is_lost_motion
 
         if self.request.profile is not None:
@@ -149,7 +154,7 @@ class CirclesEvaluator:
     request: EvaluationRequest
 
     def __call__(self, test: CircularTest) -> FileTests:
-        """Return the circular test, evaluated, or the faults."""
+        """Return the evaluated and diagnosed circular test, or its faults if the evaluation fails."""
         from compwright.documents.circular import circular_document
         from compwright.planning.circle_diagnosis import diagnose_circle
 

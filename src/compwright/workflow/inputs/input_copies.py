@@ -78,7 +78,9 @@ def files_of_job(session: Session, job: Job, folder: Path, definition: Texts) ->
 
 
 def _text_of_definition(session: Session, path: Path, content: bytes) -> GivenFile:
-    """Return a control definition as an input file; its text may be from a plan, not a file."""
+    """Return a control definition as an input file. If its text is from a plan and no file has the
+    same contents, the result has no path.
+    """
     there = storage.is_there(session, path) and storage.read_bytes(session, path) == content
     return GivenFile(
         role="definition", of="", name=path.name, path=path if there else None, content=content
@@ -132,14 +134,18 @@ def files_of_verify(
 def files_at(
     session: Session, role: InputRole, of: str, text: str, folder: Path
 ) -> Iterator[GivenFile]:
-    """Yield the file at the path ``text``, or every file in the folder at that path."""
+    """Yield the file with the path ``text`` (relative to ``folder``); if the path is that of a
+    folder, every file in that folder.
+    """
     start = storage.named_from(folder, text)
     for path in control_entries(session, start):
         yield _given(session, role, of, _named(text, path, start), path)
 
 
 def _named(text: str, path: Path, start: Path) -> str:
-    """Return a file's name in the job. ``text``: the job's path of the file or of its folder."""
+    """Return the name that a file has in the job. ``text``: the path as the job states it, of the
+    file itself or of its folder.
+    """
     name = Path(text).as_posix()
     return name if path == start else f"{name}/{path.relative_to(start).as_posix()}"
 
@@ -162,7 +168,8 @@ def kept(
     there: Mapping[str, bytes],
     written: Collection[str],
 ) -> tuple[tuple[RecordedInput, ...], dict[str, bytes]]:
-    """Return the inputs with their places in the result folder, and the copies to be written.
+    """Return the input files, each with its place in the result folder, and the copies that have to
+    be written there.
 
     No bytes are kept twice: what is among the files ``there`` (relative name -> bytes: the way back
     holds what was in the control), or lies in ``out`` (the inputs of a next round are written

@@ -124,7 +124,8 @@ def read_measurement(
 
 
 def _without_unnamed(ours: PositioningTest, tests: Sequence[PositioningTest]) -> PositioningTest:
-    """Return the test ``ours``, with a warning if the file also contains tests that name no axis.
+    """Return the test ``ours`` of a named axis, with a warning if the file also contains tests
+    whose axis is not named.
 
     A copied sheet may hold the newer measurement.
     """
@@ -239,8 +240,8 @@ def _check_axis(axis: Axis, test: PositioningTest) -> None:
 
 
 def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
-    """Yield faults where states of the control differ in an axis's measuring system, or in
-    functions that are active in addition to its table.
+    """Return a fault for each axis whose measuring system, or whose other active compensation
+    functions next to the table, differ between the job's states.
     """
     faults = []
     for name, entry in job.axes.items():
@@ -283,7 +284,9 @@ def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Faul
 
 
 def _differing(found: Mapping[str, str]) -> dict[str, str]:
-    """Return each text reduced to its comma-separated parts that some of the other texts lack."""
+    """Return the texts, each with only those of its comma-separated parts that are not in all of
+    the texts.
+    """
     parts = {name: words.replace("; ", ", ").split(", ") for name, words in found.items()}
     alike = set.intersection(*map(set, parts.values()))
     return {
@@ -324,7 +327,9 @@ def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Itera
 
 
 def _misnamed(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
-    """Yield a fault where the files give an axis another name, or more joints, than the job."""
+    """Yield a fault if the control's files assign an axis address of the job to an axis of another
+    name, or several joints to one axis.
+    """
     for name, decoded in states.items():
         for entry in job.axes.values():
             facts = decoded.state.facts_of(entry.axis.address)
@@ -335,8 +340,8 @@ def _misnamed(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
 def _unsaid_units(
     job: Job, control: Control, states: Mapping[str, DecodedState]
 ) -> Iterator[Fault]:
-    """Yield a fault if no file states mm or inch, and a table's length contradicts the assumed
-    unit.
+    """Yield a fault if the files do not state mm or inch, and the length of a table shows that the
+    assumed unit is wrong.
     """
     unanswered = length_unit(control.definition)
     if unanswered is None or unanswered[0].name in control.given:
@@ -375,7 +380,9 @@ def _unsaid_units(
 
 
 def _missing_axes(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
-    """Return faults for states whose files lack data of an axis: no data does not mean zero."""
+    """Return a fault for each state whose files contain no data of an axis, because missing data
+    does not mean no compensation.
+    """
     faults: list[Fault] = []
     for name, decoded in states.items():
         if not decoded.files:

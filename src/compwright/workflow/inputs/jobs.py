@@ -150,7 +150,7 @@ def _with_environment(session: Session, job: Job, folder: Path) -> Job:
 def wrong_control(
     session: Session, data: Mapping[str, Any], *, folder: Path = Path(), carried: Texts = ()
 ) -> Iterator[KeyFault]:
-    """Yield the faults of the control's name and options in the data of a job.
+    """Yield the faults of the control's id and of its options in the data of a job file.
 
     ``folder``: what the path of a definition is relative to.
     """
@@ -188,7 +188,8 @@ def wrong_control(
 
 
 def _unknown_diameter(axes: object, control: Control, *, files: bool) -> Iterator[KeyFault]:
-    """Yield faults for diameter axes if tables may be in radius or in diameter.
+    """Yield a fault for each axis with diameter programming if it is unknown whether the control's
+    tables count in radius or in diameter.
 
     Everything in a job counts in radius, as the machine moves. Where the control's files state how
     the axis is programmed, the job is checked against them; without ``files`` it cannot be checked.

@@ -1,4 +1,5 @@
-"""Refuse a job whose existing table was made from the same test, to correct no error twice.
+"""Refuse a job whose existing table was made from the same test as the new table would be, because
+the error would be corrected twice.
 
 A fit adds the error that a test shows to the correction that was active in that test. A test that
 was taken before a table was loaded does not show the machine with it. If the state of that test is
@@ -66,7 +67,8 @@ def refuse_own_output(
     folder: Path,
     out: Path,
 ) -> None:
-    """Raise UsageError if an earlier run made a state's tables from a test of the job.
+    """Raise UsageError if a state of the control contains the tables that an earlier run made from
+    a test of this job.
 
     ``circles``: circular tests, each with the state it was measured in. ``folder``: what the job's
     paths are relative to; ``out``: where this run writes. Also where ``as_found`` lies in a folder
@@ -126,7 +128,8 @@ def _near(session: Session, job: Job, folder: Path, out: Path) -> Iterator[Path]
 
 
 def _of_other_days(folder: Path) -> Iterator[Path]:
-    """Yield paths next to the job's folder where plans of the same machine may be.
+    """Yield the paths of possible plans in the folders next to the job's folder, where earlier jobs
+    of the same machine may be.
 
     Those next to the job's, and one below. They belong to other jobs: they are not locked or
     repaired.
@@ -270,7 +273,9 @@ def _is_own_table(
 
 
 def _bent(curves: Sequence[FloatArray], step: float) -> bool:
-    """Return whether a curve differs from its median by several ``step`` at many positions."""
+    """Return whether one of the ``curves`` is not flat: at many positions it differs from its
+    median by several times ``step``.
+    """
     return any(
         float(np.quantile(np.abs(curve - np.median(curve)), _MANY)) > _SEEN * step
         for curve in curves
@@ -280,7 +285,8 @@ def _bent(curves: Sequence[FloatArray], step: float) -> bool:
 def _change(
     planned: PlannedAxis, test: PlannedTest, state: DecodedState, axis: Axis
 ) -> list[FloatArray]:
-    """Return per direction the correction of a state minus the correction active during ``test``.
+    """Return, for each direction, the correction that the state makes minus the correction that was
+    active during ``test``.
 
     Zero where the latter is unknown.
     """

@@ -90,7 +90,8 @@ def _outside(axis: Axis, test: PositioningTest, file: str) -> Iterator[Fault]:
 
 
 def given_twice(named: Iterable[NamedTest]) -> list[Fault]:
-    """Return faults for tests that are the same measurement, or contain a file twice.
+    """Return a fault for each test that contains a file twice, and for each pair of tests that are
+    the same measurement.
 
     One measurement: files that are the same byte for byte, or readings that scatter and are the
     same to the last digit.

@@ -1,4 +1,6 @@
-"""Copy measurement files without names. The reader of the original checks each copy."""
+"""Copy measurement files without names. Each copy is checked by reading it with the same reader as
+the original.
+"""
 
 from __future__ import annotations
 

@@ -71,7 +71,8 @@ class _Somebody:
 def names_of_copies(
     files: Sequence[str], removed: Iterable[tuple[str, str]], names: Names
 ) -> list[str]:
-    """Return names for the copies that differ even if upper and lower case count as equal.
+    """Return a file name for each copy. No two names are equal, not even if upper and lower case
+    are the same.
 
     A name is kept, except for parts that contain a text removed from any file, or that may be a
     serial number. ``removed``: the removed texts, each with its kind before it.
@@ -106,7 +107,9 @@ def _somebody(removed: Iterable[tuple[str, str]]) -> _Somebody:
 
 
 def _shown(name: str, somebody: _Somebody, names: Names) -> str:
-    """Return a part of a copy's name, with a neutral name where it identifies someone."""
+    """Return one part (folder or file) of a copy's name; a part that identifies a person or machine
+    is replaced by a neutral name.
+    """
     stem, ending = PurePath(name).stem, PurePath(name).suffix
     if somebody.is_in(ending):
         ending = ""

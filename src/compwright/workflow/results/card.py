@@ -47,7 +47,7 @@ def card_document(
     between: CrossOutcome,
     harmful: Sequence[str],
 ) -> dict[str, Any]:
-    """Return the card of a run as plain data, values in µm or arcsec.
+    """Return the contents of a run's commissioning card as plain data, with values in µm or arcsec.
 
     ``entered``: the control's own files as patched, and new ones; ``back``: small files that bring
     the old values back; ``between``: the cross-axis tables; ``harmful``: what some of the files
@@ -107,7 +107,7 @@ _READ = ("CW-R001", "CW-R056", "CW-R060", "CW-R062")
 
 
 def _as_read(works: Mapping[str, AxisWork]) -> list[dict[str, str]]:
-    """Return assumptions about the contents of measurement files, as rows of the card."""
+    """Return, as rows of the card, what was assumed when the measurement files were read."""
     return [
         {
             "fact": control_text("axis {axis}, test {test}", axis=name, test=result.test.name),

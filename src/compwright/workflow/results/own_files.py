@@ -1,4 +1,5 @@
-"""Write files of a command into a folder, with a list that shows which files it wrote.
+"""Write files of a command into a folder, together with a hidden list of these files that protects
+the user's own files.
 
 A hidden list distinguishes the files of an earlier run from the user's, which are never replaced
 and never removed.

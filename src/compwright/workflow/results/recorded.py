@@ -52,7 +52,8 @@ def recorded_run(
     *,
     draft: Mapping[str, bytes] = MappingProxyType({}),
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
-    """Return a run's record and copies of inputs, and the files of a verification to be removed.
+    """Return the files to be written (a run's record and copies of its inputs), and the names of
+    files of an earlier verification to be removed.
 
     ``given``: the inputs (`files_of_job`); ``out``: the result folder; ``draft``: the job file that
     it leaves there, where it was made without one.
@@ -132,7 +133,9 @@ def _definition(control: Control) -> Any:
 
 
 def known_results(session: Session, folder: Path) -> storage.Known:
-    """Return a function that decides whether a file is an unchanged result of a command."""
+    """Return a function that decides whether a file in ``folder`` was written by a command and has
+    not been changed since.
+    """
     planned = listed_files(storage.earlier_bytes(session, folder / PLAN))
     listed = {**planned, **listed_in_record(storage.earlier_bytes(session, folder / RECORD))}
 
@@ -147,7 +150,9 @@ def known_results(session: Session, folder: Path) -> storage.Known:
 
 
 def folders_of_copies(names: Mapping[str, Any] | Sequence[str]) -> list[str]:
-    """Return the folders below `INPUTS` with a run's copied inputs, not those of ``verify``."""
+    """Return the folders below `INPUTS` that contain the copied inputs of ``run``; those with
+    inputs of ``verify`` are left out.
+    """
     return list(
         dict.fromkeys(
             name.rpartition("/")[0]
@@ -217,7 +222,8 @@ def _still_there(
 def _begun(
     session: Session, run: RunResult, out: Path, before: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """Return the run's record. For another result folder, it lists none of the run's own files.
+    """Return the record of the run, to which the verification is added. If the verification is
+    written to another folder, the record does not list the run's files.
 
     A run of an older version has none: it is rebuilt from the plan as far as possible.
     """

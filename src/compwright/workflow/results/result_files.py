@@ -31,7 +31,9 @@ PLAN = "plan.json"
 
 @dataclass(frozen=True, slots=True)
 class Results:
-    """The contents of every file of a run by relative name, its documents, and notes."""
+    """The contents of every file of a run by relative name, the evaluation and prediction
+    documents, and notes for the user.
+    """
 
     files: Mapping[str, bytes]
     evaluation: Mapping[str, Any]
@@ -80,7 +82,9 @@ def result_files(finished: Finished, each: Each = in_turn) -> Results:
 
 
 def _control_files(finished: Finished) -> dict[str, bytes]:
-    """Return the tables and rollback files by name, and empty contents for the later plan."""
+    """Return the contents of the tables and rollback files by name, and an empty entry for the
+    plan, which is made later.
+    """
     as_found, format_id = finished.measured.as_found, finished.fitted.control.id
     if as_found is None:
         return {}
@@ -163,7 +167,9 @@ def _report(
     prediction: Mapping[str, Any],
     each: Each,
 ) -> bytes:
-    """Return the report, which lists ``names``. Raises UsageError without the pip extra."""
+    """Return the HTML report, which lists the files ``names``. Raises UsageError if the extra
+    ``report`` is not installed.
+    """
     from compwright.reporting.run_report import run_report
 
     as_found = finished.measured.as_found

@@ -1,4 +1,6 @@
-"""Standard errors of the parameters of a test, from the readings in its document."""
+"""Standard errors of the parameters of a positioning test, computed from the readings in the test's
+JSON document.
+"""
 
 from __future__ import annotations
 

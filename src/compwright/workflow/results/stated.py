@@ -1,4 +1,5 @@
-"""The job's statements about its tests, for the test sheet of a report.
+"""What the job states about its tests (such as travel and compensation), for the test sheet of a
+report.
 
 By the keys of `reporting.report_items`.
 """
@@ -33,7 +34,7 @@ def report_document(job: Job) -> dict[str, Any]:
 
 
 def stated_of_axes(job: Job) -> dict[str, dict[str, Mapping[str, str | Sentence]]]:
-    """Return the job's statements about each positioning test, by axis and test."""
+    """Return what the job states about each positioning test, by axis name and then by test name."""
     return {
         name: {
             request.name: {
@@ -59,7 +60,9 @@ def stated_of_circles(job: Job) -> dict[str, Mapping[str, str | Sentence]]:
 
 
 def compensation_text(job: Job, state: str) -> str | Sentence:
-    """Return the sentence on compensation in a state, such as "off", or "" if the job lacks it."""
+    """Return the sentence that states which compensation the control has in a ``state``, or "" if
+    the job does not list that state.
+    """
     files = job.states.get(state)
     if files is None:
         return ""

@@ -1,4 +1,6 @@
-"""The data that the report shows: the documents of a run, with their curves, in µm or arcsec."""
+"""The data for the reports: the documents of a run or a verification, and the curves of the
+figures, in µm or arcsec.
+"""
 
 from __future__ import annotations
 
@@ -119,7 +121,9 @@ def axis_view(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
 
 
 def expected_targets(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
-    """Return the expected mean deviations of a new test, and the expected scatter of a reading."""
+    """Return the mean deviations expected in a new test at the same targets, and the expected
+    scatter s of a single reading.
+    """
     test = work.results[0].test
     factor = outside_factor(test.kind.unit)
     change = difference(after_loading(work, loaded), work.active)

@@ -39,7 +39,9 @@ class Finished:
 
     @property
     def works(self) -> Mapping[str, AxisWork]:
-        """The results of every axis with tests, with its table if it gets one."""
+        """The results of every axis that has positioning tests, including its new table if the axis
+        gets one.
+        """
         return self.written.works
 
     @property
@@ -56,7 +58,9 @@ class Finished:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """All findings except those about a single test."""
+        """All findings about the job, the control, the tables and the predictions; those about the
+        readings of a single test are not included.
+        """
         return (
             *(one.finding for one in self._noticed()),
             *unused_acknowledgements(self.doubts.unused),
@@ -78,7 +82,9 @@ class Finished:
         return doubts_of([*still, *(one for one in self.findings if one.code in RESULTS)])
 
     def decided(self) -> Finished:
-        """Return the results with each limit undecided whose axis or circle has an open doubt."""
+        """Return the same results, but with the decision "undecided" on all limits of an axis or
+        circle that has an open doubt.
+        """
         doubts = self.doubts
         axes = {
             name: replace(axis, accept=mark_undecided(axis.accept)) if doubts.about(name) else axis
@@ -152,7 +158,9 @@ class Finished:
         ]
 
     def _of_circles(self) -> list[ScopedFinding]:
-        """Return the findings about circles, each with the axes that circular tests correct."""
+        """Return the findings about circular tests. Each names those axes of the circle that the
+        job corrects from circular tests.
+        """
         apply = self.measured.job.apply
         taking = {*apply.squareness.values(), *apply.scale}
         if apply.backlash_from == "circle":
@@ -171,7 +179,7 @@ class Finished:
         ]
 
     def plan(self, results: Mapping[str, str]) -> Plan:
-        """Return the plan. ``results``: the other files of the run by name, with their hashes."""
+        """Return the plan. ``results``: the SHA-256 of every other file of the run, by file name."""
         job, inputs, circles = self.measured.job, self.measured.inputs, self.wanted.circles
         read = [
             *(entry.test.sources for tests in inputs.tests.values() for entry in tests),

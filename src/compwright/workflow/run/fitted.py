@@ -17,7 +17,9 @@ from compwright.workflow.run.wanted import Wanted
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fitted:
-    """The axes with their fitted tables, the scale corrections from circles, and the control."""
+    """The control, the axes with their fitted tables, and the corrections of scale errors found by
+    circular tests.
+    """
 
     control: Control
     works: Mapping[str, AxisWork]
@@ -30,7 +32,8 @@ class Fitted:
 
 
 def fitted(measured: Measured, wanted: Wanted, each: Each = in_turn) -> Fitted:
-    """Return the tables fitted within the control's limits; no table if its contents are unknown.
+    """Return the tables fitted within the control's limits. If the present contents of the control
+    are unknown, no table is fitted.
 
     Raises UsageError where an option contradicts the control's files, CapacityError with the faults
     of all axes.

@@ -68,7 +68,8 @@ def with_old_tables(
 def _tasks(
     work: AxisWork, states: Mapping[str, ControlState], axes: tuple[Axis, ...]
 ) -> list[_Task]:
-    """Return pairs of tests of an axis in different states, to be compared with each other.
+    """Return the pairs of tests of an axis to be compared: the test with the least active
+    correction, with the test in each other state.
 
     The one with the least active correction, with each other one.
     """
@@ -113,7 +114,8 @@ def judged_old_table(
     states: Mapping[str, ControlState],
     axes: Sequence[Axis],
 ) -> ExistingTableVerdict:
-    """Return whether a state's table was active in the test ``on``, compared with ``off``.
+    """Decide whether the existing table was active in the test ``on``, by comparison with the test
+    ``off``, which has the least correction.
 
     ``states`` by name; ``axes``: all of the job, whose tables may be active in place of this one.
     """

@@ -26,7 +26,9 @@ from compwright.workflow.run.written import Written, tables_of
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Predicted:
-    """The predicted tests of axes and circles, and findings on gantries with two tables."""
+    """The predictions for axes and circles, and findings on gantries whose two axes have different
+    tables.
+    """
 
     axes: Mapping[str, AxisPrediction]
     circles: Mapping[str, CirclePrediction]
@@ -36,7 +38,9 @@ class Predicted:
 def predicted(
     measured: Measured, wanted: Wanted, fitted: Fitted, written: Written, each: Each = in_turn
 ) -> Predicted:
-    """Predict new tests with the tables as read back, or else with the present correction."""
+    """Predict new tests of all axes and circles. An axis with a new table is predicted with the
+    table as read from the written files, an axis without one with its present correction.
+    """
     loaded, job = written.loaded, measured.job
     tasks = []
     for work in written.works.values():

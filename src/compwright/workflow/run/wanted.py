@@ -24,7 +24,9 @@ from compwright.workflow.run.old_tables import with_old_tables
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wanted:
-    """The axes with their errors, circles with their causes, and circles compared with axes."""
+    """The axes with their errors, the circular tests with the causes of their deviations, and the
+    comparison of circular tests with axes.
+    """
 
     works: Mapping[str, AxisWork]
     circles: tuple[CircleWork, ...]
@@ -74,7 +76,8 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
 
 
 def _not_twice(job: Job, work: AxisWork) -> AxisWork:
-    """Return an axis; it is refused a new table if its existing table was made from the same test.
+    """Return the axis, marked as refused a new table if its existing table seems to be made from
+    the same test, so that no error is corrected twice.
 
     Where tests in two states show what that table did, its shape is no further evidence.
     """
@@ -89,7 +92,9 @@ def _not_twice(job: Job, work: AxisWork) -> AxisWork:
 
 
 def _not_alike(measured: Measured) -> dict[str, list[PositioningTest]]:
-    """Return the tests by axis, without gantry slaves, which move together with their master."""
+    """Return the tests of each axis by name, without the slave axes of gantries, whose tests would
+    resemble those of their masters.
+    """
     followers = {axis.gantry for axis in measured.axes.values() if axis.gantry is not None}
     return {
         name: [entry.test for entry in tests]

@@ -1,4 +1,6 @@
-"""Fourth stage of a run: write tables as the control's files, and read them with two readers."""
+"""Fourth stage of a run: write the tables as the control's files, and read these files again with
+two independent readers.
+"""
 
 from __future__ import annotations
 
@@ -57,7 +59,8 @@ def written(
     accept_worse: bool,
     each: Each = in_turn,
 ) -> Written:
-    """Write the tables of a job, without those that improve nothing, and read them back.
+    """Write the tables of a job as the control's files and read them again. Tables that improve
+    nothing are left out.
 
     Raises CapacityError where the control cannot hold something, CompwrightError (a fault of our
     own) where other things come back than were written.
@@ -97,7 +100,9 @@ def written(
 def tables_of(
     works: Mapping[str, AxisWork], scales: Mapping[str, PlannedAxis]
 ) -> list[tuple[Axis, FittedTable]]:
-    """Return each axis that gets a table, with its table; those from positioning tests first."""
+    """Return each axis that gets a table, with that table: first tables from positioning tests,
+    then those from circles.
+    """
     planned = (*(work.planned for work in works.values()), *scales.values())
     return [(entry.axis, entry.fitted) for entry in planned if entry.fitted is not None]
 
@@ -105,7 +110,9 @@ def tables_of(
 def _improving(
     works: Mapping[str, AxisWork], loaded: DecodedState, each: Each
 ) -> Mapping[str, AxisWork]:
-    """Return all axes; a table that does not improve its axis is left out, with the reason."""
+    """Return all axes. An axis that its table would not improve has no table, but the reason
+    instead.
+    """
     tasks = {
         name: (work, applied_correction(loaded, work.planned.axis))
         for name, work in works.items()

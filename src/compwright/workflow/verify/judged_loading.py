@@ -124,7 +124,9 @@ def _view(
 
 
 def _motion(planned: PlannedAxis, place: int, targets: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the extra backlash, for + and -, that the motion of the repeated test causes."""
+    """Return the reversal correction, in + and −, that the control makes at the feed of the
+    repeated test in addition to that at the axis's usual feed.
+    """
     more = with_motion(no_correction, planned.axis, planned.tests[place].backlash_more)
     return more(targets, Direction.POSITIVE), more(targets, Direction.NEGATIVE)
 
@@ -137,7 +139,8 @@ def _error_of(planned: PlannedAxis) -> MeasuredError:
 def _judged_against(
     planned: PlannedAxis, observed: Sequence[ObservedTest], posterior: MeasuredError
 ) -> MeasuredError:
-    """Return the error estimated again, with each test's slope relative to that of the first test.
+    """Return the error of the axis, estimated again with the slope of each earlier test counted
+    relative to that of the first test.
 
     The difference of slope between the first test and the one after loading is then one number.
     """

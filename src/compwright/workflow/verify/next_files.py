@@ -47,7 +47,7 @@ _HEADING = (
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Looped:
-    """The results of one round that are inputs of the next round.
+    """The results of this round that become inputs of the next round.
 
     ``axes``: the tests after loading of the axes that may be corrected further; ``other_axes``:
     further axes of circles; ``files``: the present files of the control, ``active``: whether their
@@ -123,7 +123,9 @@ def next_files(session: Session, job: Job, plan: Plan, then: Looped) -> dict[str
 
 
 def _states(job: Job, plan: Plan, then: Looped, was: str, copies: _Copies) -> dict[str, Any]:
-    """Return the control states of the next job: the present, the previous (``was``), and older."""
+    """Return the states of the control for the next job: the present one, the one before loading
+    (now called ``was``), and all older ones.
+    """
     found: dict[str, Any] = {AS_FOUND: _state(then.files, AS_FOUND, copies, active=then.active)}
     for name, files in plan.states.items():
         now = was if name == AS_FOUND else name
@@ -200,7 +202,9 @@ def _temperatures(test: PositioningTest) -> dict[str, tuple[float, float]]:
 
 
 def _resolved(section: Mapping[str, Any], job: Job, name: str) -> dict[str, Any]:
-    """Return the keys of an axis that earlier files of the control stated instead of the job."""
+    """Return those job keys of an axis (such as ``address``) whose values the control's files had
+    supplied because the job did not state them.
+    """
     axis = job.axes[name].axis
     found: dict[str, Any] = {}
     if str(section.get("address", name)) != axis.address:
@@ -218,7 +222,8 @@ def _resolved(section: Mapping[str, Any], job: Job, name: str) -> dict[str, Any]
 def _circles(
     session: Session, job: Job, plan: Plan, then: Looped, was: str, copies: _Copies
 ) -> list[dict[str, Any]]:
-    """Return the circles for the next job: those after loading, and older ones not repeated.
+    """Return the circular tests for the next job: those after loading, and earlier ones that were
+    not repeated.
 
     A correction between axes that is in no file of the control was active in none of the older
     circles: these are left out.

@@ -77,7 +77,8 @@ class Verified:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Round:
-    """The next round's document, files (if it is written), and messages about it.
+    """The document about the next round, the files of the next round (empty if it is not written),
+    and notes for the user.
 
     ``whole``: folders that hold exactly these files afterwards; ``renewed``: those in which the
     user may keep files of his own.
@@ -250,7 +251,9 @@ def _looped(found: Verified, well: Sequence[AfterTest]) -> Looped:
 
 
 def _active(found: Verified, files: Sequence[ControlFile], axes: Sequence[str]) -> bool | None:
-    """Return True (active, as tests proved) if the files do not state it, else None."""
+    """Return whether the next job must state that the tables are active: True if the control's
+    files do not state it, else None.
+    """
     working = [found.job.axes[name].axis for name in axes]
     try:
         decode(found.control, files, working, asking=True)
@@ -327,7 +330,9 @@ def _gained(limits: LimitingCauses | None, axis: Axis) -> str:
 
 
 def _result(outcomes: Mapping[str, UpdatedAxis], *, between: bool) -> str:
-    """Return the sentence on the next step: load the tables of the next round, or stop."""
+    """Return the sentence that asks the user to load the tables of the next round, or to stop
+    because a further round would gain too little.
+    """
     tabled = [name for name, axis in outcomes.items() if axis.table]
     if tabled or between:
         return SentenceText(say("next.load", axes=tabled, between=between))
@@ -336,7 +341,9 @@ def _result(outcomes: Mapping[str, UpdatedAxis], *, between: bool) -> str:
 
 
 def _between(found: Verified, looped: Looped) -> Iterator[str]:
-    """Yield a sentence for each correction between axes: made again, or kept."""
+    """Yield, for each planned cross-axis correction, the sentence that the next round makes it
+    again or keeps it.
+    """
     again = [
         frozenset({bent, other_axis(plane, bent)})
         for plane, bent in found.job.apply.squareness.items()
@@ -371,7 +378,8 @@ def refuse_later_rounds(session: Session, out: Path) -> None:
 
 
 def known_with_rounds(session: Session, out: Path, known: storage.Known) -> storage.Known:
-    """Return a function that decides whether a file is an unchanged result, also of the next round.
+    """Return a function that decides whether a file was written by a command and is unchanged, in
+    the result folder or in its next round.
 
     ``known`` does so for all but the folder of the next round.
     """
@@ -388,7 +396,7 @@ def known_with_rounds(session: Session, out: Path, known: storage.Known) -> stor
 
 
 def _whole(session: Session, out: Path, inputs: Mapping[str, bytes], format_id: str) -> list[str]:
-    """Return the folders of the next round in which no files of other origin may remain."""
+    """Return the folders of the next round that may contain only files of the next round."""
     earlier = copied_by_record(storage.earlier_bytes(session, out / FOLDER / RECORD))
     folders = {str(PurePosixPath(name).parent) for name in (*inputs, *earlier)}
     sets = {f"{name}/{format_id}" for name in ("tables", "rollback")}

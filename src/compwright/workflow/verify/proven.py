@@ -1,4 +1,5 @@
-"""Write as job and definition keys what a good verification proves about a real machine.
+"""Write what a verification with the verdict ``good`` proves about a real machine, in the form of
+keys of a job and of a control definition.
 
 Nothing is written into either.
 """
@@ -66,7 +67,9 @@ def proven_files(
 
 
 def _lacking(found: Verified, results: Sequence[Path], loaded: Sequence[Path]) -> Iterator[str]:
-    """Yield reasons why a good verification proves nothing about a real machine."""
+    """Yield each reason why a verification, although its verdict is ``good``, proves nothing about
+    a real machine.
+    """
     roots = {storage.resolved(folder) for folder in results}
     if any(roots & {path, *path.parents} for path in map(storage.resolved, loaded)):
         yield "--loaded names files of the result folder, not what was read back"

@@ -111,7 +111,9 @@ def verified_axis(
 
 
 def _change(planned: PlannedAxis, as_found: DecodedState, repeated: PlannedTest) -> Correction:
-    """Return by how much loading changes the correction that is active in the repeated test."""
+    """Return the difference between the correction after loading and the correction that was active
+    in the test that is repeated.
+    """
     active = no_correction if planned.active is None else planned.active.at
     table = (
         None
@@ -164,7 +166,7 @@ def _judged(
 
 
 def _sentences(control: Control, planned: PlannedAxis) -> Mapping[LoadingName, tuple[str, ...]]:
-    """Return what to check on the control, by verdict on the loading of the table."""
+    """Return, for each possible loading verdict, what the user should check on the control."""
     if planned.fitted is None:
         return {}
     return control.look_at(planned.axis, planned.fitted.compensation)
@@ -256,7 +258,9 @@ def _exchange(
 def _compare_loaded(
     control: Control, planned: PlannedAxis, as_found: DecodedState, read_back: DecodedState | None
 ) -> tuple[Finding, ...]:
-    """Compare the values read back from the control with the plan's table, for all gantry axes."""
+    """Compare the values read back from the control with the plan's table, for a gantry on both of
+    its axes.
+    """
     if read_back is None or planned.fitted is None:
         return ()
     every = with_partners(control.in_state(as_found.state), _tables(planned), as_found)
@@ -265,7 +269,9 @@ def _compare_loaded(
 
 
 def _tables(planned: PlannedAxis) -> list[tuple[Axis, FittedTable]]:
-    """Return the planned table of an axis, and for a gantry also that of the other axis."""
+    """Return the axis with its planned table; for a gantry also the slave axis with the same table,
+    unless the slave only gets the same change.
+    """
     axis, fitted = planned.axis, planned.fitted
     if fitted is None:
         return []

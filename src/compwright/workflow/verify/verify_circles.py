@@ -52,7 +52,8 @@ from compwright.workflow.inputs.circles import read_circle
 def split_after(
     session: Session, plan: Plan, specs: Sequence[str | PositioningTest | CircularTest]
 ) -> tuple[list[str | PositioningTest], dict[str, list[Path | CircularTest]]]:
-    """Return the ``--after`` values that are positioning tests, and the circular ones by circle.
+    """Return the values of ``--after`` in two groups: the positioning tests, and the circular tests
+    by the name of the circle that they repeat.
 
     ``TEST=FILE`` names the circle; else the plane decides, and of several circles of one plane the
     radius. Raises UsageError where the plan holds no such circle, InputError for circular files
@@ -99,7 +100,9 @@ def _circle(
 
 
 def _repeated(plan: Plan, test: CircularTest, spec: str) -> str:
-    """Return the name of the circle in the plan with the plane and nearest radius of a test."""
+    """Return the name of the planned circle that a test repeats: of those in the same plane, the
+    one with the nearest radius.
+    """
 
     def apart(name: str) -> float:
         return abs(plan.circles[name].test.nominal_radius - test.nominal_radius)
@@ -195,7 +198,7 @@ def _verified(
 
 
 def _loaded(plan: Plan, axes: Sequence[str]) -> list[str]:
-    """Return the axes of a circular test whose motion a loaded table of the plan changes."""
+    """Return those axes of a circular test whose motion is changed by the tables that were loaded."""
     bent = {cross.output for cross in plan.cross if cross.written and cross.input in axes}
     return [
         name
