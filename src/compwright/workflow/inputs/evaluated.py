@@ -67,7 +67,7 @@ Why = Literal["unread", "refused", "unfit", "own"]
 
 @dataclass(frozen=True, slots=True)
 class Noted:
-    """A fault of a file or of one of its tests. ``why``: the kind of failure, such as ``unread``."""
+    """A fault of a file or of one of its tests. ``why``: the kind of fault, such as ``unread``."""
 
     why: Why
     fault: Fault
@@ -154,7 +154,7 @@ class CirclesEvaluator:
     request: EvaluationRequest
 
     def __call__(self, test: CircularTest) -> FileTests:
-        """Return the evaluated and diagnosed circular test, or its faults if the evaluation fails."""
+        """Return the circular test evaluated and diagnosed, or the faults if the evaluation fails."""
         from compwright.documents.circular import circular_document
         from compwright.planning.circle_diagnosis import diagnose_circle
 

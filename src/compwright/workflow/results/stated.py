@@ -34,7 +34,7 @@ def report_document(job: Job) -> dict[str, Any]:
 
 
 def stated_of_axes(job: Job) -> dict[str, dict[str, Mapping[str, str | Sentence]]]:
-    """Return what the job states about each positioning test, by axis name and then by test name."""
+    """Return what the job states about each positioning test, by axis name and test name."""
     return {
         name: {
             request.name: {

@@ -179,7 +179,7 @@ class Finished:
         ]
 
     def plan(self, results: Mapping[str, str]) -> Plan:
-        """Return the plan. ``results``: the SHA-256 of every other file of the run, by file name."""
+        """Return the plan. ``results``: the SHA-256 of each other file of the run, by file name."""
         job, inputs, circles = self.measured.job, self.measured.inputs, self.wanted.circles
         read = [
             *(entry.test.sources for tests in inputs.tests.values() for entry in tests),

@@ -198,7 +198,7 @@ def _verified(
 
 
 def _loaded(plan: Plan, axes: Sequence[str]) -> list[str]:
-    """Return those axes of a circular test whose motion is changed by the tables that were loaded."""
+    """Return those axes of a circular test whose motion the loaded tables change."""
     bent = {cross.output for cross in plan.cross if cross.written and cross.input in axes}
     return [
         name
