@@ -1,4 +1,6 @@
-"""The section of one axis in the report of ``run``: results, limits, periods, table, estimate."""
+"""The section of one axis in the report of ``run``: its results, what limits it, its periodic
+errors, its table, and its estimated error.
+"""
 
 from __future__ import annotations
 

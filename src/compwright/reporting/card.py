@@ -1,4 +1,5 @@
-"""The commissioning card as Markdown and as a page: what to type, what to check, how to go back.
+"""The commissioning card as Markdown and as an HTML page: what to type at the control, what to
+check, and how to restore the old values.
 
 A card holds ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title``), ``axes``,
 ``steps`` (``title``, ``text``, ``evidence``; ``heads`` and ``rows``: what differs by axis, where it
@@ -176,7 +177,9 @@ def _resolved(value: Any, language: Language) -> Any:
 
 
 def _note(card: Document, language: Language) -> str | Sentence:
-    """Return a note that parts of the card are not translated, and how its numbers are written."""
+    """Return a note on the card in a language other than English: which parts are not translated,
+    and how numbers are written.
+    """
     if language == "en":
         return ""
     steps = [*(card.get("steps") or ()), *(card.get("restore_steps") or ())]
@@ -185,7 +188,9 @@ def _note(card: Document, language: Language) -> str | Sentence:
 
 
 def _limits(axes: Document, circles: Document) -> list[Sentence]:
-    """Return a sentence on each predicted limit, then the decision rule with its guard bands."""
+    """Return one sentence for each limit, with the decision on it, and then the decision rule with
+    its guard bands.
+    """
     decisions: list[Sentence] = []
     rules: list[Sentence] = []
     limited = [
@@ -210,7 +215,9 @@ def _limits(axes: Document, circles: Document) -> list[Sentence]:
 
 
 def changes_content(changes: Document | None) -> dict[str, Any] | None:
-    """Return the first changes of control files as a table, and how many rows are not shown."""
+    """Return a table of changed entries of the control files, cut after the first rows, and the
+    number of rows left out.
+    """
     if changes is None:
         return None
     rows = [
@@ -274,7 +281,9 @@ def _axis_content(axis: Document, language: Language) -> dict[str, Any]:
 
 
 def _around_points(points: object, language: Language) -> list[str] | None:
-    """Return the sentence on how many table points suffice: words before, number, words after."""
+    """Return the sentence on how many table points are enough, in three parts: the text before the
+    number, the number, and the text after it.
+    """
     if points is None:
         return None
     before, _, after = say("card.points", points="\n").text(language).partition("\n")

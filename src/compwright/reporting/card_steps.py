@@ -1,4 +1,6 @@
-"""The steps of a commissioning card as lines, with common sentences of several axes only once."""
+"""The steps of a commissioning card as lines of text. A sentence that applies to several axes is
+printed only once.
+"""
 
 from __future__ import annotations
 
@@ -31,7 +33,8 @@ def step_content(step: Document, language: Language) -> dict[str, Any]:
 
 
 def step_lines(step: Document, language: Language) -> list[dict[str, Any]]:
-    """Return the lines of a step with every number filled in.
+    """Return the lines of a step. Placeholders for values of an axis are replaced by the values, in
+    one line for each axis.
 
     As ``text`` and whether they have a box of their own (``tick``): a sentence about what differs
     by axis stands once for each row, the others once.
@@ -50,7 +53,9 @@ def step_lines(step: Document, language: Language) -> list[dict[str, Any]]:
 
 
 def _common_once(lines: Sequence[str]) -> list[dict[str, Any]]:
-    """Return a step's lines for several axes; common sentences occur once, without a tick box."""
+    """Return the lines of a step, one line with a tick box for each axis. Sentences that are the
+    same for all axes are printed once, without a tick box.
+    """
     if len(lines) < 2:
         return [{"text": line, "tick": False} for line in lines]
     each = [_SENTENCE.split(line) for line in lines]
@@ -74,7 +79,9 @@ def _filled(words: str, heads: Sequence[object], row: Sequence[object], language
 
 
 def alike_once(lines: Sequence[str], language: Language) -> list[str]:
-    """Return the lines, with lines that differ only in the axis joined into one line."""
+    """Return the lines of text. Lines that differ only in the name of the axis become one line that
+    names all these axes.
+    """
     groups: dict[str, list[tuple[str, str]]] = {}
     of_axis = re.compile(rf"(?i:{_AXIS[language]}) (\w+)\b")
     for line in lines:

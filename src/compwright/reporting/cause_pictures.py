@@ -1,4 +1,5 @@
-"""Small pictures of the causes in a circular test: the shape that each alone would draw.
+"""Small pictures of causes in a circular test. Each shows the path that the machine would draw if
+it had only this cause.
 
 The shapes are those of ISO 230-4:1996, annex B, in both directions (`estimation.circle_model` has
 the formulas).
@@ -48,7 +49,9 @@ def _since(angle: float, direction: float) -> float:
 
 
 def cause_pictures(causes: Sequence[CircleCause]) -> dict[str, Any] | None:
-    """Return the pictures, as lines of points, of the causes for which there is a next step."""
+    """Return the pictures of the significant causes, whose paths are lines of points; None if no
+    significant cause has a picture.
+    """
     pictures: list[dict[str, Any]] = []
     for cause in significant_causes(causes):
         kind, second = cause.name.removesuffix("_first"), cause.name.endswith("_second")

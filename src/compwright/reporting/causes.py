@@ -149,7 +149,9 @@ def _given(result: Mapping[str, Any]) -> Mapping[str, Any]:
 
 
 def _whole(name: str) -> str:
-    """Return the JSON name of the cause that has the part ``name``; a cause is unchanged."""
+    """Return the JSON name of the cause to which the part ``name`` belongs. The name of a whole
+    cause is returned unchanged.
+    """
     for part in _PARTS:
         if name.endswith(f"_{part}"):
             return name.removesuffix(f"_{part}")
@@ -194,7 +196,9 @@ def _split(name: str) -> tuple[str, str, str]:
 
 
 def cause_words(name: str, axes: Any) -> Sentence:
-    """Return the text for a cause with its axis names, or only for a part of a cause."""
+    """Return the text for a cause with the names of its axes; if ``name`` is only a part of a
+    cause, return the text for this part.
+    """
     kind, which, part = _split(name)
     axis = axes[("first", "second").index(which)] if which else ""
     if part:
@@ -215,7 +219,9 @@ def full_cause_words(name: str, axes: Any) -> Sentence:
 
 
 def named_in_words(value: Any, axes: Any) -> Any:
-    """Return a value or sentence of a message with JSON names of causes replaced by text."""
+    """Return a value of a message, or a whole sentence, in which the JSON names of causes are
+    replaced by their texts.
+    """
     if isinstance(value, SentenceText):
         return SentenceText(named_in_words(value.sentence, axes))
     if isinstance(value, Sentence):

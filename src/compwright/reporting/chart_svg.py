@@ -124,7 +124,9 @@ class Drawing:
 def _frame(
     chart: Chart, x: _Scale, y: _Scale, rows: list[tuple[float, str]], language: Language
 ) -> Iterator[str]:
-    """Yield a chart's grid lines, axis lines and axis numbers. ``rows``: the vertical numbers."""
+    """Yield a chart's grid lines, axis lines and the numbers at its axes. ``rows``: value and text
+    of each number at the vertical axis.
+    """
     columns, decimals = _along(x, _STEPS_OF_A_TURN if chart.degrees else _STEPS)
     rows_at, below = y.at([value for value, _ in rows]), x.at(columns)
     grid = "".join(f"M{x.first:.2f},{at:.2f}H{x.last:.2f}" for at in rows_at)
@@ -141,7 +143,9 @@ def _frame(
 
 
 def _along(x: _Scale, steps: Sequence[float]) -> tuple[list[float], int]:
-    """Return the numbers of the horizontal axis, as many as fit, and their number of decimals."""
+    """Return the values that are printed at the horizontal axis, as many as there is room for, and
+    their number of decimals.
+    """
     for most in range(_MOST_NUMBERS, 1, -1):
         columns, decimals = _ticks(x.low, x.high, most, steps)
         wide = max((len(_written(value, decimals)) for value in columns), default=0)
@@ -215,7 +219,9 @@ def _boxes(places: Iterable[tuple[float, float]]) -> list[_Box]:
 def _free_box(
     across: float, up: float, width: float, x: _Scale, y: _Scale, taken: Sequence[_Box]
 ) -> _Box:
-    """Return the place of a marked point's name: the rectangle that overlaps other texts least."""
+    """Return the rectangle in which the name of a marked point is printed: the one near the point
+    that overlaps ``taken`` rectangles least.
+    """
     sides = [1.0, -1.0] if across < (x.first + x.last) / 2 else [-1.0, 1.0]
     boxes = []
     for lift in (2.0, 12.0, -8.0, 22.0, -18.0):
@@ -235,7 +241,9 @@ def _common(one: _Box, other: _Box) -> float:
 
 
 def _filled(band: Band, x: _Scale, y: _Scale) -> Iterator[str]:
-    """Yield the filled area between a band's limits, one piece per range of known values."""
+    """Yield the filled area between the two limits of a band. Where values are missing (NaN), the
+    area is interrupted.
+    """
     for first, last in _stretches(
         [low + high for low, high in zip(band.low, band.high, strict=True)]
     ):
@@ -294,8 +302,8 @@ def _stretches(values: Sequence[float]) -> Iterator[tuple[int, int]]:
 
 
 def _thinned(x: Sequence[float], y: Sequence[float]) -> tuple[Sequence[float], Sequence[float]]:
-    """Return a line of at most `_MOST_POINTS` points: the lowest and the highest of every few
-    neighbours.
+    """Reduce a line to at most `_MOST_POINTS` points: of each group of neighbouring points, only
+    the lowest and the highest are kept.
     """
     if len(y) <= _MOST_POINTS:
         return x, y
@@ -369,8 +377,8 @@ def _legend(charts: Sequence[Chart], bottom: float, language: Language) -> Itera
 def _legend_columns(
     charts: Sequence[Chart],
 ) -> tuple[list[list[tuple[str, Band | ChartCurve]]], list[float]]:
-    """Return the columns of the legend and their widths: two names in each, more where the space
-    requires it.
+    """Return the columns of the legend and their widths. A column has two names, or more if the
+    columns would be wider than the figure.
     """
     entries = list(legend_of(charts).items())
     height = 1

@@ -93,7 +93,8 @@ class ChartMark:
 
 @dataclass(slots=True, kw_only=True)
 class Chart:
-    """One chart: title, texts, curves, bands and marks. ``degrees``: positions are in degrees.
+    """One chart: its title, texts, curves, bands and marked points. ``degrees``: the positions are
+    angles in degrees.
 
     Words at the ``right`` of it or in a line below (``note``).
     """
@@ -229,7 +230,8 @@ def residual_charts(result: Document) -> list[Chart]:
 
 
 def expected_chart(predicted: Document, coverage: float) -> Chart:
-    """Return the chart of the expected means per direction, ± ``coverage`` times ``s``.
+    """Return the chart of the expected mean deviations in each direction, each with a band of ±
+    ``coverage`` times the scatter ``s``.
 
     ``predicted`` holds ``positions`` (m), ``positive``, ``negative`` (m) or None, and ``s``.
     """
@@ -249,7 +251,8 @@ def expected_chart(predicted: Document, coverage: float) -> Chart:
 
 
 def table_chart(entry: Document) -> Chart:
-    """Return the chart of a table: correction per direction, table points, and wanted correction.
+    """Return the chart of a table: its correction in each direction, the points of the table, and
+    the wanted correction.
 
     ``entry`` holds ``table`` (``positions``, ``correction_positive``, ``correction_negative``,
     ``unit``) as in the prediction document, and ``wanted`` (``positions``, ``positive``,
@@ -324,7 +327,9 @@ def _add_band(
     look: CurveLook,
     label: str | Sentence = "",
 ) -> None:
-    """Add the band y ± ``half`` to a chart, where ``half`` is known. ``label``: draw limits too."""
+    """Add the band y ± ``half`` to a chart if ``half`` has values. With a ``label`` the limits of
+    the band are drawn as lines too.
+    """
     if not _any_known(half):
         return
     low = [value - width for value, width in zip(y, half, strict=True)]
@@ -409,7 +414,9 @@ def title_of(result: Document) -> Sentence:
 
 
 def parameter_line(result: Document, most: int = 4) -> str | Sentence:
-    """Return the parameters of both directions together, or of the only one, as a line."""
+    """Return, as one line, the main parameters for both directions together; for a test in one
+    direction, those of that direction.
+    """
     given = {
         key: value for key, value in (result.get("parameters") or {}).items() if value is not None
     }

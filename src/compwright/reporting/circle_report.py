@@ -30,7 +30,9 @@ _AGREES: Final = 2.0
 
 
 def circle_page(result: Document, index: int, job: Sequence[str] | None = None) -> dict[str, Any]:
-    """Return the contents of a circular test's report page. ``job``: lines of a job file to use."""
+    """Return the contents of a circular test's report page. ``job``: lines that the user can copy
+    into a job file; None means that they are made from this test alone.
+    """
     name = plain(result.get("name") or "")
     causes = ranked_causes(result)
     axes = result.get("axes") or ("first", "second")
@@ -112,7 +114,9 @@ def _parameters(result: Document) -> TextTable:
 
 
 def _reasons(result: Document) -> list[tuple[Sentence, str]]:
-    """Return pairs of text: names of missing values, and the reason why these are missing."""
+    """Return, for each reason why values are missing, the names of these values as one text, and
+    the reason.
+    """
     reasons: dict[str, list[Sentence]] = {}
     for key, reason in (result.get("not_applicable") or {}).items():
         words = say("head.causes") if key == "diagnosis" else _words(plain(key), result)
@@ -174,7 +178,9 @@ def _values(cause: CircleCause, *, printed: bool) -> list[str | Sentence]:
 
 
 def _comparison(cause: CircleCause) -> str | Sentence:
-    """Return "agrees", "differs" or "not valid" for a cause's value and the vendor's, else ""."""
+    """Return whether compwright's value of a cause agrees with the vendor's: "agrees", "differs" or
+    "not valid"; "" if the vendor printed no value.
+    """
     if cause.printed is None:
         return ""
     agrees = abs(cause.value - cause.printed) <= _AGREES * cause.error

@@ -1,4 +1,5 @@
-"""The next steps for causes in a circular test: who takes them, and what to check first.
+"""The next step for each cause in a circular test: who has to do it (such as service or the user),
+and what to check first.
 
 Common practice of the workshop, in the order in which it costs least; no standard prescribes it.
 """
@@ -31,7 +32,9 @@ _WORD: Final = re.compile(r"[A-Za-z_][\w./-]*")
 
 
 def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Sentence]:
-    """Return the next step for each large significant cause, and a note on uncertain ones."""
+    """Return the next steps for the most important significant causes, and a note that names causes
+    too uncertain for a step.
+    """
     shown = [cause for cause in causes if cause.shown]
     significant = significant_causes(causes)
     last = shown.index(significant[-1]) if significant else _MOST
@@ -51,12 +54,16 @@ def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Senten
 
 
 def _mended(cause: CircleCause) -> str:
-    """Return a cause's name, as lateral play if lost motion has opposite signs at the ends."""
+    """Return the name of the cause for which the next step is chosen: lateral play in place of a
+    lost motion that has opposite signs at the two ends.
+    """
     return cause.name if cause.known else cause.name.replace("backlash", "lateral_play")
 
 
 def significant_causes(causes: Sequence[CircleCause]) -> list[CircleCause]:
-    """Return the significant causes with the largest effects, and others with a large share."""
+    """Return the few significant causes with the largest effects, and each further significant
+    cause with a large share of all effects.
+    """
     found = [cause for cause in causes if cause.shown and cause.significant]
     return found[:_MOST] + [cause for cause in found[_MOST:] if cause.share >= _LARGE]
 
@@ -101,7 +108,8 @@ def job_lines(causes: Sequence[str], result: Mapping[str, Any]) -> list[str]:
 def _job(
     results: Sequence[Mapping[str, Any]], planes: Container[str], *, lost: bool, scale: bool
 ) -> list[str]:
-    """Return lines of a job that correct squareness, lost motion or scale; none if not requested.
+    """Return the lines of a job that correct squareness, lost motion or scale from circular tests;
+    no lines if none of these is wanted.
 
     The squareness of ``planes`` (axes in the order of the alphabet), ``lost`` motion, ``scale``.
     Scale is that of the positioning tests, which the circles check.

@@ -37,7 +37,8 @@ def circle_blocks(
     *,
     stated: Mapping[str, Mapping[str, str | Sentence]] | None = None,
 ) -> list[dict[str, Any]]:
-    """Return a report section for each circular test in a prediction or verification.
+    """Return a report section for each predicted or verified circle. ``before``, ``after``: the
+    evaluations of the circular tests before and after loading.
 
     ``before`` and ``after``: the evaluation documents with their results; picture and conditions
     are those of the last test. ``stated``: what the job says of its circles, by name.
@@ -65,7 +66,9 @@ def circle_blocks(
 
 @dataclass(frozen=True, slots=True)
 class CircleFigure:
-    """The figure of a circular test in a page. ``prefix`` makes its element ids unique."""
+    """The figure of a circular test in an HTML page. Its element ids begin with ``prefix``, so that
+    they are unique in the page.
+    """
 
     result: Document
     prefix: str

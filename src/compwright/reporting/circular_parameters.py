@@ -54,7 +54,9 @@ class ParameterRow:
 
 
 def parameter_rows(result: Mapping[str, Any]) -> list[ParameterRow]:
-    """Return the rows of parameters that have a value, without rows that repeat another row."""
+    """Return the rows of parameters that have a value. A row with the same values as an earlier row
+    is left out.
+    """
     values = result.get("parameters") or {}
     rows = []
     for letter, name, keys in _ROWS:
@@ -67,7 +69,9 @@ def parameter_rows(result: Mapping[str, Any]) -> list[ParameterRow]:
 
 
 def printed_parameters(result: Mapping[str, Any]) -> dict[str, str]:
-    """Return the vendor's printed parameters (µm) by letter, for the edition of the result."""
+    """Return the parameters (µm) that the vendor's software printed, by letter, for the edition of
+    ISO 230-4 by which the test is evaluated.
+    """
     edition = str(result.get("standard")).rpartition(":")[2]
     block = (result.get("vendor") or {}).get(f"ISO230_4 {edition}")
     if not isinstance(block, Mapping):

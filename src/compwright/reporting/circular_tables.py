@@ -96,7 +96,9 @@ def _short(value: float | None) -> str:
 
 
 def _centre(result: Mapping[str, Any]) -> str:
-    """Return the least-squares centre as text: of both directions, or of the only one."""
+    """Return the least-squares centre as text: the common one of both directions, or that of the
+    only direction measured.
+    """
     given = {name: point for name, point in result["centre"].items() if point is not None}
     name = "common" if "common" in given else next(iter(given))
     places = ", ".join(
@@ -144,7 +146,9 @@ def _not_applicable(result: Mapping[str, Any]) -> list[Text]:
 
 
 def _listed(names: Sequence[str], result: Mapping[str, Any]) -> str:
-    """Return names of causes and letters of parameters as one text, each once and cut if long."""
+    """Return the names of causes and the letters of parameters as one text. Each occurs once; long
+    names are shortened.
+    """
     causes = result["diagnosis"] or {}
     return ", ".join(dict.fromkeys(_shortened(name, causes, result["axes"]) for name in names))
 

@@ -69,7 +69,9 @@ def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def diff_tables(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return the terminal output of ``diff``: differences by axis, then those of the machine."""
+    """Return the terminal output of ``diff``: the differences of each axis, then the differences
+    that belong to no axis.
+    """
     if document["same"]:
         shown: list[RenderableType] = [Text("same: both enter the same values", style="green")]
         return [*shown, *finding_lines(document["findings"])]
@@ -108,7 +110,9 @@ def _both(entries: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
 
 
 def _correction(change: Mapping[str, Any] | None, *, known: bool = True) -> str:
-    """Return as text how a correction changes. ``known``: whether corrections are comparable."""
+    """Return, as text, how the correction of an axis differs between two backups. ``known``: both
+    corrections could be read and compared.
+    """
     if change is None:
         same, entries = "the correction is the same", "only its entries are compared"
         return same if known else entries
@@ -121,7 +125,9 @@ def _correction(change: Mapping[str, Any] | None, *, known: bool = True) -> str:
 
 
 def entry_tables(entries: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
-    """Return a table of differing entries, and how many are in only one backup or not shown."""
+    """Return a table of the differing entries. If there are many, those in only one of the two
+    backups are counted, not listed.
+    """
     both = _both(entries)
     alone = [
         f"{count} only in {side}"

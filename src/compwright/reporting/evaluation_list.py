@@ -87,7 +87,9 @@ class _ListColumn:
 
 @dataclass(frozen=True, slots=True)
 class _ListColumns:
-    """A table as lines of text, drawn ten times faster than a table of the library rich."""
+    """A table that is printed as plain lines of text, because a table of the library rich takes ten
+    times longer.
+    """
 
     columns: Sequence[_ListColumn]
 

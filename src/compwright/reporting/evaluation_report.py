@@ -26,7 +26,8 @@ _CIRCULAR: Final = ("G_ccw", "G_cw", "G_bidirectional", "H", "D")
 
 
 def evaluation_report(view: Document) -> bytes:
-    """Return the report: results and statement first, one page per test, raw readings, provenance.
+    """Return the report as HTML: first the results and the statement of conformity, then a page for
+    each test, the raw readings, and the source files.
 
     Raises UsageError when the report extra is missing.
     """
@@ -70,7 +71,9 @@ def evaluation_report(view: Document) -> bytes:
 
 
 def _names_apart(results: Sequence[Document]) -> list[Document]:
-    """Return the tests with different names: those with equal names get file name or number."""
+    """Return the tests with names that all differ: a test whose name occurs twice is named by its
+    file, and if necessary with a number.
+    """
     files = [", ".join(plain(one["file"]) for one in each.get("sources") or ()) for each in results]
     numbered = [f"{file} ({number})" for number, file in enumerate(files, 1)]
     named = list(results)

@@ -228,7 +228,9 @@ def _last(result: _Result) -> list[Cell]:
 
 
 def _in_use(results: Iterable[_Result], part: Callable[[_Result], Mapping[str, Any]]) -> list[str]:
-    """Return the names in ``part`` of any result, such as parameters, in the usual order."""
+    """Return all names (such as those of parameters) that the ``part`` of at least one result
+    contains, in the usual order.
+    """
     names = dict.fromkeys(name for result in results for name in part(result))
     order = {name: place for place, name in enumerate(PARAMETERS)}
     return sorted(names, key=lambda name: order.get(name, len(order)))

@@ -104,7 +104,9 @@ def _word(word: str) -> Text:
 
 
 def _remarks(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return the remarks about folders. Files that were changed after writing come first."""
+    """Return the lines about result folders: first the files that were changed after a command had
+    written them, then the notes.
+    """
     lines = [
         Text(f"{folder['folder']}/{file['file']}: {_STATES[file['state']]}", "yellow")
         for folder in document["folders"]

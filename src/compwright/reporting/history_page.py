@@ -89,7 +89,9 @@ def _row(name: str, one: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _shown(one: Mapping[str, Any]) -> str:
-    """Return the name of the parameter to draw: one with a clear trend, else one with values."""
+    """Return the name of the parameter to draw: the first with a clear trend, or, if none has one,
+    the first with values.
+    """
     trends = one["trends"]
     changing = [name for name in _DRAWN if name in trends and trends[name]["clear"]]
     there = [name for name in _DRAWN if any(test.get(name) is not None for test in one["tests"])]
@@ -126,7 +128,9 @@ def _course(tests: Sequence[Mapping[str, Any]], name: str) -> Any:
 
 
 def _scaled(values: Sequence[float], low: float, high: float) -> list[float]:
-    """Return the coordinates of values between two ends. Equal values are in the middle."""
+    """Return the ``values`` as coordinates: the smallest at ``low``, the largest at ``high``. If
+    all values are equal, they are in the middle.
+    """
     least, span = min(values), max(values) - min(values)
     if span == 0.0:
         return [0.5 * (low + high)] * len(values)

@@ -88,7 +88,8 @@ def _draw_row(line: Any, title: str, kind: str, one: Mapping[str, Any]) -> None:
 
 
 def _places(tests: Sequence[Mapping[str, Any]]) -> tuple[list[float], bool]:
-    """Return the x coordinates of tests in a plot, and whether these are dates or only numbers.
+    """Return the x coordinates of tests in a plot. The second value is True if these are dates,
+    False if they only count the tests.
 
     Dates where all tests have one and two differ, else 0, 1, 2, ...
     """

@@ -71,7 +71,9 @@ def _signed(value: float) -> str:
 
 
 def change_line(change: Mapping[str, Any], tests: Sequence[Mapping[str, Any]]) -> str:
-    """Return a change between two tests as text, with its chance on an unchanged machine."""
+    """Return a change between two tests as text, with the probability that it appears although the
+    machine has not changed.
+    """
     before, after = (tests[change[which]] for which in ("before", "after"))
     name = change["parameter"]
     unit = "µm/m" if name == "squareness" else unit_text(change["unit"])

@@ -1,4 +1,5 @@
-"""A small drawing of a control's numbered table sections along an axis, as text and as SVG.
+"""A small drawing of the numbered sections into which a control divides its table along an axis, as
+text and as SVG.
 
 Numbering as the card's document holds it: ``unit``, ``reference``, ``sections`` (``number``,
 ``from``, ``to``, ascending), ``marks`` (``number``, ``name``), ``second`` (number of the first
@@ -26,7 +27,8 @@ _GAP: Final = 60
 
 
 class _SectionCell(NamedTuple):
-    """The texts of a drawn table section: number, ends, name, and its number in the table for −.
+    """The texts of one drawn table section: its number, its two ends, its name, and its number in
+    the second table (for travel in −).
 
     ``gap``: sections before it are left out.
     """

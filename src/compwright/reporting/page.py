@@ -69,7 +69,8 @@ class Figure(Protocol):
 
 
 def inline_figure(svg: bytes, *, prefix: str, description: str) -> Any:
-    """Return an SVG file made by `plots` as markup that can be put inside a page.
+    """Return an SVG file (from the module `plots`) as markup that can be inserted into an HTML
+    page.
 
     ``prefix`` makes its ids its own (figures on one page must not use each other's clips and
     letters), name spaces and metadata go (HTML needs none), ``description`` is what a screen reader
@@ -136,7 +137,7 @@ def css_string(text: str) -> str:
 
 
 def _link(name: object) -> str:
-    """Return a relative link to a file next to the page. A colon in its name does not make it a
-    URL.
+    """Return a relative link to a file next to the page. A colon in the file name is escaped, so
+    that the browser does not read a URL.
     """
     return quote(_NOT_TEXT.sub(" ", str(name)).replace("\\", "/").lstrip("/"), safe="/")

@@ -1,4 +1,4 @@
-"""Common parts of the pages of ``run`` and ``verify``: head, tests, and findings about no axis."""
+"""Common parts of the report pages: the head, the tests, and the findings that concern no axis."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ from compwright.words.sentences import Sentence, say
 def common(
     view: Document, evaluations: Sequence[tuple[str | Sentence, Document | None]]
 ) -> dict[str, Any]:
-    """Return the contents that every page has: title, machine, control, and tests with labels.
+    """Return the contents that every page has: title, machine, control, and the tests, each with a
+    label such as "before".
 
     ``evaluations``: each with the label of its tests.
     """
@@ -71,7 +72,9 @@ def conditions(blocks: Iterable[Document]) -> list[dict[str, Any]]:
 def remaining(
     view: Document, blocks: Iterable[Document], *evaluations: Document | None
 ) -> list[dict[str, Any]]:
-    """Return the findings that are in no section of an axis, and unreadable files as findings."""
+    """Return the findings that no section (``blocks``) of the page shows, including a finding for
+    each unreadable file.
+    """
     shown = {(item["code"], item["message"]) for block in blocks for item in block["findings"]}
     every = sections.findings(sections.unreadable(*evaluations), view.get("findings"))
     return [item for item in every if (item["code"], item["message"]) not in shown]

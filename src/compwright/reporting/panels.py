@@ -88,7 +88,7 @@ def draw_chart(panel: Any, chart: Chart) -> None:
 
 
 def draw_on_axes(panel: Any, chart: Chart) -> Any:
-    """Draw a chart into the user's matplotlib axes, or new ones for None. Returns the axes.
+    """Draw a chart into the matplotlib axes ``panel``; None makes new axes. Returns the axes.
 
     Raises UsageError when the report extra is missing.
     """
@@ -145,7 +145,9 @@ def known_format(format_: str) -> PlotFormat:
 
 @contextmanager
 def style() -> Iterator[None]:
-    """Set the style of figures for one thread at a time. Raises UsageError without matplotlib."""
+    """Provide a context with the style of all figures; only one thread at a time can be in it.
+    Raises UsageError without matplotlib.
+    """
     matplotlib = need("matplotlib")
     # a name in a script that the font lacks shows boxes
     with warnings_ignored("Glyph"), matplotlib.rc_context(_STYLE):

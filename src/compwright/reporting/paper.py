@@ -100,7 +100,9 @@ def _last_day(results: Sequence[Document]) -> str:
 
 
 def _of_every_test(key: str, results: Sequence[Document]) -> str | Sentence:
-    """Return the statements of all tests on a report item, or "see tests" if these are too many."""
+    """Return what the tests state about one item of the report. If there are too many different
+    statements, return "see tests".
+    """
     values = dict.fromkeys(
         row["value"] for result in results for row in sheet_rows(result, {}) if row["key"] == key
     )
@@ -123,7 +125,9 @@ def measured_block(result: Document, stated: Mapping[str, str | Sentence]) -> di
 
 
 def sheet(result: Document, stated: Mapping[str, str | Sentence]) -> dict[str, Any]:
-    """Return the conditions of a test: the items its standard requires, and other statements."""
+    """Return the conditions of a test: the items that its standard requires, and further statements
+    in the measurement file.
+    """
     return {
         "standard": standard_text(result.get("standard", "")),
         "rows": sheet_rows(result, stated),
@@ -135,7 +139,9 @@ def sheet(result: Document, stated: Mapping[str, str | Sentence]) -> dict[str, A
 def sheets_together(
     sheets: Iterable[tuple[str | Sentence, Document]],
 ) -> list[dict[str, Any]]:
-    """Return the conditions of several tests, one table per standard, equal statements once."""
+    """Return the conditions of several tests as one table for each standard. A statement that is
+    equal for several tests occurs once.
+    """
     of_standard: dict[str, list[tuple[str | Sentence, Document]]] = {}
     for name, one in sheets:
         of_standard.setdefault(one["standard"], []).append((name, one))
@@ -158,7 +164,9 @@ def sheets_together(
 
 
 def _of_each(names: Sequence[str | Sentence], values: Sequence[str | Sentence]) -> str | Sentence:
-    """Return what all tests state alike, or each statement with the names of its tests."""
+    """Return the statement if it is the same for all tests, else each different statement with the
+    names of its tests.
+    """
     names_by_value: dict[str | Sentence, list[str | Sentence]] = {}
     for name, value in zip(names, values, strict=True):
         names_by_value.setdefault(value, []).append(name)

@@ -87,7 +87,9 @@ def pdf_of_page(page: bytes) -> bytes:
 
 
 class _Letters:
-    """The letters in the font of the page; letters that are missing would not be printed."""
+    """The characters that the font of the PDF has, and those of the page that it lacks
+    (``missing``).
+    """
 
     def __init__(self) -> None:
         self.missing: set[str] = set()
@@ -219,7 +221,9 @@ def _left_out(element: ET.Element) -> bool:
 
 
 def _unbroken(child: Any) -> Any:
-    """Return a text or element with spaces at which the PDF does not break the line."""
+    """Return a text or element whose spaces are replaced by no-break spaces, so that its line is
+    not broken in the PDF.
+    """
     if isinstance(child, str):
         return child.replace(" ", "\u00a0")
     return {**child, "children": list(map(_unbroken, child["children"]))}
@@ -251,7 +255,9 @@ def _trimmed(parts: list[Any]) -> list[Any]:
 
 
 def _columns(rows: list[list[dict[str, Any]]], *, narrow: bool) -> list[dict[str, int]]:
-    """Return each column's width: ``share`` of the table, number of ``letters``, or automatic."""
+    """Return, for each column, how its width is set: by its ``share`` of the table, by a number of
+    ``letters``, or automatically.
+    """
     shares: list[int] = []
     letters: list[int] = []
     for row in rows:

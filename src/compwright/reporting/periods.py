@@ -1,4 +1,6 @@
-"""The periods of an axis in a report: a table, the evidence, and the least detectable amplitude."""
+"""The periodic errors of an axis in a report: a table of them, the evidence for each period, and
+the least amplitude that the test can detect.
+"""
 
 from __future__ import annotations
 
@@ -107,7 +109,9 @@ def _amplitude_picture(search: Document) -> dict[str, Any]:
 
 @dataclass(frozen=True, slots=True)
 class _Field:
-    """The scales of a figure: ``periods`` across (logarithmic), ``low`` to ``top`` upwards."""
+    """The two scales of a figure: ``periods`` along the horizontal axis (logarithmic), values from
+    ``low`` to ``top`` along the vertical axis.
+    """
 
     periods: Sequence[float]
     low: float

@@ -121,7 +121,8 @@ def draw_test(figure: Any, result: Document, language: Language = "en") -> None:
 
 
 def paths_of(result: Document, centre: tuple[float, float], runs: Sequence[Document]) -> list[Path]:
-    """Return the runs as paths about ``centre`` (µm), the evaluated run of each direction first.
+    """Return the runs as paths about ``centre`` (µm). Of each direction, the first path is the run
+    that was evaluated.
 
     A bar measures from its set-up centre; the commanded angle counts about the programmed one. So a
     sample lies from the set-up centre in the direction of its commanded point, as in the
@@ -175,8 +176,8 @@ def picture_centre(result: Document) -> tuple[str, tuple[float, float]]:
 
 
 def draw_path(panel: Any, result: Document, language: Language = "en") -> None:
-    """Draw the magnified runs, the nominal circle, the minimum zone, the axes and the start
-    points.
+    """Draw the figure of a circular test: the magnified runs with their start points, the nominal
+    circle, the minimum zone and the machine axes.
     """
     name, centre = picture_centre(result)
     paths = paths_of(result, centre, result["runs"])
@@ -240,7 +241,9 @@ def draw_path(panel: Any, result: Document, language: Language = "en") -> None:
 
 @dataclass(frozen=True, slots=True)
 class _Place:
-    """Converts angles and deviations to coordinates; ``base`` (µm) is at the radius ``radius``."""
+    """Converts angles (rad) and radial deviations (µm) to coordinates. The deviation ``base`` is
+    drawn at the radius ``radius``.
+    """
 
     radius: float
     scale: float
@@ -261,7 +264,9 @@ class _Place:
 
 
 def _base(result: Document, values: Sequence[float]) -> float:
-    """Return the deviation (µm) drawn on the nominal circle: 0, or the mean if far from 0."""
+    """Return the radial deviation (µm) that is drawn on the nominal circle: 0, or the mean
+    deviation if it is far from 0.
+    """
     means = result.get("mean_radius_deviation") or {}
     given = [result["parameters"].get("D"), means.get("ccw"), means.get("cw")]
     mean = float(next((value for value in given if value is not None), 0.0))
@@ -341,7 +346,9 @@ def _zones(
 
 
 def _run(panel: Any, path: Path, place: _Place, result: Document, language: Language) -> None:
-    """Draw one run, with a star at its start and an arrow of travel; pale if not evaluated."""
+    """Draw one run, with a star at its start and an arrow in the direction of motion. Runs that
+    were not evaluated are drawn pale.
+    """
     x, y = place(path.angles, path.radial)
     closed = path.evaluated and result["arc"]["extent"] >= _TURN
     if closed:

@@ -1,4 +1,5 @@
-"""The items that standards require in a test report, and where each statement comes from.
+"""The items that standards require in a test report, and from where the statement on each item is
+taken (such as the measurement file).
 
 Header keys of the measurement file, the job, or the evaluation itself. Computes nothing.
 

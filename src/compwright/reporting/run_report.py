@@ -42,8 +42,8 @@ from compwright.words.sentences import Sentence, say
 
 
 def run_report(view: Document, each: Each = in_turn) -> bytes:
-    """Return the report of ``run``: the verdict first, then each axis, assumptions, findings, raw
-    data, files.
+    """Return the report of ``run`` as HTML: first the verdict, then a section for each axis, the
+    assumptions, the findings, the raw readings, and the files.
 
     ``each`` works on the axes.
 
@@ -217,7 +217,9 @@ def _decided_test(name: str, predicted: Document, view: Document) -> tuple[Docum
 
 
 def _of_axis(name: str, view: Document) -> Document:
-    """Return the report's data for one axis: its evaluated tests, and the job's statements."""
+    """Return the report's data for one axis: its evaluated tests, and what the job states about
+    them.
+    """
     results = (view.get("evaluation") or {}).get("results", [])
     stated = ((view.get("stated") or {}).get("axes") or {}).get(name) or {}
     return {

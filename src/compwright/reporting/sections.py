@@ -48,7 +48,9 @@ _LINE: Final = 105  # letters that fit across a page, three of them between two 
 
 
 def decision_mark(decision: object) -> Mark:
-    """Return the mark for accept, reject or undecided, else the one for "no limit"."""
+    """Return the mark for accept, reject or undecided; for any other ``decision``, the mark for "no
+    limit".
+    """
     return dict(_DECISIONS.get(str(decision), {"tone": "none", "text": say("decision.no_limit")}))
 
 
@@ -71,7 +73,9 @@ def pairs(values: Document | None) -> list[tuple[str, str]]:
 def heads(
     *columns: tuple[str | Sentence, str | Sentence] | str | Sentence,
 ) -> list[dict[str, Any]]:
-    """Return column headings of a table. A pair (name, unit) is for a column of numbers."""
+    """Return the column headings of a table. A text heads a column of text; a pair (name, unit)
+    heads a column of numbers.
+    """
     return [
         (
             {"text": column, "unit": "", "numeric": False}
@@ -83,7 +87,9 @@ def heads(
 
 
 def findings(*groups: Iterable[Document] | None) -> list[dict[str, Any]]:
-    """Return the findings in several lists, each once, errors first, then warnings."""
+    """Return the findings of several groups as one list. Each finding occurs once; errors come
+    first, then warnings.
+    """
     ranks = list(_SEVERITIES)
     seen: dict[tuple[str, str], dict[str, Any]] = {}
     for item in (item for group in groups for item in group or ()):
@@ -105,7 +111,9 @@ def _sentence(message: str) -> str:
 
 
 def doubts(items: Iterable[Document] | None) -> dict[str, Any] | None:
-    """Return the doubts with heading and next step, or None without doubts."""
+    """Return the doubts together with their heading and the next step, or None if there are no
+    doubts.
+    """
     open_doubts = findings(items)
     step = next_step(item["code"] for item in open_doubts)
     return {"heading": DOUBTS_FIRST, "items": open_doubts, "step": step} if open_doubts else None
@@ -126,7 +134,8 @@ def acknowledged(items: Iterable[Document] | None) -> list[Sentence]:
 
 
 def rule_lines(accept: Mapping[str, Any], unit: str, *, after: bool = False) -> list[Sentence]:
-    """Return the decision rule for the limits with its guard bands; nothing without limits.
+    """Return the sentence on the decision rule for the limits, with the guard bands if the rule has
+    any; no sentence if there are no limits.
 
     Of a prediction, or of the test ``after`` loading.
     """
@@ -145,7 +154,9 @@ def rule_lines(accept: Mapping[str, Any], unit: str, *, after: bool = False) -> 
 
 
 def assumed(facts: Iterable[Document] | None) -> list[dict[str, Any]]:
-    """Return the assumptions as rows of text, unconfirmed ones marked and first."""
+    """Return the assumptions as rows of text. Assumptions that nobody has confirmed are marked and
+    come first.
+    """
     rows: dict[tuple[str, str], list[Document]] = {}
     for fact in facts or ():
         equal = (str(plain(fact.get("value"))), str(fact.get("evidence")))
@@ -186,7 +197,9 @@ def median_text(quantiles: object) -> str:
 
 
 def main_parameters(parameters: Document, limits: Document | None) -> list[str]:
-    """Return the names of the parameters with a limit, or of A, P or E if there is no limit."""
+    """Return the names of all parameters that have a limit; if none has one, only the first of A, P
+    and E that has a value.
+    """
     if limits:
         return [key for key in (*PARAMETERS, *limits) if key in limits][: len(limits)]
     return [key for key in ("A", "P", "E", *PARAMETERS) if parameters.get(key) is not None][:1]
@@ -195,7 +208,9 @@ def main_parameters(parameters: Document, limits: Document | None) -> list[str]:
 def bar(
     before: object, quantiles: object, limit: object, value: object = None
 ) -> dict[str, Any] | None:
-    """Return the lengths of a bar figure: before, 5-95 % range, median or new value, limit."""
+    """Return the lengths in a bar figure of a parameter: its value before, its predicted 5-95 %
+    range, its median (or the value after), and its limit.
+    """
     given = quantiles if isinstance(quantiles, Mapping) else {}
     low, high = given.get("p05"), given.get("p95")
     shown = value if value is not None else given.get("median")
@@ -392,7 +407,9 @@ def _statistics(result: Document, unit: str, where: str) -> TextTable:
 
 
 def _readings(result: Document, unit: str, where: str, *, reduced: bool = False) -> list[TextTable]:
-    """Return readings with all digits, as measured or ``reduced`` to 20 °C, as tables."""
+    """Return tables of a test's readings with all digits: as measured, or with ``reduced`` after
+    removal of the thermal expansion to 20 °C.
+    """
     targets = result.get("targets", [])
     if reduced and not any(
         {"expansion_removed", "removed_positive"} & set(target) for target in targets

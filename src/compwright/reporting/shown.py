@@ -68,8 +68,8 @@ class _PlainConsole(Console):
 
 
 def print_renderables(renderables: Sequence[RenderableType]) -> None:
-    """Print renderables on standard output: in colour on a terminal, else plain and without cutting
-    lines.
+    """Print renderables on standard output: on a terminal in colour, in a file or pipe as plain
+    text with uncut lines.
     """
     console = _PlainConsole()
     if console.is_terminal:

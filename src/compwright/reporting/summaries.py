@@ -101,7 +101,9 @@ def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def _table_of_parameters(*headings: str) -> Table:
-    """Return an empty table: a column of names, a column for each heading, and one for a word."""
+    """Return a table without rows. Its columns: the parameter names, one for each of the
+    ``headings``, and one for a word such as the decision.
+    """
     table = plain_table()
     table.add_column("", no_wrap=True)
     for heading in headings:
@@ -111,7 +113,7 @@ def _table_of_parameters(*headings: str) -> Table:
 
 
 def _band(band: Mapping[str, Any] | None) -> tuple[str, str]:
-    """Return the table cells of a predicted parameter: its median and its 5-95 % range."""
+    """Return two table cells for a predicted parameter: its median, and its 5-95 % range."""
     if not band:
         return MISSING, ""
     return number(band["median"]), f"{number(band['p05'])} to {number(band['p95'])}"
@@ -169,7 +171,9 @@ _OF_CIRCLES = {
 
 
 def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
-    """Return a table for each circle: values before, predicted and, if measured, after loading."""
+    """Return a table for each circle: its values before loading, the predicted values, and the
+    values after loading if they were measured.
+    """
     shown: list[RenderableType] = []
     for name, circle in circles.items():
         after, accept = circle.get("after"), circle.get("accept") or {}
@@ -271,7 +275,9 @@ def decode_tables(document: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return the terminal output of ``verify``: values before, predicted, after; verdicts."""
+    """Return the terminal output of ``verify``: for each axis the parameters before, predicted and
+    after loading, and then the verdicts.
+    """
     first = [doubt["message"] for doubt in document["doubts"]]
 
     def is_first(message: str) -> bool:
@@ -349,7 +355,9 @@ def demo_tables(
 
 
 def _verdict(verdict: str, headline: str, last: str = "") -> RenderableType:
-    """Return the verdict, followed by its headline if that says more than the verdict."""
+    """Return the line with the verdict. The ``headline`` follows, unless it begins with the verdict
+    itself.
+    """
     more = "" if headline.lower().startswith(verdict) else f". {headline}"
     return Text.assemble("Verdict: ", _word(verdict), f"{more}{last}")
 

@@ -22,7 +22,8 @@ _IN_RESULT: Final = {"axis", "cycle", "plane", "nominal_radius_mm", "feed_mm_min
 
 
 def sheet_rows(result: Document, stated: Mapping[str, str | Sentence]) -> list[dict[str, Any]]:
-    """Return the items that the standard requires: ``key``, ``label``, ``value``, ``clause``.
+    """Return a row for each item that the standard requires in a test report: its ``key``,
+    ``label``, ``value`` and ``clause``.
 
     ``stated``: what the job says, by the key of the item. Several statements stand one after the
     other; none is "not stated".
@@ -50,7 +51,9 @@ def sheet_rows(result: Document, stated: Mapping[str, str | Sentence]) -> list[d
 
 
 def further_statements(result: Document) -> list[tuple[str, str]]:
-    """Return other statements in the header of the measurement file, as key and text."""
+    """Return key and text of those lines in the measurement file's header that belong to no item of
+    `items_of`.
+    """
     used = {
         f"{key}{end}"
         for item in items_of(str(result.get("kind", "positioning")))

@@ -23,8 +23,8 @@ AFTER_LOADING = say("given.compensation_loaded")
 
 
 def verify_report(view: Document) -> bytes:
-    """Return the report of ``verify``: the verdict first, then each axis before, predicted and
-    after loading.
+    """Return the report of ``verify`` as HTML: first the verdict, then a section for each axis with
+    its values before, predicted and after loading.
 
     Raises UsageError when the report extra is missing.
     """

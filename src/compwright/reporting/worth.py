@@ -133,7 +133,9 @@ def _mark(one: Document, x: float, y: float) -> str:
 
 
 def _numbers(sizes: Sequence[Document], x: Callable[[Document], float]) -> list[str]:
-    """Return the numbers of points below the figure, marked ones first where they overlap."""
+    """Return the numbers of table points that are printed below the figure. Where two overlap, the
+    number of a marked table is kept.
+    """
     marked = [one for one in sizes if one["written"] or one["there"]]
     placed: list[float] = []
     texts = []
