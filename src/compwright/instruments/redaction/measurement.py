@@ -62,7 +62,7 @@ def _lines(element: Element, depth: int, known: Elements, cuts: Cuts) -> list[st
 
 
 def _meaning(tag: str, name: str, value: str, known: Elements, cuts: Cuts) -> Meaning | None:
-    """Return the meaning of an XML attribute; None if it is unknown, which records it as removed."""
+    """Return the meaning of an XML attribute; None if it is unknown and was recorded as removed."""
     if name == "NAME":
         return known.names.get(tag, "result")
     meaning = known.attributes.get(name.upper())
