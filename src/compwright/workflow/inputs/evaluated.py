@@ -154,7 +154,7 @@ class CirclesEvaluator:
     request: EvaluationRequest
 
     def __call__(self, test: CircularTest) -> FileTests:
-        """Return the circular test evaluated and diagnosed, or the faults if the evaluation fails."""
+        """Return the circular test with its evaluation and diagnosis, or the faults if that fails."""
         from compwright.documents.circular import circular_document
         from compwright.planning.circle_diagnosis import diagnose_circle
 
