@@ -1,5 +1,5 @@
-"""The next step for each cause in a circular test: who has to do it (such as service or the user),
-and what to check first.
+"""The next step for each cause in a circular test: who has to do it (such as the mechanic), and
+what to check first.
 
 Common practice of the workshop, in the order in which it costs least; no standard prescribes it.
 """
