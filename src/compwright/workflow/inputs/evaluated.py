@@ -154,7 +154,9 @@ class CirclesEvaluator:
     request: EvaluationRequest
 
     def __call__(self, test: CircularTest) -> FileTests:
-        """Return the circular test with its evaluation and diagnosis, or the faults if that fails."""
+        """Evaluate and diagnose a circular test, and return the result, or the faults if this
+        fails.
+        """
         from compwright.documents.circular import circular_document
         from compwright.planning.circle_diagnosis import diagnose_circle
 
