@@ -1,5 +1,5 @@
-"""Options that take several values at once: ``--loaded a b c`` is ``--loaded a --loaded b --loaded
-c``; options ``KEY=VALUE``.
+"""Command lines in which an option has several values: ``--loaded a b c`` means ``--loaded a
+--loaded b --loaded c``. Also options whose values are ``KEY=VALUE``.
 
 The words behind such an option are its values up to the next option; the first may be set off by
 ``=``. Three things hold words back from it: what does not look like a value of it
@@ -34,7 +34,9 @@ class OptionForm:
 
 @dataclass(frozen=True, slots=True)
 class Own:
-    """The file arguments of a command: their number, whether ``many``, and usual extensions."""
+    """The file arguments of a command itself (not of its options): how many are ``needed``, whether
+    there can be ``many``, and their usual extensions.
+    """
 
     needed: int
     many: bool = False
@@ -74,7 +76,9 @@ def key_values(options: Iterable[str]) -> tuple[dict[str, str], list[Fault]]:
 
 
 def spread(words: Sequence[str], options: Mapping[str, OptionForm], own: Own) -> list[str]:
-    """Return the command line with files first, and the option repeated before each value."""
+    """Return the command line in a form with one value per option: the file arguments first, and
+    each option repeated before each of its values.
+    """
     given, files, further = _sorted(words, options)
     if own.needed and not files and further:
         kept = _held_back(given, further, own)
@@ -87,7 +91,9 @@ def spread(words: Sequence[str], options: Mapping[str, OptionForm], own: Own) ->
 
 
 def _held_back(given: Sequence[str], further: Sequence[range], own: Own) -> Sequence[int]:
-    """Return the indices of option values that must be the command's own file arguments."""
+    """Return the indices of those words that follow an option but must be the command's own file
+    arguments.
+    """
     named = [
         place
         for places in further
@@ -102,7 +108,9 @@ def _held_back(given: Sequence[str], further: Sequence[range], own: Own) -> Sequ
 def _sorted(
     words: Sequence[str], options: Mapping[str, OptionForm]
 ) -> tuple[list[str], list[str], list[range]]:
-    """Return options with values, file arguments, and indices of further values of file options."""
+    """Return three lists: the options with their values, the file arguments, and the index ranges
+    of the second and later values of file options.
+    """
     given: list[str] = []
     files: list[str] = []
     further: list[range] = []
@@ -130,7 +138,9 @@ def _sorted(
 
 
 def _set_off(word: str, options: Mapping[str, OptionForm], left: list[str]) -> str:
-    """Return an option's name from ``--state=a`` and put its value into ``left``, else the word."""
+    """Split a word such as ``--state=a``: return the option's name and put the value back into
+    ``left``. Any other word is returned unchanged.
+    """
     name, mark, value = word.partition("=")
     form = options.get(name)
     if not mark or form is None or form.flag or not form.several:

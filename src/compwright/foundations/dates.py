@@ -1,4 +1,4 @@
-"""Read dates as instruments write them, if they have only one meaning."""
+"""Read dates as instruments write them, but no date that can be read as two different days."""
 
 from __future__ import annotations
 

@@ -91,7 +91,9 @@ class CompwrightError(Exception):
         super().__init__("\n".join(self.lines()))
 
     def lines(self) -> list[str]:
-        """Return the faults as lines; faults that differ only in their line become one."""
+        """Return the faults as lines. Many faults that differ only in their line number are joined
+        into one line.
+        """
         groups: dict[object, list[Fault]] = {}
         for i, fault in enumerate(self.faults):
             same = (fault.message, fault.file, fault.expected)
@@ -103,7 +105,7 @@ class CompwrightError(Exception):
         return found
 
     def __reduce__(self) -> tuple[type[CompwrightError], tuple[Fault, ...]]:
-        """Return how to rebuild the error when copied or pickled: its class and its faults."""
+        """Return the class and the faults, from which copying and pickling make the error again."""
         return type(self), self.faults
 
 

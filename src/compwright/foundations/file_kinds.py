@@ -1,4 +1,5 @@
-"""Recognise by its contents a file of a kind other than the expected one.
+"""Recognise, by its contents, a file that is of a different kind than the command expects, such as
+a plan in place of a job.
 
 One line for a file that was given in the place of another one.
 """

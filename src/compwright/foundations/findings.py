@@ -72,7 +72,8 @@ class Finding:
     def of(
         cls, name: str, severity: Severity, /, axes: tuple[str, ...] = (), **values: object
     ) -> Finding:
-        """Return a finding with the sentence ``name``, such as ``CW-R053.no_end``, and its values.
+        """Return a finding from the ``name`` of its sentence (such as ``CW-R053.no_end``, which
+        begins with its code) and the values in the sentence.
 
         With a dot and a word more where one code has several sentences.
         """
@@ -101,7 +102,9 @@ def next_step(codes: Iterable[str]) -> Sentence | None:
 
 
 def doubts_of(findings: Iterable[Finding]) -> tuple[Finding, ...]:
-    """Return those ``findings`` that are doubts or important results, each once, errors first."""
+    """Return those ``findings`` that are doubts or important results (not mere information), each
+    once, errors first.
+    """
     first = dict.fromkeys(
         finding
         for finding in findings

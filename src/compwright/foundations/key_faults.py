@@ -69,7 +69,8 @@ class KeyFault:
 
 
 def usual_hint(path: KeyPath, message: str, expected: str = "", found: str = "") -> str:
-    """Return the usual next step for a faulty key, such as the accepted values or nearest name.
+    """Return the usual next step for a faulty key, such as to write one of the accepted values or
+    to correct the name.
 
     It is a text to write if ``expected`` has an example.
     """

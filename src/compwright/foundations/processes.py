@@ -96,7 +96,8 @@ def _end_with_the_first() -> None:
 
 
 class _Several:
-    """A function that does work on items in this process and, from the first item, in others.
+    """A function that works on items in this process and, from the first item on, in several
+    further processes.
 
     What another process could not do, for whatever reason, is done here once more, so that errors
     are those of working in turn.
@@ -127,7 +128,8 @@ class _Several:
 
 
 class _Shared(Generic[T, R]):
-    """Items that this process takes from the end and the ``others`` take from the beginning.
+    """Items that are distributed among processes: this process takes items from the end, the
+    ``others`` take items from the beginning.
 
     A process is handed its next items only when it has done those before, by a thread that waits
     for it: the queue of an executor would keep back items that this process, idle then, could do.
@@ -158,7 +160,7 @@ class _Shared(Generic[T, R]):
                 return
 
     def close(self) -> None:
-        """Let no further work begin. Work that was begun is completed."""
+        """Prevent that work on further items begins. Work on items already taken is completed."""
         with self._taking:
             self._last = self._first
 

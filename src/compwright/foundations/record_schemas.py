@@ -61,7 +61,9 @@ def mapping(
     others: bool = False,
     ref: str | None = None,
 ) -> cs.CoreSchema:
-    """Return the schema of a mapping with given ``keys``, which ``build`` converts to a value."""
+    """Return the schema of a mapping with given ``keys``. ``build``: makes the result from the
+    validated values.
+    """
     known = cs.typed_dict_schema(
         {
             key: cs.typed_dict_field(schema, required=key not in optional)
@@ -75,7 +77,9 @@ def mapping(
 
 
 class RecordSchemas:
-    """Makes and stores the schemas of record classes. ``plain``: schemas of other types."""
+    """Makes the pydantic schemas of record classes, and stores them. ``plain``: the schemas of
+    types that are no records.
+    """
 
     def __init__(
         self, forms: Mapping[type, RecordForm], rules: Rules, plain: Mapping[Any, cs.CoreSchema]
@@ -139,7 +143,9 @@ class RecordSchemas:
         return self.named(value, cs.dict_schema(keys, self.of(value), strict=True))
 
     def named(self, cls: Any, schema: cs.CoreSchema) -> cs.CoreSchema:
-        """Return the schema of a mapping from name to record that sets each record's name."""
+        """Return the schema of a mapping from names to records. If the class ``cls`` has a field
+        for the name, each record gets its key as its name.
+        """
         name = self._forms.get(cls, RecordForm()).named if isinstance(cls, type) else ""
         if not name:
             return schema

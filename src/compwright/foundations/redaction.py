@@ -44,7 +44,9 @@ class Names:
     numbers: dict[str, int] = field(default_factory=dict)
 
     def of(self, text: str) -> str:
-        """Return the neutral replacement of a name, the same for any case and blanks."""
+        """Return the neutral replacement of a name. Names that differ only in upper and lower case
+        or in blanks have the same replacement.
+        """
         number = self.numbers.setdefault(_plain(text), len(self.numbers) + 1)
         return f"{NEUTRAL}_{number}"
 
@@ -88,7 +90,8 @@ class Cuts:
 
 
 def left_over(removed: Iterable[str], copy: Iterable[bytes], allowed: frozenset[str]) -> list[str]:
-    """Return the removed texts that a copy still contains, completely or in part.
+    """Return the texts that should have been removed but are still in a copy, completely or in
+    part.
 
     ``copy``: its bytes; of an archive those of its members. They are searched in every usual
     encoding, with entities and percent signs resolved, in small letters. ``allowed``: words in
@@ -123,7 +126,9 @@ def telling(text: str, allowed: frozenset[str]) -> Iterator[str]:
 
 
 def _whole(text: str, allowed: frozenset[str]) -> str:
-    """Return a text of several words in lower case, or "" if its words identify no one."""
+    """Return a text in lower case if it has several words and some of them identify a person or
+    company, else "".
+    """
     whole = " ".join(text.casefold().split())
     return whole if " " in whole and any(telling(whole, allowed)) else ""
 
@@ -140,7 +145,9 @@ def _forms(content: bytes) -> Iterator[str]:
 
 
 def not_the_same(file: str, found: str) -> InputError:
-    """Return the error that a redacted copy would give other numbers than its original."""
+    """Return the error that a file was not copied, because the copy without names would be read
+    with other numbers than the original.
+    """
     return InputError(
         Fault(
             message="the file was not copied: without the names, other numbers would be read in "

@@ -1,4 +1,5 @@
-"""The session of one command: the files it reads and writes, and folders that it restored.
+"""The session of one command: the files that it reads and writes, and the folders in which it
+restored files of an interrupted command.
 
 Every command makes its own `Session` and hands it to whatever reads or writes files, so that
 several commands can work in one process. Only `storage` changes what a session holds, and one
@@ -19,7 +20,8 @@ Identity = tuple[int, int]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Session:
-    """The files that one command read or will write, and the folders that it has restored.
+    """The files that one command has read or will write, and the folders in which it restored files
+    of an interrupted command.
 
     ``inputs``: the files that were read. The command never overwrites or deletes them, whatever
     name leads to them: a link, other cases of the letters and a way around through ``..`` are still
@@ -48,6 +50,8 @@ class Session:
         return replace(self, pending={**self.pending, **mine})
 
     def search_again(self) -> None:
-        """Forget which folders were searched for the leftovers of processes that have stopped."""
+        """Forget which folders were already searched for files of interrupted commands, so that
+        they are searched again.
+        """
         self.searched.clear()
         self.unrestored.clear()

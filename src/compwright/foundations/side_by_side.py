@@ -36,7 +36,9 @@ class Crew(Protocol):
     """A function that starts parallel workers for up to ``items`` items."""
 
     def __call__(self, items: int, ready: Callable[[], None]) -> AbstractContextManager[Each]:
-        """Return a context manager for an `Each`. ``ready`` loads modules in new processes."""
+        """Return a context manager that gives an `Each`, a function that works on items. ``ready``:
+        called in each new process to load modules.
+        """
 
 
 def in_turn(work: Callable[[T], R], items: Sequence[T]) -> list[R]:
@@ -46,7 +48,9 @@ def in_turn(work: Callable[[T], R], items: Sequence[T]) -> list[R]:
 
 @contextmanager
 def alone(items: int, ready: Callable[[], None]) -> Iterator[Each]:  # noqa: ARG001
-    """Provide the function that works on items one after the other, in this process."""
+    """Provide `in_turn`, which works on items one after the other in this process, for callers that
+    expect a `Crew`.
+    """
     yield in_turn
 
 
@@ -102,7 +106,9 @@ def _by_the_crew(
 
 
 def _taken(waiting: Iterator[T], most: int, weight: Callable[[T], int]) -> list[T]:
-    """Return the next items: at least one, at most ``most``, of limited total ``weight``."""
+    """Take the next items from ``waiting``: at least one, at most ``most``, and no more after their
+    ``weight`` has reached a limit.
+    """
     taken: list[T] = []
     heavy = 0
     for item in waiting:

@@ -33,7 +33,9 @@ Known = Callable[[KeyPath], list[str]]
 
 
 def refuse(*faults: KeyFault) -> NoReturn:
-    """Raise faults so that pydantic reports them, with key paths relative to the checked value."""
+    """Raise the faults as a pydantic error. Their key paths are relative to the value that is being
+    validated.
+    """
     raise ValidationError.from_exception_data(
         "",
         [
@@ -85,7 +87,9 @@ def key_faults(
     missing: Missing = {},  # noqa: B006  # only read
     again: Callable[[Any], object] | None = None,
 ) -> Iterator[KeyFault]:
-    """Yield a fault for each pydantic error about ``data``. ``again``: validates data again."""
+    """Yield a `KeyFault` for each error that pydantic found in ``data``. ``again``: the function
+    that validated ``data``.
+    """
     for complaint in error.errors(include_url=False):
         path = _path_in(data, complaint)
         if complaint["type"] in ("missing", "union_tag_not_found"):
@@ -106,7 +110,9 @@ def key_faults(
 
 
 def _expected_at(path: KeyPath, data: Any, again: Callable[[Any], object] | None) -> str:
-    """Return the expected value of a missing key, as the fault of a wrong value there states it."""
+    """Return what is expected at a missing key: put a wrong value there, validate with ``again``,
+    and take the words of the fault.
+    """
     if again is None:
         return "a value"
     filled = _with(data, path, object())
@@ -129,7 +135,8 @@ def _with(data: Any, path: KeyPath, value: object) -> Any:
 
 
 def _path_in(data: Any, complaint: ErrorDetails) -> KeyPath:
-    """Return the key path of a pydantic error, without levels that are not in the file.
+    """Return the key path of a pydantic error as in the user's file, without levels of the path
+    that only the schema has.
 
     Shorthand forms have fewer levels than the schema. A key that is missing is part of the path.
     """

@@ -27,7 +27,9 @@ class YamlDocument:
     lines: dict[KeyPath, int] = field(default_factory=dict)
 
     def line(self, path: KeyPath) -> int:
-        """Return the line of a key path, else of its nearest known parent, else 0."""
+        """Return the line number of a key path; if it is unknown, that of the nearest parent with a
+        known line; else 0.
+        """
         while path and path not in self.lines:
             path = path[:-1]
         return self.lines.get(path, 0)

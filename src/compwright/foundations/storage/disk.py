@@ -83,7 +83,9 @@ def remove(path: Path) -> None:
 
 
 def make_folder(folder: Path, made: list[Path]) -> None:
-    """Make a folder and its parents. ``made`` gets each new one, also if a later one fails."""
+    """Make a folder and its missing parents. Each folder made is added to ``made`` at once, so that
+    ``made`` is right even if a later folder fails.
+    """
     missing: list[Path] = []
     probe = folder
     while not probe.exists():

@@ -18,7 +18,8 @@ _MOST_NAMED = 4  # files named in a line about several
 def refuse_overwriting(
     session: Session, targets: Mapping[Path, bytes], *, force: bool, completed: Sequence[Path] = ()
 ) -> None:
-    """Raise StorageError with the name of every file that must not be written.
+    """Raise StorageError if the command must not write some of the files ``targets``, such as files
+    that exist already.
 
     Those that exist already, unless ``force`` or among those ``completed``. With ``force`` too:
     what this command has read (unless the same bytes go there), folders in the place of a file,

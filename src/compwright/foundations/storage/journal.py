@@ -70,7 +70,9 @@ def old_file(folder: Path, number: int) -> Path:
 
 
 def is_ours(name: str) -> bool:
-    """Return whether a file in the temporary folder is one of compwright's, by its name."""
+    """Return whether a file in the temporary folder has one of the names that compwright gives to
+    its files there.
+    """
     number, _, kind = name.partition(".")
     return name in (JOURNAL, _PART) or (number.isdecimal() and kind in ("new", "old"))
 

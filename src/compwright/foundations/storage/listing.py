@@ -124,7 +124,9 @@ def _names_in(folder: Path) -> tuple[list[str], list[str]]:
 
 
 def is_there(session: Session, path: Path) -> bool:
-    """Return whether a file, folder or link exists, or is pending. Raises InputError if unknown."""
+    """Return whether a file, folder or link exists, or will be written by this session. Raises
+    InputError if interrupted changes cannot be restored.
+    """
     if path in session.pending:
         return True
     put_right_above(session, path, InputError)

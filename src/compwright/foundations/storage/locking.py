@@ -53,7 +53,9 @@ class Lock:
             os.close(handle)
 
     def remove(self) -> None:
-        """Remove the temporary folder, then empty, and release its lock. Raises OSError."""
+        """Remove the lock file and the temporary folder, which must contain nothing else, and
+        release the lock. Raises OSError.
+        """
         file = self.staging / LOCK
         try:
             file.unlink()

@@ -1,4 +1,6 @@
-"""Questions about paths: whether they exist, their size, their absolute or relative form."""
+"""Functions that look at paths without changing anything: whether a path exists, its size, its
+absolute or relative form.
+"""
 
 from __future__ import annotations
 
@@ -49,7 +51,8 @@ def way_to(path: Path, folder: Path) -> str:
 
 
 def named_from(folder: Path, name: str) -> Path:
-    """Return the path of the file ``name`` in ``folder``, without ``..`` where possible.
+    """Return the path of the file ``name`` in ``folder``. Parts ``..`` are removed if the shorter
+    path leads to the same file.
 
     Without the way into the folder and out of it again, which may not be there yet.
     """

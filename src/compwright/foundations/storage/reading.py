@@ -82,7 +82,8 @@ def _absent(path: Path) -> Fault:
 
 
 def _at_most(stream: BinaryIO, size: int, count: int) -> bytes:
-    """Return up to ``count`` bytes that are available at once. Raises OSError if none are.
+    """Return up to ``count`` bytes of a stream. Raises OSError if the stream has no data at once,
+    such as an empty pipe.
 
     ``size``: of the file as it states it; no more memory is taken unless there is more to read.
     """
@@ -98,7 +99,8 @@ def _at_most(stream: BinaryIO, size: int, count: int) -> bytes:
 
 
 def earlier_bytes(session: Session, path: Path) -> bytes:
-    """Return the bytes of an earlier result, or b"" without one. It does not become an input.
+    """Return the bytes of an earlier result, or b"" if there is no such file. The file is not
+    recorded as an input of the session.
 
     Raises InputError where a stopped command left it half-written and that cannot be put right.
     """
@@ -144,7 +146,9 @@ def _too_large(kind: InputKind, found: str) -> Fault:
 
 
 def state_of(session: Session, paths: Sequence[Path]) -> str:
-    """Return a text with size and time of files, to notice changes. They become inputs."""
+    """Return a text made of the size and the time of each file, by which later changes are noticed.
+    The files are recorded as inputs of the session.
+    """
     states = []
     for path in paths:
         put_right_above(session, path, InputError)

@@ -73,7 +73,9 @@ def put_right_above(session: Session, path: Path, error: type[CompwrightError]) 
 
 
 def put_right_in(session: Session, folder: Path, error: type[CompwrightError]) -> None:
-    """Restore files as `put_right_above` does, also in the folder itself."""
+    """Restore the files of interrupted processes in ``folder`` itself, and, as `put_right_above`
+    does, in its parents.
+    """
     put_right_above(session, folder / UNFINISHED, error)
     put_right_above(session, folder, error)
 
@@ -168,7 +170,9 @@ def _held(folder: Path, held: ExitStack) -> Lock:
 
 
 def _parts(folder: Path, journal: Journal) -> Iterator[Set]:
-    """Yield each other folder of the same change of files, with its journal."""
+    """Yield each further folder that takes part in the change of files of this ``journal``, with
+    the journal in that folder.
+    """
     for name in journal.parts:
         other = _from(folder, name)
         theirs = read_journal(other)
@@ -222,7 +226,9 @@ def _take_back_undone(session: Session, first: Path, folder: Path, journal: Jour
 
 
 def _is_swept(first: Path, folder: Path, journal: Journal) -> bool:
-    """Remove the remains of a completed change of files; return False if it was not completed."""
+    """Remove the temporary files of a completed change and return True; return False, and remove
+    nothing, if the change was not completed.
+    """
     try:
         with ExitStack() as held:
             lock = _held(folder, held)
@@ -243,7 +249,9 @@ def _decides(first: Path, journal: Journal) -> bool:
 
 
 def clear(lock: Lock) -> None:
-    """Remove a temporary folder and its files, unless its lock was released. Raises OSError."""
+    """Remove a temporary folder and compwright's files in it. Nothing is done if its lock is
+    already released. Raises OSError.
+    """
     if lock.handle < 0:
         return
     for name in os.listdir(lock.staging):  # noqa: PTH208 - names, no paths
@@ -256,7 +264,7 @@ def clear(lock: Lock) -> None:
 
 
 def withdraw(sets: Sequence[Set]) -> None:
-    """Restore the old files in several folders, then remove the journals of these folders.
+    """Undo a change of files in several folders: restore their old files, then remove the journals.
 
     Raises NotPutRightError, and nothing was done, where a file was changed since or an earlier one
     did not come along; OSError.
@@ -315,7 +323,8 @@ def _changed_since(folder: Path, journal: Journal) -> Iterator[Fault]:
 
 
 def _lost_since(folder: Path, journal: Journal) -> Iterator[Fault]:
-    """Yield a fault for each old file that is missing or damaged in the temporary folder.
+    """Yield a fault for each old file (kept in the temporary folder until the change is complete)
+    that is now missing or damaged.
 
     Of a folder that is copied or synchronised the files come one by one, and not all of them may
     have come.

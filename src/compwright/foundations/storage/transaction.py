@@ -86,8 +86,8 @@ class _Part:
 
 
 def _parts(folder: Path, targets: Mapping[Path, bytes], removed: Sequence[Path]) -> list[_Part]:
-    """Return the changes by folder: first those in ``folder`` on its file system, then the
-    others.
+    """Return the changes grouped by folder. Those in or below ``folder`` and on its file system are
+    one group, the first.
     """
     root = resolved(folder)
     found = {root: _Part(root)}
@@ -199,7 +199,9 @@ class _Work:
         self._clear()
 
     def _begin(self) -> None:
-        """Write the journals, the deciding one last. From then on an interruption is undone."""
+        """Write the journals, that of the first folder last. After that, the next command undoes
+        the change if this one is interrupted.
+        """
         key = os.urandom(8).hex()
         first, *others = self.parts
         self.sets = [
@@ -256,7 +258,9 @@ class _Work:
             self._clear()
 
     def _clear(self) -> None:
-        """Remove the temporary folders. What cannot be removed is left for the next command."""
+        """Remove the temporary folders. A folder that cannot be removed now is removed by the next
+        command.
+        """
         for lock in self.locks:
             with suppress(OSError):
                 clear(lock)

@@ -31,7 +31,8 @@ def write_files(
     outdated: Sequence[str] = (),
     known: Known = lambda _name, _content: True,
 ) -> list[Path]:
-    """Write ``files`` (name to bytes) into ``folder``, and those of ``elsewhere``, all or none.
+    """Write ``files`` (name to bytes) into ``folder``, and the files ``elsewhere`` (path to bytes)
+    to their own paths, all or none.
 
     ``known``: whether an earlier run wrote an existing file; any other file is the user's and is
     not replaced. ``whole``: folders below ``folder`` that contain exactly these files afterwards;
@@ -112,7 +113,9 @@ class _Unchanged:
 
 
 def _seen(path: Path) -> tuple[int, ...]:
-    """Return numbers (such as size and time) that differ after any change of a file."""
+    """Return numbers about a file (such as its size and time), of which at least one differs after
+    the file was changed.
+    """
     try:
         seen = path.lstat()
     except (OSError, ValueError):
@@ -144,7 +147,9 @@ def _twice_named(files: Mapping[Path, bytes], others: Mapping[Path, bytes]) -> I
 def _strangers(
     folder: Path, names: Sequence[str], targets: Mapping[Path, bytes]
 ) -> dict[Path, str]:
-    """Return the files in the folders ``names`` that are not among ``targets``."""
+    """Return the files that are in the folders ``names`` (below ``folder``) but will not be
+    written, because they are not among ``targets``.
+    """
     written = {identity(path) for path in targets} - {None}
     found: dict[Path, str] = {}
     for name in names:
@@ -184,7 +189,9 @@ def _in_the_way(
     *,
     force: bool,
 ) -> Iterator[Fault]:
-    """Yield a fault for each foreign file in a folder that may contain only compwright's files."""
+    """Yield a fault for each file that may not stay in one of the folders ``whole``, which contain
+    only files of this command.
+    """
     inside = {_below(folder, name) for name in whole}
     for path in gone:
         removable = known.get(path, False) and not was_read(session, path)
