@@ -54,7 +54,9 @@ class AxisKind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class PositionMap:
-    """The conversion machine = sense * instrument + offset; ``sense`` -1 reverses directions."""
+    """The conversion of the instrument's positions: machine = sense * instrument + offset.
+    ``sense`` -1 also exchanges the approach directions.
+    """
 
     sense: Literal[1, -1] = 1
     offset: float = 0.0

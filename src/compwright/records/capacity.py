@@ -15,7 +15,8 @@ from compwright.words.sentences import Sentence
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lattice:
-    """Limits of a control whose correction is the sum of increments from the reference position.
+    """Limits of a control that stores a table as whole-number increments; the correction at a point
+    is their sum from the reference position on.
 
     The total at table point m = magnification * ``unit`` * sum of the increments up to m.
 
@@ -36,7 +37,8 @@ class Lattice:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wave:
-    """Limits of a cyclic table: it repeats over a short period, in addition to the main table.
+    """Limits of a cyclic table, which is active in addition to the main table and repeats with a
+    short period.
 
     ``unit``: the size of an increment, mm or deg; ``increment``: the most of them per section;
     ``room``: the number of free points; ``step``: sections are multiples of it, mm or deg.

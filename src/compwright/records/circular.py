@@ -114,7 +114,7 @@ class CircularEffect:
 
 @dataclass(frozen=True, slots=True)
 class FreshRun:
-    """Random draws of what one run of a new circular test may show, with and without noise, in mm.
+    """Random draws of one run in a new circular test, mm: the path without noise, and the noise.
 
     At the ``angles`` (n,) deg: readings without noise ``paths`` and ``noise`` (d, n) mm, each row
     as probable as the others.
@@ -180,7 +180,8 @@ class Diagnosis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircularResult:
-    """The parameters of a circular test by JSON name, mm, or None with the reason why not.
+    """The parameters of a circular test, mm, by JSON name. A parameter that does not apply is None,
+    with the reason in ``not_applicable``.
 
     ``centres`` (``ccw``, ``cw``, ``common``): least-squares centres, mm. ``mean_radius_deviation``
     by sense: radius of the least-squares circle minus nominal, mm. ``zone_centres`` and

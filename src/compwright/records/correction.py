@@ -43,7 +43,9 @@ class ControlFile:
 
     @property
     def raw(self) -> bytes:
-        """The bytes of the file with the characters that a serial line added around them."""
+        """The complete bytes of the file, including the characters that a serial line added before
+        and after its text.
+        """
         return self.leader + self.content + self.trailer
 
 
@@ -141,7 +143,8 @@ def no_compensation(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CrossCompensation:
-    """The correction of one axis by the position of another axis: squareness, straightness.
+    """The correction of the axis ``output`` by the position of the axis ``input``, such as for
+    squareness or straightness.
 
     ``positions`` (k,) of the axis ``input``, strictly ascending, mm or deg; ``positive``,
     ``negative`` (k,): what the control adds to the axis ``output`` while ``input`` is approached in
@@ -177,7 +180,8 @@ class CrossCompensation:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ControlState:
-    """The compensation in a set of control files: by axis address, and between axes.
+    """The compensation that a set of control files contains: that of each axis by its address, and
+    the cross-axis tables.
 
     ``facts``: by address. ``tables``: those between axes, active or not. ``reserved``: numbers of
     an array that all axes share which hold data, or to which another function refers. ``stays``: by

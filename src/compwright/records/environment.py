@@ -18,7 +18,9 @@ MATERIAL: Final = "material_c"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ReadingTimes:
-    """The times of a test's readings per direction (m, n), in s or other counts; NaN if unknown."""
+    """The times of a test's readings, an array (m, n) for each direction, in s or as plain counts;
+    NaN if unknown.
+    """
 
     clock: Clock
     positive: FloatArray
@@ -45,7 +47,9 @@ class EnvironmentRecord:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InstrumentAir:
-    """The air (°C, hPa, %) for which a laser displays lengths. ``stated``: whether by the job."""
+    """The air (°C, hPa, %) for which the laser converts wavelengths to lengths. ``stated``: the job
+    states it; else it is assumed.
+    """
 
     air_c: float = 20.0
     pressure_hpa: float = 1013.25
@@ -64,7 +68,8 @@ class EnvironmentRequest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Environment:
-    """The environment record that corrects a test, with the equation and the assumed air.
+    """The environment record that corrects a test, the equation for the refractive index of air,
+    and the air that the instrument assumed.
 
     ``needs_time``: the readings have to say when they were taken, because the record holds other
     tests too.

@@ -22,13 +22,16 @@ class AxisPeriod:
 
     @property
     def named(self) -> bool:
-        """Whether decisions use the period, because it is more probable than not."""
+        """Whether the period is used in decisions, which it is if a periodic error with this period
+        is more probable than none.
+        """
         return self.probability > 0.5
 
 
 @dataclass(frozen=True, slots=True)
 class PeriodEvidence:
-    """The evidence for a periodic error with each of the ``periods`` (k,), mm or deg.
+    """The evidence that the axis has a periodic error, for each of the possible ``periods`` (k,),
+    mm or deg.
 
     Natural logarithm ``log_odds`` (k,) of its likelihood over that of none. ``detectable`` (k,):
     amplitude, mm or deg, from which the test shows a wave in 95 % of all cases at three standard
@@ -83,7 +86,8 @@ class ErrorEstimate:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Scenarios:
-    """Simulated new tests, all equally probable, with which the fit judges its goal.
+    """Simulated new tests, all equally probable. The fit of a table judges by them how well the
+    table reaches its goal (such as the least A).
 
     ``count`` tests of m targets each; arrays (count * m,), test by test, mm or deg.
 

@@ -97,7 +97,8 @@ class AxisFacts:
 
 @dataclass(frozen=True, slots=True)
 class PairTables:
-    """The cross-axis tables in a control's files: by table number, the axes and reserved points.
+    """The cross-axis tables in a control's files: for each table number the input and output axis,
+    and the number of reserved points.
 
     ``stay``: those over an axis itself that stay whatever is written.
     """

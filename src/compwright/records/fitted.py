@@ -32,7 +32,9 @@ class TableRequest:
 
     @property
     def named_spacing(self) -> float | None:
-        """The spacing that the job states, mm or deg, or None if it states no number."""
+        """The spacing that the job states as a number, mm or deg; None if the job leaves the
+        spacing to compwright.
+        """
         return None if self.spacing == "auto" else self.spacing
 
     @property
@@ -43,7 +45,9 @@ class TableRequest:
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """A limit of the control that reduces accuracy. ``value``: by how much at most, mm or deg."""
+    """A limit of the control that makes the table less accurate. ``value``: the largest deviation
+    from it, mm or deg.
+    """
 
     cause: str
     value: float
@@ -51,7 +55,8 @@ class Limit:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FittedTable:
-    """The rounded table of an axis. ``certificate``: named numbers that prove it is the best one.
+    """The rounded table of an axis. ``certificate``: numbers by name that prove that no other table
+    within the limits is better.
 
     ``mode`` is the choice made (single: one curve and one reversal value; bidirectional),
     ``mode_reason`` why in one sentence. ``keeps_grid``: its points are those of the existing table.

@@ -85,7 +85,8 @@ class NotedJump:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NotedTrend:
-    """The rate of change of a parameter, in its unit per year, and when it reaches its limit.
+    """The rate at which a parameter changes, in its unit per year, and the day on which the
+    parameter will reach its limit.
 
     Over the entries ``tests`` (by their places in the series). ``limit``: None where none was
     given; ``reached``: median day on which it will be reached, ``earliest`` and ``latest`` the ends

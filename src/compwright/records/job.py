@@ -83,7 +83,9 @@ class CrossRequest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ApplyRequest:
-    """What circular tests correct: per plane the axis for squareness, axis scales, and backlash."""
+    """What the job corrects from circular tests: squareness (for each plane the axis that is
+    corrected), the scale of axes, and backlash.
+    """
 
     squareness: Mapping[str, str] = field(default_factory=dict)
     scale: tuple[str, ...] = ()

@@ -22,7 +22,8 @@ class LimitingCause:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LimitingCauses:
-    """The causes that limit a ``parameter``, as a new test at new targets shows it, mm or deg.
+    """The causes that keep a ``parameter`` from being smaller, as it is expected in a new test at
+    new targets, mm or deg.
 
     ``now`` with what is in the control, ``then`` with what is written, ``least`` of an axis without
     any error, by its scatter alone.
@@ -43,7 +44,8 @@ class LimitingCauses:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PointCountOption:
-    """A parameter predicted for a table of ``points`` points: median and range, mm or deg.
+    """The value of a parameter that is predicted if the table has this number of ``points``: median
+    and range, mm or deg.
 
     For a new test at new targets. ``spacing``: of the points (mm or deg; the widest section).
 

@@ -79,7 +79,8 @@ class NoiseDraws:
         return replace(self, **{name: getattr(self, name)[index] for name in _ARRAYS})
 
     def outlier_size_at(self, scale: FloatArray, way: int) -> FloatArray:
-        """Return the size of outliers (count, m) in multiples of the scatter ``scale`` of readings.
+        """Return the size of outliers (count, m) in one direction, in multiples of ``scale``, the
+        scatter of the readings.
 
         ``scale`` (count, m): of the readings; ``way``: 0 for +, 1 for -.
 
@@ -171,7 +172,8 @@ def waves(u: FloatArray, count: int) -> FloatArray:
 
 
 def traverse_order(positive: int, negative: int) -> tuple[IndexArray, IndexArray]:
-    """Return the places in time of the + and of the - traverses in a test that begins with +.
+    """Return, for the + traverses and for the − traverses, their positions in the time order of a
+    test that begins with +.
 
     ``positive``, ``negative``: the number of traverses in each direction.
     """
@@ -206,7 +208,7 @@ def wave_effects(order: FloatArray, signs: FloatArray, count: int, pace: float) 
 
 
 def progress(runs: int, rate: FloatArray) -> FloatArray:
-    """Return which share (0 to 1) of a drift is complete at the start of each run.
+    """Return the fraction (0 to 1) of the whole drift that has happened when each run starts.
 
     p_j = (1 - exp(-rate j / (runs - 1))) / (1 - exp(-rate)); ``rate`` 0: j / (runs - 1), even
     progress; above 0: a first-order approach to a steady state, as a body warms up (Newton's law of
@@ -221,7 +223,8 @@ def progress(runs: int, rate: FloatArray) -> FloatArray:
 def slackening(
     runs: int, rate: FloatArray, u: FloatArray, *, returns: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the factor by which the run-to-run drift is smaller at ``u`` than at a run's start.
+    """Return, for + and −, the factor of the drift between successive runs at ``u``, relative to
+    that at the start of the runs.
 
     From one run to the next; the later reading is at ``u`` (k,), -1 to 1.
 
@@ -236,7 +239,8 @@ def slackening(
 def within_run(
     runs: int, rate: FloatArray, u: FloatArray, *, returns: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the share of a drift between a run's first reading and its reading at ``u`` (k,).
+    """Return, for + and −, the fraction of the whole drift that happens between a run's first
+    reading and its reading at ``u`` (k,).
 
     In the means over the runs, between the first reading of a run and the one at ``u``, -1 to 1.
 
@@ -256,6 +260,8 @@ def within_run(
 
 
 def _parts_of_run(u: FloatArray, *, returns: bool) -> tuple[FloatArray, FloatArray]:
-    """Return the share of a run's time that has passed at positions ``u`` (k,), per direction."""
+    """Return, for + and −, the fraction of a run's time after which the axis is at the positions
+    ``u`` (k,).
+    """
     half = 0.5 if returns else 1.0
     return half * 0.5 * (u + 1.0), half * 0.5 * (1.0 - u) + (0.5 if returns else 0.0)

@@ -16,7 +16,8 @@ class Section(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class NumberedSections:
-    """The sections of one axis's table, ascending and without gaps.
+    """The numbered sections into which a control divides the table of one axis, in ascending order
+    and without gaps.
 
     ``reference``: the position from which they are counted, mm or deg. ``marks``: what the control
     calls some of the numbers. ``second``: the number of the first section in a set for travel in -;

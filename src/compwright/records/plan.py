@@ -104,7 +104,9 @@ class PlannedCross:
 
     @property
     def pair(self) -> frozenset[str]:
-        """The set of the two axes, whichever of them is corrected."""
+        """The two axes as a set without order, so that it does not matter which of them is
+        corrected.
+        """
         return frozenset({self.input, self.output})
 
 

@@ -27,7 +27,8 @@ class Quantiles:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestPrediction:
-    """A test of an axis, and the prediction of a new test at the same and at new targets.
+    """A positioning test of an axis, and two predictions of a new test: at the same targets, and at
+    new targets.
 
     ``uncertainty``: of the parameters of the fresh one at the same targets, where it guards a
     decision about them.
@@ -60,7 +61,8 @@ class AcceptDecision:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CirclePrediction:
-    """A circular test, its calculated result with new tables, and the prediction of a new test.
+    """A circular test, its result recalculated with the new tables, and the prediction of a new
+    test.
 
     ``predicted``: parameters by their JSON names, mm; ``causes``: by their JSON names, in the units
     of the JSON.
@@ -75,7 +77,8 @@ class CirclePrediction:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisPrediction:
-    """The prediction of one axis. ``table``: its table as read back, None if none is written.
+    """The prediction of one axis. ``table``: its new table as read from the written files, None if
+    the axis gets no table.
 
     ``limits``: what keeps the axis where it then is; ``worth``: of the parameter named there, by
     number of points. ``periods``: those of its error, known and found, with the ``evidence`` of the

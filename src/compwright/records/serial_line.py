@@ -17,7 +17,9 @@ _NO_TEXT = re.compile(rb"[\x00-\x08\x0e-\x1f]")
 
 
 def from_line(name: str, raw: bytes, folder: str = "") -> ControlFile:
-    """Return a control's file with the characters that a serial line added kept separately."""
+    """Return a file of a control. Characters that a serial line added before and after the text are
+    separated from the text.
+    """
     head = raw[: len(raw) - len(raw.lstrip(_AROUND))]
     tail = raw[len(raw.rstrip(_AROUND)) :]
     begin = max((match.end() for match in _CODE.finditer(head)), default=0)
@@ -40,7 +42,9 @@ def as_on_line(files: Sequence[ControlFile], own: Sequence[ControlFile]) -> tupl
 
 
 def whole(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
-    """Return files with the serial-line characters as part of their text, as in the originals."""
+    """Return the files with the characters of the serial line as part of their contents again, as
+    in the original files.
+    """
     return tuple(
         replace(file, content=file.raw, leader=b"", trailer=b"")
         if file.leader or file.trailer

@@ -40,6 +40,6 @@ def proposed_targets(low: float, high: float, count: int) -> FloatArray:
 
 @lru_cache(maxsize=64)  # tests of one machine have the same targets
 def targets_text(low: float, high: float, count: int, unit: str) -> Sentence:
-    """Return a sentence that proposes targets, at most thirty."""
+    """Return a sentence that proposes from 12 to 30 targets (``count``, if it is in this range)."""
     targets = proposed_targets(low, high, int(np.clip(count, 12, 30)))
     return say("better_targets", targets=targets, unit=unit)

@@ -33,7 +33,9 @@ MeasurementFault = Literal["sign", "direction", "unit", "wrong_axis", "copied", 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Candidate:
-    """A possible verdict and its probability. ``detail``: the most probable variant as text."""
+    """A possible loading verdict and its probability. ``detail``: which form of the fault is most
+    probable, as text.
+    """
 
     verdict: LoadingName
     probability: float
@@ -75,7 +77,8 @@ class LoadingVerdict:
 
 @dataclass(frozen=True, slots=True)
 class ReadBack:
-    """The largest difference (mm or deg) of loaded and planned correction, and its likely fault.
+    """The largest difference (mm or deg) between the correction read back and the planned one, and
+    the fault that explains it.
 
     ``verdict``: ``loaded``, ``not_active``, ``inverted``, ``scaled``, ``shifted``,
     ``one_direction``, ``backlash``, ``increment``, ``on_top``, ``partial`` (some files were not
