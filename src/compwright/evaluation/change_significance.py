@@ -73,11 +73,15 @@ class Change:
 
     @property
     def chance(self) -> float:
-        """The probability that tests of an unchanged machine differ by at least as much."""
+        """The probability that two tests of an unchanged machine differ by at least this
+        difference.
+        """
         return two_sided_probability(self.score)
 
     def clear(self, comparisons: int = 1) -> bool:
-        """Return whether the difference is significant among ``comparisons`` differences."""
+        """Return whether the difference is significant, as one of ``comparisons`` differences that
+        are tested together.
+        """
         return abs(self.score) > CLEAR and self.chance * comparisons < _OF_ALL
 
 

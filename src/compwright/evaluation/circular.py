@@ -230,8 +230,8 @@ def _reasons(
 
 
 def _further_runs(ordered: Mapping[Sense, list[ActualPath]]) -> list[Finding]:
-    """Return the finding CW-C001 if a direction has several runs. Only the first run is evaluated,
-    and the finding states G of the others.
+    """Return the finding CW-C001 if a direction has several runs. Only the first run of a direction
+    is evaluated; the finding states G of each further run.
     """
     others = []
     for sense, runs in ordered.items():

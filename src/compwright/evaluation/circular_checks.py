@@ -101,7 +101,9 @@ def _calibration(test: CircularTest) -> list[Finding]:
 
 
 def _feed(test: CircularTest) -> list[Finding]:
-    """Return the finding CW-C006 if the stated feed cannot be in mm/min."""
+    """Return the finding CW-C006 if the stated feed cannot be a feed in mm/min, because it is not
+    positive or the circle would take too short or too long.
+    """
     if np.isfinite(test.feed) and test.feed > 0.0:
         seconds = 60.0 * 2.0 * np.pi * test.nominal_radius / test.feed
         if _CIRCLE_SECONDS[0] <= seconds <= _CIRCLE_SECONDS[1]:
@@ -134,7 +136,7 @@ def _unequal(test: CircularTest) -> list[Finding]:
 
 def _offset(test: CircularTest, centres: Mapping[str, Point], *, F_given: bool) -> list[Finding]:
     """Return the finding CW-C010 if F on an arc contains the set-up offset (3.5 a, note 6), and
-    CW-C011 if it matters at this offset whether angles were commanded or measured.
+    CW-C011 if the offset is so large that commanded and measured angles give different results.
     """
     x, y = centres["common"] if "common" in centres else next(iter(centres.values()))
     offset = float(np.hypot(x, y))

@@ -47,7 +47,8 @@ _AT_ONCE: Final = 1_000_000
 
 
 def copied_runs(test: PositioningTest) -> dict[Direction, list[list[int]]]:
-    """Return for each direction the groups of columns (two or more) with the same readings.
+    """Return, for each direction, the groups of two or more runs (column numbers) with the same
+    readings.
 
     At three targets or more. In a test with many runs, only runs with readings at the same targets
     are compared.
@@ -125,7 +126,8 @@ def _exact(test: PositioningTest) -> list[Sentence]:
 
 
 def _by_chance(test: PositioningTest) -> bool:
-    """Return whether runs may be equal by chance because the readings have a coarse resolution.
+    """Return whether equal runs can be a coincidence, because the readings have a coarse
+    resolution.
 
     In pairs of different runs, the share p of targets with equal readings is the probability that
     two readings are equal. All m targets agree with the probability p^m for each pair.
@@ -198,8 +200,8 @@ def _all_apart(runs: Sequence[FloatArray]) -> list[tuple[int, int, float]]:
 def _apart(
     columns: FloatArray, first: NDArray[np.intp], second: NDArray[np.intp]
 ) -> list[tuple[int, int, float]]:
-    """Return the rms differences as in `_all_apart` for the pairs (p,) of columns ``first`` and
-    ``second``.
+    """Return the rms differences, as in `_all_apart`, for the pairs (p,) of runs with the column
+    numbers ``first`` and ``second``.
     """
     gaps = columns[:, first] - columns[:, second]
     patterns, which = np.unique(np.isfinite(gaps), axis=1, return_inverse=True)

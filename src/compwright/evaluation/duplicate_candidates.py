@@ -75,8 +75,8 @@ def tests_with_equal_run(tests: Sequence[PositioningTest], fewest: int) -> Itera
 
 
 def _agreeing(runs: Sequence[_CandidateRun], fewest: int) -> Iterator[set[int]]:
-    """Yield groups of tests that each have a run that agrees with the others at the compared
-    targets.
+    """Yield groups of tests. Each test of a group has a run that agrees with a run of each other
+    test of the group at the compared targets.
     """
     grids: dict[bytes, list[_CandidateRun]] = defaultdict(list)
     for run in runs:
@@ -93,8 +93,9 @@ def _agreeing(runs: Sequence[_CandidateRun], fewest: int) -> Iterator[set[int]]:
 
 
 def _looked_at(grids: Sequence[_Numbers], fewest: int) -> list[set[bytes]]:
-    """Return for each list of targets the sets of targets at which its runs are compared: its own
-    targets, and those that it shares with each other list (at least ``fewest``).
+    """Return, for each list of targets, the sets of targets at which runs with this list are
+    compared: the complete list, and the targets in common with any other list (if at least
+    ``fewest``).
     """
     having: dict[int, list[int]] = defaultdict(list)
     for index, places in enumerate(grids):

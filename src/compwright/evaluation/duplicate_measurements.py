@@ -40,8 +40,8 @@ class NamedTest:
 
 
 def same_measurement(one: NamedTest, other: NamedTest) -> bool:
-    """Return whether two tests come from one measurement: a common file (by content), a common run,
-    or the same readings with scatter at the same targets.
+    """Return whether two tests come from one measurement: they have a file with the same contents
+    or a run in common, or all their readings agree except for a constant.
     """
     if share_a_file(one.sources, other.sources):
         return True
@@ -174,7 +174,9 @@ def _gaps(mine: FloatArray, theirs: FloatArray) -> Iterator[FloatArray]:
 
 
 def _in_common(zeros: Sequence[Sequence[float]]) -> bool:
-    """Return whether the same constant difference occurs in every direction."""
+    """Return whether two tests differ by one constant that is the same in every direction.
+    ``zeros``: the possible constants in each direction.
+    """
     first, *others = zeros
     return any(
         all(any(abs(zero - each) <= SAME_READING for each in other) for other in others)
@@ -209,7 +211,9 @@ def repeat_findings(tests: Sequence[PositioningTest]) -> list[Finding | None]:
 
 
 def _sharing_runs(tests: Sequence[PositioningTest]) -> list[set[int]]:
-    """Return for each test the other tests with a common run; very large sets are cut off."""
+    """Return, for each test, the indices of the other tests that have a run in common with this
+    test. Very large sets are incomplete.
+    """
     sharing: list[set[int]] = [set() for _ in tests]
     looked_at: set[tuple[int, int]] = set()
     for group in tests_with_equal_run(tests, _TARGETS):
@@ -256,8 +260,8 @@ def _top(above: list[int], index: int) -> int:
 
 
 def repeated_files(tests: Sequence[Sequence[Source]]) -> list[Finding | None]:
-    """Return the finding CW-T034 for each test, given as its files, that has a file of another
-    test, and None for other tests.
+    """Return an entry for each test, which is given by its files: the finding CW-T034 if one of
+    these files also belongs to another test, else None.
     """
     having: dict[str, list[int]] = {}
     for index, sources in enumerate(tests):

@@ -282,7 +282,8 @@ def _untimed(
 def _changes(
     times: FloatArray, split: int, light: FloatArray, expansion: FloatArray, rest: FloatArray
 ) -> Iterator[Finding]:
-    """Yield a finding about changes of readings in the test, µm: by air, by expansion, other.
+    """Yield a finding about the changes of the readings in the test, µm: the change by the air, the
+    change by thermal expansion, and the remaining change.
 
     Each change is the slope of a straight line over time through the readings of each target and
     direction, times the duration. Air and expansion: at the target with the largest change. Others:

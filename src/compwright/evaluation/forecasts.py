@@ -90,7 +90,7 @@ def reached(
     reversal: FloatArray | None = None,
 ) -> Ahead:
     """Return the years until a parameter exceeds ``limit`` (early, median, late), apart from the
-    scatter of single tests. None: it does not grow, or the time is too long.
+    scatter of single tests. None: the parameter does not grow, or the time is too long to state.
 
     ``rest``, ``slope``, ``reversal`` (2, n): draws of level now and rate per year; a limit that is
     exceeded is reached now.

@@ -138,8 +138,8 @@ def missing_reading_findings(test: PositioningTest) -> list[Finding]:
 
 
 def zero_traverse_findings(test: PositioningTest) -> list[Finding]:
-    """Return the finding CW-T011 for each traverse of exact zeros (two targets or more), and one
-    for all shorter rows of zeros.
+    """Return the finding CW-T011 for each traverse of two targets or more whose readings are all
+    exactly zero, and one finding for all other traverses that contain too many zeros in a row.
 
     A file that was read with this finding of its own (CW-R010) does not get the first one twice.
     """
@@ -241,8 +241,8 @@ def _drift_sentence(
     means: FloatArray,
     growths: FloatArray,
 ) -> Sentence:
-    """Return the drift of each direction as text: its mean, or its value at both ends of the travel
-    if the mean hides it.
+    """Return the drift of each direction as text: the mean drift, or the drift at both ends of the
+    travel if the drift varies along the travel by more than its mean.
     """
     if np.abs(growths).max() <= np.abs(means).max():
         each = [
@@ -358,7 +358,8 @@ def _shifts(test: PositioningTest) -> dict[Traverse, float]:
 
 
 def _suspect(test: PositioningTest, shifts: Mapping[Traverse, float]) -> dict[int, list[Traverse]]:
-    """Return the deviating traverses of each run, by number of the run.
+    """Return, by number of the run, the traverses of each run whose offset from the other traverses
+    is too large.
 
     Each run is compared with the scatter of the readings in the other runs, because an outlying run
     would otherwise increase the scatter that it is compared with.

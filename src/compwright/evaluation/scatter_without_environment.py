@@ -93,8 +93,9 @@ def _own_variance(
 
 
 def _populations() -> FloatArray:
-    """Return the prior weights (h, t) of t possible variances of the axis' own scatter. Each row is
-    for one mean level and one spread between targets; the first row means no scatter.
+    """Return the prior weights (h, t) of t possible variances of the axis' own scatter. Each row
+    assumes one mean level of the scatter and one variation of it between targets; the first row
+    assumes no scatter.
     """
     level = np.log(4.0) * np.arange(_TRIED.size)
     off = level[:, np.newaxis] - level

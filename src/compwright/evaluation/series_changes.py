@@ -96,8 +96,8 @@ def noted_changes(
 
 
 def _between_tests(others: Sequence[Change]) -> tuple[float, float]:
-    """Return the variance between tests that their standard errors do not explain, and its degrees
-    of freedom.
+    """Return the variance between tests in excess of their standard errors, and the degrees of
+    freedom of this variance.
 
     From other comparisons of the same parameter; 0 with fewer than four. Neighbouring differences
     share a test, so that two thirds of their number count.
@@ -163,7 +163,9 @@ class _ComparedTests:
         return np.array([entry.values.get(name, 0.0) for entry in self.entries])
 
     def trend(self, by_curve: FloatArray | None = None) -> Trend | None:
-        """Return the trend of the parameter, without its part ``by_curve`` (by the error curve)."""
+        """Return the trend of the parameter. ``by_curve``, the part of the parameter that follows
+        from the error curve, is subtracted first.
+        """
         name = self.parameter
         of_temperature = [_stated(entry, name) for entry in self.entries]
         return trend_of(
@@ -176,7 +178,9 @@ class _ComparedTests:
         )
 
     def noted(self, jumps: Sequence[TrendJump]) -> tuple[NotedJump, ...]:
-        """Return the jumps of a trend, with the indices of their tests in the whole series."""
+        """Return the ``jumps`` of a trend. Their tests have the indices of the whole series, not of
+        the compared tests.
+        """
         return tuple(
             NotedJump(
                 before=self.places[jump.before],
@@ -195,8 +199,8 @@ _Course = tuple[_ComparedTests, Trend]
 def _compared_tests(
     entries: Sequence[HistoryEntry], parameter: str, jumps: Sequence[NotedJump]
 ) -> _ComparedTests | None:
-    """Return the comparable tests of one parameter, or None if there are fewer than two. ``jumps``
-    are those of parameters estimated before.
+    """Return the tests of one parameter that can be compared with its last test, or None if there
+    are fewer than two. ``jumps``: the jumps of those parameters that were estimated earlier.
     """
     having = [
         place for place, entry in enumerate(entries) if entry.day and parameter in entry.values
@@ -226,7 +230,8 @@ def _years(one: datetime, other: datetime) -> float:
 
 
 def _forecast(limit: float, found: Mapping[str, _Course], parameter: str) -> Ahead:
-    """Return when a parameter reaches its limit, from its trend and those of slope and reversal.
+    """Return when a parameter reaches its limit, from the trends of the parameter, of the slope and
+    of the mean reversal error.
 
     Its curve is that of the tests since the last event (another table, a jump). No date where none
     of these trends is clear.
@@ -279,8 +284,8 @@ def _noted(parameter: str, found: Mapping[str, _Course]) -> NotedTrend:
 
 
 def _stated(entry: HistoryEntry, parameter: str) -> float:
-    """Return the standard uncertainty of a parameter due to temperature, as declared or else for 1
-    K of a steel axis.
+    """Return the standard uncertainty of a parameter due to temperature: the declared uncertainty
+    or, if none is declared, the effect of 1 K on a linear axis of steel.
     """
     if entry.kind == "circular" or parameter not in _OF_LENGTH:
         return 0.0
@@ -350,8 +355,8 @@ def _compared(
     parameter: str,
     scatter: tuple[float, float] = (0.0, math.inf),
 ) -> tuple[Change, bool]:
-    """Return the change of a parameter between two tests, and whether a slope is assumed in its
-    uncertainty.
+    """Return the change of a parameter between two tests, and whether the uncertainty of this
+    change includes an assumed slope.
 
     A slope is assumed if no uncertainty is declared. ``scatter``: variance from test to test, with
     degrees of freedom.
@@ -389,7 +394,7 @@ def same_table(one: HistoryEntry, other: HistoryEntry) -> SameTable:
 
 
 def without_repeats(entries: Sequence[HistoryEntry]) -> Iterator[HistoryEntry]:
-    """Yield the tests of one axis or plane, without repeated use of the same test by a later job.
+    """Yield the tests of one axis or plane, each test only once, even if several jobs used it.
 
     An entry that states which table was active takes precedence over one that does not.
     """

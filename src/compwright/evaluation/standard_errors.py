@@ -1,4 +1,4 @@
-"""Standard errors of the parameters of a positioning test: the differences expected if it is
+"""Standard errors of the parameters of a positioning test: the differences to expect if the test is
 repeated at once.
 
 They come from the scatter of the test's own readings.
@@ -79,7 +79,8 @@ def slope_error(
 
 
 def _scatter(blocks: list[FloatArray]) -> tuple[float, StandardError] | None:
-    """Return the pooled standard deviation and its standard error, None if nothing is repeated.
+    """Return the pooled standard deviation of a reading and its standard error, or None if no
+    target has repeated readings that scatter.
 
     The relative variance of s² is 2/ν for normal readings of equal variance; it is larger if
     targets or runs differ in their variance.
@@ -106,7 +107,8 @@ def _scatter(blocks: list[FloatArray]) -> tuple[float, StandardError] | None:
 
 
 def _between_runs(blocks: list[FloatArray]) -> list[float]:
-    """Return the relative variance of s² as seen between traverses, and as seen between runs.
+    """Return the relative variance of s², estimated first from the differences between traverses,
+    then from the differences between runs.
 
     Each needs three of them; each row of n readings loses one degree of freedom to its mean.
     """
@@ -143,7 +145,8 @@ def _dof(cell: FloatArray) -> int:
 
 
 def _ends(blocks: list[FloatArray], coverage: float) -> tuple[FloatArray, FloatArray] | None:
-    """Return the readings at two targets: of the highest mean + k s and of the lowest mean - k s.
+    """Return the readings at the two targets that determine A: the target with the highest mean + k
+    s, and the target with the lowest mean - k s.
 
     None without repeated readings.
     """
@@ -166,7 +169,9 @@ def _difference(one: FloatArray, other: FloatArray, s: float, dof: float) -> tup
 
 
 def _larger(pooled: float, dof: float, by_run: FloatArray) -> tuple[float, float]:
-    """Return the larger variance of a mean, ``pooled`` or by runs, with its degrees of freedom."""
+    """Return the variance of a mean and its degrees of freedom: ``pooled`` with ``dof``, or the
+    variance from the values ``by_run`` if that variance is larger.
+    """
     found = by_run[np.isfinite(by_run)]
     if found.size > 2:
         shown = float(np.var(found, ddof=1)) / found.size

@@ -469,7 +469,7 @@ def _comparison(
     spread: str,
 ) -> Sentence | None:
     """Return a text that compares parameters with and without the readings that ``other`` lacks,
-    such as "A 5.00 µm with it, 4.00 µm without". None if s is missing.
+    such as "A 5.00 µm with it, 4.00 µm without". None if no parameter can be compared.
     """
     try:
         columns = _columns(other, standard, spread)

@@ -346,7 +346,9 @@ class _Mixture:
 
 
 def _averaged(tests: _Tests, chosen: Sequence[int], certain: frozenset[int]) -> _Mixture:
-    """Return the average over models with the ``chosen`` jumps, one fewer, or one more."""
+    """Return the average over three kinds of models: with the ``chosen`` jumps, without one of
+    these jumps, and with one more jump.
+    """
     parts: list[tuple[FloatArray, ...]] = []
     logs: list[FloatArray] = []
     lacks: list[tuple[int | None, int]] = []
@@ -410,7 +412,9 @@ def _moved(
     ends: tuple[FloatArray, ...],
     others: Sequence[int],
 ) -> tuple[FloatArray, ...]:
-    """Return the values of `_ends` with one more jump, for each of the ``others`` as this jump."""
+    """Return the values of `_ends` for models with one jump in addition to ``jumps``: one model for
+    each of the ``others`` as the additional jump.
+    """
     functional = _functional(jumps, solution.coefficients.shape[1])
     change = np.array([1.0, 0.0]) - solution.loading[:, others] @ functional
     size = (solution.residual / precision)[:, others]

@@ -36,7 +36,9 @@ _OVER, _OVER_SHARE = 4.0, 0.05
 
 
 def unit_odds(test: PositioningTest, factor: float) -> float:
-    """Return the odds that the readings need this unit ``factor``, from typical reading sizes."""
+    """Return the odds that the readings must be multiplied by ``factor`` to be in the stated unit,
+    judged by the typical size of readings.
+    """
     outside = outside_factor(test.kind.unit)
     s, dof = pooled_scatter(test)
     sizes = [(reading_range(test) * outside, _RANGE[test.kind])]
