@@ -85,7 +85,9 @@ def choose_candidate(
 
 
 def _others(capacity: Capacity) -> str:
-    """Return the hint that other axes use the missing table points, or an empty text."""
+    """Return a hint for too few table points if other axes use points from a common store, else an
+    empty text.
+    """
     if capacity.shared_points is None:
         return ""
     return "; the axes of the control share its points: a wider spacing of other axes leaves more"

@@ -57,8 +57,8 @@ def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict
 
 
 def rounded_proof(proof: Mapping[str, float]) -> dict[str, float]:
-    """Return a certificate rounded to be equal on every processor (rounding errors: Higham 2002,
-    chapter 3).
+    """Return the numbers that prove optimality (the certificate), rounded so that they are equal on
+    every processor (rounding errors: Higham 2002, chapter 3).
     """
     return {name: rounded_number(value, RESIDUE) for name, value in proof.items()}
 
@@ -104,8 +104,8 @@ def lattice_certificate(
     magnification: int,
     claimed: tuple[float, float],
 ) -> dict[str, float]:
-    """Return the certificate of a table of whole increments: its largest violation of a limit, its
-    rms error, and a lower bound of the rms error.
+    """Return the numbers that prove a table of whole increments (its certificate): the largest
+    violation of a limit, the rms error of the table, and a lower bound of this rms error.
 
     ``claimed``: its mean square, and the lower bound of the mean square over real numbers, mm² or
     deg². Keys: ``primal``, the largest violation of a limit; ``objective`` and ``lower_bound``, the

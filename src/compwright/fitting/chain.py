@@ -60,8 +60,8 @@ class CurveChain:
 
     @property
     def left(self) -> float:
-        """The second derivative of the objective with respect to the constant (reversal value), if
-        the table values are optimal for each constant.
+        """The second derivative of the objective by the constant (reversal value), with the table
+        values optimised again for each value of the constant.
         """
         return self.stiffness - float(self.coupling @ self.solve(self.coupling))
 

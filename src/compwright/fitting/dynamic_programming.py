@@ -36,7 +36,8 @@ def reachable_windows(
 def closed_lanes(
     lanes: IntArray, low: FloatArray, high: FloatArray
 ) -> tuple[IntArray, FloatArray, FloatArray]:
-    """Return the ranges of closed curves, copied once for each possible common value of both ends.
+    """Return the ranges of closed curves, with one copy of each range for every value that both
+    ends can have in common. In a copy, both ends are fixed at this value.
 
     ``lanes``: the rows of ``low`` and ``high`` to use. Returns the row from which each copy was
     made, and the smallest and largest values of the copies (copies, m), in steps.

@@ -146,8 +146,8 @@ def _to_named_ends(
 
 
 def _to_end(nodes: FloatArray, end: float) -> FloatArray:
-    """Return ascending table points up to ``end``, which becomes a point. Missing points continue
-    at the last interval.
+    """Return ascending table points up to ``end``, which is the last point. If the points end
+    before ``end``, further points follow at the last interval.
     """
     step = float(nodes[-1] - nodes[-2])
     more = int(np.ceil((end - float(nodes[-1])) / step - _SAME))

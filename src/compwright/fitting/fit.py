@@ -1,5 +1,5 @@
-"""Fit of the table of one axis: points, best values within the control's limits, rounding, and the
-cost of each limit.
+"""Fit of the table of one axis: its points, the best values within the control's limits, their
+rounding, and the rms error that each limit costs.
 
 Least expected square: the best answer under a square loss is the mean of what is believed
 (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, section 2.4). A quadratic
@@ -221,8 +221,8 @@ def _whole_goal(
 
 @dataclass(frozen=True, slots=True)
 class _Best:
-    """The best table values before rounding, and their certificate. ``free``: the values reach no
-    limit of the control.
+    """The best table values before rounding, and the numbers that prove that they are optimal
+    (certificate). ``free``: the values reach no limit of the control.
     """
 
     x: FloatArray

@@ -51,7 +51,7 @@ def optimise_goal(
     start: FloatArray,
 ) -> tuple[FloatArray, dict[str, float]]:
     """Return the table values (n,) with the least mean of the parameter ``goal`` over simulated
-    tests, and their certificate.
+    tests, and the numbers that prove this optimum (certificate).
 
     ``start`` (n,): the table values of least mean square under the same ``limits``. The result lies
     on the straight line from ``start`` to the optimum of the linear program; all points of it keep
@@ -183,8 +183,8 @@ def as_wanted(
 def _measured(
     scenarios: Scenarios,
 ) -> list[tuple[Direction, FloatArray, FloatArray]]:
-    """Return the direction, the deviations minus the estimated error, and the half-widths k s, for
-    each measured direction.
+    """Return for each measured direction: the direction, the deviations minus the estimated error,
+    and the half-widths k s (coverage factor times standard deviation).
     """
     both = (
         (Direction.POSITIVE, scenarios.positive, scenarios.half_positive),
@@ -236,8 +236,8 @@ def _of_scenarios(
 def _of_the_mean(
     goal: Range, wanted: WantedCorrection, layout: UnknownsLayout, capacity: Capacity
 ) -> Deviations:
-    """Return the expected error that a table leaves, in the form of one simulated test without
-    scatter.
+    """Return the expected error that a table leaves, arranged like the deviations of one simulated
+    test without scatter.
 
     A step of the control's correction counts with the values on both sides.
     """

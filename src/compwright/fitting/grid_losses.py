@@ -21,8 +21,9 @@ NOISE_SHARE: Final = 0.1
 
 
 def good_enough(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> bool:
-    """Return whether the interpolation error between table points is within the control's
-    resolution or a share of the noise, and the increments can follow.
+    """Return whether table points are close enough: the interpolation error is at most the
+    control's resolution or a share of the noise, and the control's increments can follow the
+    correction.
 
     Its increments must also be small enough for the smallest magnification.
     """

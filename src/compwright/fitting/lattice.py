@@ -48,7 +48,7 @@ _MANY: Final = 200
 @dataclass(frozen=True, slots=True)
 class LatticeSolution:
     """The best table of whole increments: its curves, ``magnification`` and ``objective`` (mean
-    square), with a lower ``bound`` for real-number values.
+    square). ``bound``: a lower bound of the objective for real-number values.
 
     ``before``: the next smaller magnification and a lower bound of its objective; None where there
     is none.
@@ -151,7 +151,9 @@ class _Relaxed:
 
 @dataclass(frozen=True, slots=True)
 class _Whole:
-    """The smallest lower bound of one curve over whole numbers, infinite if above ``room``."""
+    """A lower bound of the objective of one curve over whole-number values; infinite if it is above
+    ``room``, the largest objective of interest.
+    """
 
     bound: float
     room: float
@@ -232,8 +234,8 @@ class _LatticeSearch:
         return binds
 
     def bound(self, magnification: int, ceiling: float) -> float:
-        """Return a lower bound of the objective at one magnification. It may be inexact above
-        ``ceiling``.
+        """Return a lower bound of the objective at one magnification. A result above ``ceiling``
+        states only that the objective is above ``ceiling``.
         """
         least = [self.relaxed(index, magnification).least for index in range(len(self.parts))]
         total = sum(least)
@@ -242,7 +244,8 @@ class _LatticeSearch:
         return total
 
     def _whole(self, index: int, magnification: int, room: float) -> float:
-        """Return the lower bound of one curve over whole numbers, infinite if above ``room``.
+        """Return a lower bound of the objective of one curve over whole-number values; infinite if
+        it is above ``room``, the largest objective of interest.
 
         A result for a larger ``room`` is used again for a smaller one.
         """

@@ -242,8 +242,9 @@ def best_of_part(
 def first_of_part(
     part: LatticePart, relaxation: Relaxation, limits: ChainLimits, variant: Variants
 ) -> LatticeValues | None:
-    """Return a valid solution for one combination: the real-number optimum, rounded and moved into
-    the limits, else the best near it.
+    """Return a valid solution for one combination of reversal value and offset: the real-number
+    optimum, rounded and moved into the limits. If that is not valid, return the best solution near
+    it, or None if there is none.
     """
     if not variant.count.size:
         return None

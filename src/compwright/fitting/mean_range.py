@@ -1,4 +1,5 @@
-"""Minimisation of the mean range of simulated tests by a linear program, with a certificate.
+"""Minimisation of the mean range of simulated tests by a linear program, with numbers that prove
+the optimum (a certificate).
 
 Solved with cvxpy (Diamond and Boyd, J. Machine Learning Research 17, 2016). A solver that stopped
 early or reports its result as inaccurate has failed.
@@ -86,7 +87,8 @@ def product(one: SparseMatrix, other: SparseMatrix) -> SparseMatrix:
 def solve_ranges(
     shown: Deviations, limits: QuadraticProblem, *, slack: float
 ) -> tuple[FloatArray, dict[str, float]]:
-    """Return the table values with the smallest mean range under ``limits``, and the certificate.
+    """Return the table values with the smallest mean range under ``limits``, and the numbers that
+    prove this optimum (certificate).
 
     Among all values within ``slack`` (mm or deg) of the smallest mean range, those of least mean
     square are returned; where the solver fails there, those of the smallest range. Both have the

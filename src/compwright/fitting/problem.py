@@ -251,8 +251,8 @@ def build_problem(
     *,
     without: tuple[str, ...] = (),
 ) -> QuadraticProblem:
-    """Return the quadratic problem of the table, ``without`` some groups of limits if their cost is
-    to be found.
+    """Return the quadratic problem of the table. The groups of limits named in ``without`` are left
+    out, to find the cost of these limits.
     """
     P, q, constant = _objective(data, layout)
     blocks = [

@@ -38,7 +38,7 @@ _SOLVED: Final = "solved"
 @dataclass(frozen=True, slots=True)
 class SolvedUnknowns:
     """The solution ``x`` of a quadratic problem, the Lagrange multipliers ``y`` of its limits, and
-    the certificate.
+    the numbers that prove that ``x`` is optimal (certificate).
     """
 
     x: FloatArray
@@ -47,7 +47,7 @@ class SolvedUnknowns:
 
 
 def solve_quadratic(problem: QuadraticProblem) -> SolvedUnknowns:
-    """Return the certified optimum of a quadratic problem.
+    """Return the optimum of a quadratic problem, with the numbers that prove that it is optimal.
 
     Raises CapacityError where there is none or the certificate fails. Optimality conditions: Boyd
     and Vandenberghe, Convex Optimization, 2004, section 5.5.3.
@@ -79,7 +79,9 @@ def _certified(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> Solve
 
 
 def no_solution(message: str, found: str) -> CapacityError:
-    """Return the error to raise if no solution is certified. ``found``: the solver's result."""
+    """Return the error to raise if no solution is proven to be optimal. ``found``: the solver's
+    result.
+    """
     return CapacityError(
         Fault(
             message=f"no certified solution: the solver found no optimal table ({message})",

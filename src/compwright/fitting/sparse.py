@@ -1,4 +1,4 @@
-"""Sparse matrices in numpy alone, so that a certificate does not depend on a solver's arithmetic.
+"""Sparse matrices in numpy alone, so that the proof of an optimum does not depend on a solver.
 
 Every sum is taken in the order of the entries, whatever the processor.
 """

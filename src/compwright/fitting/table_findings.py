@@ -1,4 +1,6 @@
-"""Findings about a table: where it is active, where not, and the cost of the control's limits."""
+"""Findings about a table: where it is active and where not, and the error that each limit of the
+control costs.
+"""
 
 from __future__ import annotations
 
@@ -33,7 +35,9 @@ def display_unit(kind: AxisKind) -> tuple[float, str]:
 
 
 def reportable_costs(costs: list[tuple[str, float]], quantum: float) -> tuple[Limit, ...]:
-    """Return those ``costs`` (by cause, rms in mm or deg) that exceed rounding errors."""
+    """Return those ``costs`` that exceed rounding errors. A cost is the rms error (mm or deg) that
+    one cause adds, such as a limit of the control.
+    """
     rounded = [(cause, rounded_number(value)) for cause, value in costs]
     return tuple(
         Limit(cause, value) for cause, value in rounded if value > LEAST_REPORTED * quantum
@@ -106,7 +110,9 @@ def edge_findings(
 
 
 def loss_findings(limits: tuple[Limit, ...], wanted: WantedCorrection) -> tuple[Finding, ...]:
-    """Return a warning for each limit of the control whose cost would show in a test."""
+    """Return a warning for each limit of the control that adds an error large enough to show in a
+    test.
+    """
     least = max(_SHOWN[wanted.kind], _OF_THE_NOISE * wanted.noise)
     factor, unit = display_unit(wanted.kind)
     costly = [limit for limit in limits if limit.value >= least]
@@ -115,7 +121,9 @@ def loss_findings(limits: tuple[Limit, ...], wanted: WantedCorrection) -> tuple[
 
 
 def _loss(cause: str, left: Amount) -> Iterator[Finding]:
-    """Yield the finding about a limit of the control that leaves the error ``left``."""
+    """Yield the finding about one limit of the control. ``left``: the error that the table leaves
+    because of this limit.
+    """
     if cause == "number of points":
         yield Finding.of("CW-F004", "warning", left=left)
     elif cause == "no backlash value":

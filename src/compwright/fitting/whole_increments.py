@@ -1,5 +1,5 @@
-"""Fit of the best table for a control that stores whole increments, with the cost of rounding and
-the reason for the magnification (dynamic programming: Bellman, 1957).
+"""Fit of the best table for a control that stores whole increments, with the error that rounding
+adds and the reason for the chosen magnification (dynamic programming: Bellman, 1957).
 """
 
 from __future__ import annotations
@@ -172,7 +172,8 @@ def fit_whole_increments(
     *,
     address: str,
 ) -> tuple[AxisCompensation, dict[str, float], tuple[Limit, ...], tuple[Finding, ...]]:
-    """Return the table, its certificate, the cost of each limit, and the magnification's finding.
+    """Return the table, the numbers that prove that it is optimal (certificate), the error that
+    each limit of the control adds, and the finding about the magnification.
 
     Costs are rms, mm or deg. ``aim``: wanted totals, zero in the zero state. The table is the exact
     optimum of the mean square over the travel and both directions. Raises CapacityError where the
@@ -262,8 +263,8 @@ def _limits(
     solution: LatticeSolution,
     grid: HeldGrid,
 ) -> tuple[Limit, ...]:
-    """Return the cost of each limit: the root of the difference between the mean squares with the
-    limit and without it.
+    """Return the cost of each limit of the control: the root of the difference between the mean
+    squares with and without this limit.
     """
     unit, magnification = fit.lattice.unit, solution.magnification
     free = {name: float(np.sqrt(max(0.0, value))) for name, value in fit.free_bounds().items()}
