@@ -32,7 +32,9 @@ _STRAIGHT = 1e-9
 
 
 def lists_between(family: Family, request: BetweenRequest) -> Between:
-    """Answer a request for corrections between axes: value lists and loading steps, or why not."""
+    """Return the answer to a request for corrections between axes: value lists and loading steps,
+    or the reason why a correction is impossible.
+    """
     signs = {entry.output: _sign(family, request, entry) for entry in request.planned}
     before = request.read(request.base)
     writer = ListsWriter(family.definition, request.base)

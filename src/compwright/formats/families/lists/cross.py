@@ -34,7 +34,7 @@ CROSS_STATEMENTS = (
 def read_cross(
     lists: AxisStatements, kind_of: Callable[[str], AxisKind]
 ) -> CrossCompensation | None:
-    """Return the correction of this axis by the position of another axis, mm or deg.
+    """Return the correction of the axis of ``lists`` by the position of another axis, mm or deg.
 
     None without an active table, and if the meaning of its values is unknown, which is noted.
     Faults go to the notes.

@@ -45,7 +45,9 @@ RULES = ShapeRules(
 def _own_limits(
     axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
 ) -> Sequence[Fault]:
-    """Return the faults of an endless axis' table and of values beyond the number type."""
+    """Return the faults of an endless axis' table, and a fault if a value is too large for the
+    number type of the list.
+    """
     faults = limits.turn(capacity, compensation, label)
     low, high = capacity.value_range
     values = (*compensation.positive, *compensation.negative)
@@ -87,7 +89,9 @@ class ListsFamily(Family):
         return ListStateReader(self, axes, address, activity).read(files)
 
     def unit_of(self, axis: Axis) -> str:
-        """Return the word for the unit of the numbers in an axis' list; "tenths" in new lists."""
+        """Return the word for the unit of the numbers in an axis' list; for a new list "tenths"
+        (0.1 µm or 0.0001 deg).
+        """
         address, _ = self.address(axis)
         return str(self.state.facts_of(address).stated.get("table_form", "tenths"))
 

@@ -106,7 +106,9 @@ class AxisStatements:
         return places[0] if places else None
 
     def needed(self, statement: str, given: FoundValue | None) -> FoundValue | None:
-        """Return the value of a statement; it is a fault if only ``given`` is in the lists."""
+        """Return the value of a statement that must not be missing; if it is missing, add a fault
+        at the line of ``given``.
+        """
         found = self.one(statement)
         if found is None and not self.lists.places(self.address, statement):
             name = self.lists.name(statement)
@@ -122,8 +124,8 @@ class AxisStatements:
         return self.values.word(quantity, found) if found else self.values.absent(quantity)
 
     def is_active(self, switch: str, manual: str, *, zero: bool, label: str) -> bool:
-        """Return whether a table is active, by its parameter and by the parameter of manual
-        activation.
+        """Return whether a table is active: switched on by its own parameter, and not reserved for
+        manual activation by another parameter.
 
         A switch in no list counts as on; if it is off, the job's answer is required where
         measurements depend on it. ``zero``: the table holds only zeros.

@@ -33,7 +33,9 @@ COLUMNS = ("setpoint", "positive", "negative")
 def counted(
     definition_scale: NumberScale, options: Mapping[str, object], increment: float
 ) -> NumberScale:
-    """Return the scale of whole numbers that count multiples of ``increment`` (mm or deg)."""
+    """Return the scale for whole numbers in the list that count multiples of ``increment`` (mm or
+    deg).
+    """
     return NumberScale(
         definition_scale.definition,
         definition_scale.kind,
@@ -103,7 +105,9 @@ class TableReader:
         self.of.room("max_points", 0)
 
     def _needed_word(self, quantity: str, given: FoundValue | None) -> str | None:
-        """Return the meaning of a choice; it is a fault if only ``given`` is in the list."""
+        """Return the meaning of a setting with a few possible values; if the list lacks the
+        setting, add a fault at the line of ``given``.
+        """
         statement = self.of.definition.bindings[quantity].statement
         return None if self.of.needed(statement, given) is None else self.of.word(quantity)
 

@@ -85,7 +85,9 @@ class ListsWriter:
             self._put(self.lists.places(address, "backlash"), "0")
 
     def _words(self, address: str) -> dict[str, str]:
-        """Return the texts for unit and number of columns; an existing list keeps its unit."""
+        """Return the texts that state the unit and whether each direction has a column; an existing
+        list keeps its unit.
+        """
         bindings = self.definition
         unit = self.lists.places(address, "unit")
         return {
@@ -203,7 +205,9 @@ class ListsWriter:
         new: Mapping[Entry, str],
         known: Sequence[str],
     ) -> bool:
-        """Return whether the list has the same entries at the same positions, with other values."""
+        """Return whether the new table has the same entries at the same positions as the list, so
+        that only values change.
+        """
         old = {
             (column, index): found
             for column in known

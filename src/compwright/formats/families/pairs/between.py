@@ -93,7 +93,9 @@ def write_cross(
 
 
 def _put(writer: CecWriter, entry: CrossCompensation, faults: list[Fault]) -> list[PairEntry]:
-    """Write a correction between axes as one or two tables; return those that are in no file."""
+    """Write a correction between axes as one or two tables; return the tables for which no file of
+    the control has lines.
+    """
     tables = writer.tables
     pair = tables.axis(entry.input), tables.axis(entry.output)
     both = np.array_equal(entry.positive, entry.negative)
@@ -211,8 +213,8 @@ _OWN = "own files/"
 
 
 def pairs_between(family: Family, request: BetweenRequest, *, small: bool) -> Between:
-    """Answer a request for corrections between axes: tables and loading steps, or why there are
-    none.
+    """Return the answer to a request for corrections between axes: tables and loading steps, or the
+    reason why a correction is impossible.
 
     ``small``: the result is delivered in small files.
     """

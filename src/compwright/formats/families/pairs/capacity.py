@@ -98,7 +98,7 @@ class PairLimits(GridLimits):
         return resolved_number(self.definition, self.points_option(), self.options, fact)
 
     def _tables(self, addresses: Sequence[str], tables: PairTables) -> list[int]:
-        """Return the indices of the tables to be used for these axes."""
+        """Return the indices of the tables to write for these axes, two for each axis."""
         allowed = allowed_tables(self.definition, self.options)
         taken: list[int] = []
         for address in addresses:
@@ -111,7 +111,9 @@ class PairLimits(GridLimits):
         return taken
 
     def _room(self, address: str) -> float:
-        """Return how much of the limit CEC_MAX_SUM other axes' tables leave, mm or deg."""
+        """Return how much of the limit CEC_MAX_SUM is left on an axis next to the tables that stay
+        active, mm or deg.
+        """
         state = self.control.state
         facts = state.facts_of(address).pairs
         if facts.max_sum is None:

@@ -87,7 +87,9 @@ class ExistingTables:
         return () if self.own is None else of_axis(self.own.gathered, output).get(quantity, ())
 
     def factors(self, changed: Collection[int]) -> Iterator[Fault]:
-        """Yield a fault for each table whose values a ``changed`` table multiplies."""
+        """Yield a fault for each unchanged table that the control multiplies by one of the
+        ``changed`` tables.
+        """
         for index in self.places:
             for place in self.places_of(index, "cross_multiplier")[-1:]:
                 if index in changed or int(place.text) - 1 not in changed or self.is_empty(index):

@@ -78,7 +78,9 @@ _LISTING = "a listing with decimal commas, which the control does not take"
 
 
 def _shown(control: Family) -> Family:
-    """Return the control for displaying files: tables of unknown sign are shown as corrections."""
+    """Return ``control``, or a copy for displaying files in which table values of unknown sign
+    count as corrections.
+    """
     if control.options.get("cec_sign", "") is not None:
         return control
     shown = PairsFamily(control.definition, {**control.options, "cec_sign": "correction"})
@@ -87,7 +89,7 @@ def _shown(control: Family) -> Family:
 
 
 def _drafted(control: Family) -> Family:
-    """Return the control for reading files from which a job file is drafted."""
+    """Return a copy of ``control`` for reading the files from which a job file is drafted."""
     shown = _shown(control)
     draft = PairsFamily(control.definition, shown.options)
     draft.sign_assumed, draft.drafting = shown is not control, True
@@ -95,7 +97,9 @@ def _drafted(control: Family) -> Family:
 
 
 def _alone(control: Family, files: Sequence[ControlFile]) -> Sequence[str]:
-    """Return the addresses of all axes in the files: each axis can be read without the others."""
+    """Return the addresses of all axes in the files, because each axis can be read alone if another
+    one is faulty.
+    """
     return PairsReader(_shown(control), files, (), None, Activity()).named()
 
 
@@ -165,7 +169,7 @@ class PairsFamily(GridFamily):
         return bool(own) and (form == "small" or any(map(self._holds_others, own)))
 
     def _holds_others(self, file: ControlFile) -> bool:
-        """Return whether a file has tables with different activation parameters.
+        """Return whether a file contains tables that are activated by different parameters.
 
         Loaded as a whole, it would assign values to active tables, which the control protects.
         Tables between axes, such as one for each direction, share the activation parameter of the

@@ -118,7 +118,9 @@ def _lines(files: Sequence[ControlFile]) -> Iterator[tuple[str, int, str]]:
 
 
 def _units(lines: Sequence[tuple[str, int, str]]) -> Iterator[FileValue]:
-    """Yield the length unit of most files once, and each file with a different unit."""
+    """Yield the length unit that most files state, once, and each file that states a different
+    unit.
+    """
     units_stated = [
         (file, number, match[1].upper())
         for file, number, line in lines

@@ -63,7 +63,8 @@ class SingleValues:
     def word(
         self, label: str, quantity: str, found: FoundValue | None, *, tell: bool = True
     ) -> str | None:
-        """Return the meaning of a choice, or its default if it is missing.
+        """Return the meaning, such as "yes", of a setting with a few possible values; the default
+        if ``found`` is None.
 
         ``tell``: list the default as assumed.
 
@@ -235,7 +236,8 @@ class TableLines(SingleValues):
         return self.activity.was_active(owner, _SWITCHES, word, place, self.notes)
 
     def _was_inactive(self, owner: str, word: str | None, place: FoundValue | None) -> bool:
-        """Return whether the table was inactive together with the leadscrew table of its axis.
+        """Return whether the table counts as inactive during the test, because it is off and the
+        leadscrew table of its axis is on, or because the user is asked which of the two was active.
 
         If the switch is in another file than the values, no program that loads the values switched
         it off.

@@ -109,7 +109,9 @@ def reserving(definition: Definition, points: int, which: str) -> str:
 
 
 def free_tables(allowed: Sequence[int], in_use: Mapping[int, Pair], address: str) -> list[int]:
-    """Return the indices of tables by which an axis may correct itself: its own, then free ones."""
+    """Return the indices of tables by which an axis may correct itself: first the tables that
+    already do so, then unused tables.
+    """
     own = [index for index in allowed if in_use.get(index) == (address, address)]
     return [*own, *(index for index in dict.fromkeys(allowed) if index not in in_use)]
 
@@ -138,7 +140,8 @@ def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[i
 def unit_unknown(
     control: Family, label: str, output: str, kinds: Iterable[AxisKind]
 ) -> Iterator[Fault]:
-    """Yield why no table on the axis ``output`` is written: its unit is inch or unknown.
+    """Yield a fault if no table on the axis ``output`` can be written, because the unit of its
+    tables is inch or unknown.
 
     These ``kinds``; the control works in inch and no file states their unit.
     """

@@ -34,7 +34,9 @@ Places = Mapping[str, Sequence[FoundValue]]
 
 
 def as_table(definition: Definition) -> Definition:
-    """Return a definition that describes cross-axis tables in the terms of axis tables."""
+    """Return a copy of a definition in which the quantities of an axis table are those of a
+    cross-axis table.
+    """
     bindings = {
         name: replace(definition.bindings[cross], quantity=name) for cross, name in AS_TABLE.items()
     }

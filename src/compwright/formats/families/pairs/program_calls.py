@@ -62,7 +62,9 @@ class Found:
 
     @property
     def forks(self) -> bool:
-        """Whether a statement can skip a value or a call of the program."""
+        """Whether a statement, such as a jump, can skip a line of the program that sets a value or
+        calls a program.
+        """
         return bool(self.program.flow) or any(call.doubt for call in self.program.calls)
 
 
@@ -149,7 +151,9 @@ def _start_doubts(
 
 @dataclass(slots=True)
 class CallEnds:
-    """The last assignment of each variable if a program executes all its lines and calls."""
+    """The last assignment of each variable, provided that a program executes all its lines and all
+    programs that it calls.
+    """
 
     gathered: Gathered
     by_name: Mapping[str, Found]

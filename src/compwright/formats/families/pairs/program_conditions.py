@@ -100,7 +100,9 @@ class Case:
 
 
 def expression_of(text: str) -> str | None:
-    """Return an expression without blanks; None if it is long or its value may change by itself."""
+    """Return an expression without blanks; None if it is too long, or if its value may change
+    between two lines that do not set it.
+    """
     if len(text) > _LONGEST:
         return None
     text = re.sub(r"\s+", " ", text.upper().strip())
@@ -210,7 +212,8 @@ def without_known_answers(
     decisions: Mapping[int, Decision | Case],
     setting: Sequence[Mapping[str, str | None]],
 ) -> list[frozenset[int]]:
-    """Return the steps that may follow each step, without those that contradict known values.
+    """Return the steps that may follow each step, without steps that a condition excludes because
+    the values of its variables are known.
 
     Every run that comes to the condition has set its variables to the same numbers before.
 
@@ -270,7 +273,8 @@ def together(
     setting: Mapping[int, Collection[str]],
     reached: Callable[[int], set[int]],
 ) -> Iterator[dict[int, frozenset[int]]]:
-    """Yield, for each possible combination of condition results, the step after each condition.
+    """Yield, for each possible combination of the results of conditions that test the same value,
+    the steps that follow these conditions.
 
     ``setting``: the variables that steps set; ``reached``: the steps that may follow a step.
     """

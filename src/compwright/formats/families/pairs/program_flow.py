@@ -187,7 +187,7 @@ class ProgramFlow:
     followed: frozenset[str] = frozenset()
 
     def ways(self, loaders: frozenset[str]) -> ProgramRuns:
-        """Return the possible runs through the program, by its values and calls of ``loaders``."""
+        """Return the possible runs through the program; lines with values or calls are marked."""
         return possible_runs(
             _step(number, code, self.followed, marked=value or not loaders.isdisjoint(calls))
             for number, code, value, calls in self.lines
@@ -215,7 +215,7 @@ class ProgramFlow:
 
 @dataclass(frozen=True, slots=True)
 class Scanned:
-    """The programs in a file, and faults of values that are computed during execution."""
+    """The programs in a file, and a fault for each value that a program computes when it runs."""
 
     programs: tuple[ProgramFlow, ...]
     computed: tuple[Fault, ...]

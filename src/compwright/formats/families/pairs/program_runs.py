@@ -104,7 +104,8 @@ class ProgramRuns:
             yield replace(self, next=tuple(follow), decisions={})
 
     def left_out(self) -> int | None:
-        """Return the number of a line with a value that no run executes together with all others.
+        """Return the number of a line with a value that no run executes together with all other
+        lines that have values.
 
         None if one run can execute all.
         """
@@ -125,7 +126,9 @@ class ProgramRuns:
                 yield step.line, self._passing(place)
 
     def exclusive(self) -> tuple[int, int] | None:
-        """Return two lines with values of which a run executes at most one; None without."""
+        """Return the numbers of two lines with values of which a run executes at most one; None if
+        there are no such lines.
+        """
         marked = [place for place, step in enumerate(self.steps) if step.marked]
         after = {place: self._reached(place) for place in marked}
         for i, one in enumerate(marked):
@@ -181,7 +184,9 @@ class ProgramRuns:
         return seen
 
     def _passing(self, place: int) -> int:
-        """Return the number of the line before ``place`` that never continues with the next."""
+        """Return the number of the nearest line before step ``place`` after which the next line is
+        never executed.
+        """
         before = (i for i in range(place - 1, -1, -1) if i + 1 not in self.next[i])
         return self.steps[next(before, 0)].line
 
@@ -212,7 +217,9 @@ def possible_runs(steps: Iterable[Step]) -> ProgramRuns:
 
 
 def _decision(step: Step, follow: frozenset[int], after: int) -> Decision | None:
-    """Return a condition with both next steps; None if it alone does not decide the next step."""
+    """Return the condition of a line with both steps that may follow it; None if the line has no
+    condition that alone decides which of them follows.
+    """
     found = _ASKING.fullmatch(step.code)
     jumps = len(_GO.findall(step.code))
     condition = None if found is None or step.skipped else condition_of(found["condition"])
@@ -225,7 +232,9 @@ def _decision(step: Step, follow: frozenset[int], after: int) -> Decision | None
 def _choice(
     step: Step, place: int, places: Mapping[str, Sequence[int]], follow: frozenset[int], stop: int
 ) -> Decision | Case | None:
-    """Return the branches of a CASE, or of a FOR that may be skipped; None for other lines."""
+    """Return the steps that may follow a CASE line, or a FOR line whose loop may have no passes,
+    with the values that decide; None for other lines.
+    """
     loop = None if step.skipped else FOR.fullmatch(step.code)
     if loop is not None:
         condition = condition_of(f"({loop['first']})<=({loop['last']})")

@@ -138,7 +138,9 @@ class CecReader(SingleValues):
         )
 
     def _table(self, index: int, places: Places) -> CecTable | None:
-        """Return one table; None if its lines contain none or it cannot be used."""
+        """Return one cross-axis table; None if its lines contain no table, or a table that cannot
+        be used or written.
+        """
         if not any(name in places for name in DATA) or is_unused(places):
             return None
         one = _CrossTableReader(self.gathered, index, places, self.activity, self.units)
@@ -230,7 +232,9 @@ class CecReader(SingleValues):
         return sums
 
     def _metric(self) -> dict[str, bool]:
-        """Return for each output axis whether its tables are in mm, where a file states it."""
+        """Return, by output axis, whether its tables are in mm; axes whose unit no file states are
+        left out.
+        """
         stated = {
             address: self.word(f"axis {address}", "cross_metric", places["cross_metric"][-1])
             for (address, _), places in self.gathered.singles.items()

@@ -155,7 +155,8 @@ class PairsReader(GridReader):
         )
 
     def _others_protected(self, address: str, system: int | None) -> str:
-        """Return as text the activation parameters of other active tables in the same files.
+        """Return as text the activation parameters of active tables, other than an axis' own, in
+        the files that contain the axis' own table.
 
         The control protects active tables during loading.
         """
@@ -204,7 +205,9 @@ class PairsReader(GridReader):
         return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay())
 
     def active_lines(self) -> dict[str, FoundValue]:
-        """Return for each axis name a line with an active correction, also of cross-axis tables."""
+        """Return, by axis name, one line that shows an active correction of the axis, or a value of
+        a cross-axis table by which the axis corrects itself.
+        """
         lines = super().active_lines()
         for places in places_of(self.gathered).values():
             base, corrected = (last(name, places) for name in ("cross_input", "cross_output"))

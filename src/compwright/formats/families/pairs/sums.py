@@ -20,7 +20,8 @@ def without_cut_sums(
     may_stay: Callable[[CecTable], bool],
     wanted: Iterable[str] = (),
 ) -> Cec:
-    """Return the tables, without those of an output axis whose sum exceeds the control's limit.
+    """Return the cross-axis tables, except all tables of an output axis on which the sum of the
+    tables exceeds the control's limit.
 
     The control cuts such a sum off: it is not a curve, but the same before and after if all of them
     ``may_stay``. Otherwise it is a fault of the state. ``wanted``: the axes under work (none: all);
@@ -73,8 +74,8 @@ def _reach(cec: Cec, tables: Sequence[CecTable]) -> tuple[float, float]:
 def _merged(
     tables: Sequence[CecTable],
 ) -> list[tuple[float | None, FloatArray, FloatArray, FloatArray]]:
-    """Return period, positions and the sum of the tables (+, -), for each period and start
-    position.
+    """Return, for each period and start position that tables have in common, the period, the
+    positions, and the sums of the corrections for + and for -.
 
     A sum of curves that are straight between their points is straight between the points of all.
     """

@@ -29,7 +29,8 @@ class Switches:
             self.own.put(quantity, self.tables.places_of(index, quantity), "0")
 
     def sum_on(self, output: str, faults: list[Fault]) -> None:
-        """Activate MD32710 of an axis; it is a fault if that would also activate other tables.
+        """Set MD32710 of an axis to 1; add a fault if this would also activate tables other than
+        the new ones.
 
         If no file states MD32710, it has to be set by hand; other tables are a fault then too.
         """

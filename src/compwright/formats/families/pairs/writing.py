@@ -60,7 +60,8 @@ class CecWriter:
         self.switches = Switches(self.tables)
 
     def own_pair(self, work: AxisToWrite) -> list[PairEntry]:
-        """Write an axis' two tables, one per direction; return those that are in no file.
+        """Write an axis' two tables, one per direction; return the tables for which no file of the
+        control has lines.
 
         Raises UsageError if the meaning of a value is not given.
         """
@@ -85,7 +86,8 @@ class CecWriter:
         label: str,
         faults: list[Fault],
     ) -> list[PairEntry]:
-        """Write curves as tables (one per direction, or one); return those that are in no file.
+        """Write curves as tables (one per direction, or one for both); return the tables for which
+        no file of the control has lines.
 
         ``pair``: input axis and output axis.
 
@@ -103,7 +105,9 @@ class CecWriter:
         return left
 
     def _by_direction(self, indices: list[int]) -> list[int]:
-        """Return table indices with that for + first; a table keeps its direction in the files."""
+        """Return table indices, the index of the table for + first; a table that has a direction in
+        the files keeps this direction.
+        """
 
         def holds(index: int, text: str) -> bool:
             places = self.tables.places_of(index, "cross_direction")
@@ -117,7 +121,9 @@ class CecWriter:
         return indices if second is None or not rest else [rest[0], second, *rest[1:]]
 
     def empty_own(self, work: AxisToWrite) -> None:
-        """Set to zero active tables by which an axis corrects itself, unless written again."""
+        """Set to zero the active tables by which an axis corrects itself, so that they do not add
+        to the new table.
+        """
         tables, address = self.tables, work.address
         for index, pair in tables.in_use.items():
             if pair != (address, address) or index in tables.kept:

@@ -59,7 +59,8 @@ class Word:
 
 @dataclass(slots=True)
 class MemoryTable:
-    """A table in a motor's memory: the number of entries it needs, and those in the script.
+    """A table in a motor's memory: the number of entries that its definition requires, and the
+    entries that follow in the script.
 
     ``desired``: looked up by the commanded position. ``plane``: over two motors.
     """
@@ -151,7 +152,9 @@ _SHORT = {"ROT": "ROTARY", "LOOK": "LOOKAHEAD", "GAT": "GATHER"}
 
 
 class Buffers:
-    """The memory buffers that scripts have defined so far: for each kind of table the motors."""
+    """The memory buffers that scripts have defined so far: for each kind of buffer, the motors that
+    have one.
+    """
 
     def __init__(self) -> None:
         self.motors: dict[str, set[int]] = {}
@@ -221,7 +224,8 @@ def _tables(script: Script) -> Mapping[tuple[str, int], list[tuple[str, Word]]]:
 def _other_ends(
     script: Script, name: str, words: Sequence[Word], ends: Sequence[str]
 ) -> Iterator[Fault]:
-    """Yield a fault if only the order of file names decides which statement comes last.
+    """Yield a fault for each script of a folder that ends with another result than the last one, so
+    that only the order of file names decides.
 
     ``ends``: the result of each.
     """

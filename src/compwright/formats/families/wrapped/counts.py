@@ -120,7 +120,8 @@ def counts_question(name: str, given: object) -> Fault:
 
 
 def around(axis: Axis | None, zero: float, step: float) -> tuple[float, int]:
-    """Return position and number (from motor zero) of the point where a compensation begins.
+    """Return the position of the table point at which a compensation begins, and the number of this
+    point counted from motor zero.
 
     The last one below the travel of an axis with ends.
     """

@@ -43,7 +43,9 @@ from compwright.words.sentences import control_text
 
 
 def table_words(axis: Axis, table: MotorTable, counts: Counts, rate: str) -> dict[str, str]:
-    """Return the card's values of a table: entries, length, spacing, unused gap and backlash."""
+    """Return the card's values of a motor's table: entries, length, spacing, backlash, and the
+    range that the axis must not use (gap).
+    """
     unit = axis.kind.unit
     spacing = table.length / len(table.entries) * counts.count
     gap = control_text("the length is one turn, and there is no gap")

@@ -291,7 +291,7 @@ class WrappedStateReader:
         grids: Mapping[tuple[int, int], tuple[FloatArray, FloatArray]],
         step: float,
     ) -> AxisCompensation:
-        """Return a motor's tables as one compensation; tables with other points are ``others``."""
+        """Return a motor's tables as one compensation; each further grid is in its ``others``."""
         parts: list[AxisCompensation] = []
         for (needed, length), (ahead, back) in grids.items():
             against = back + (0.0 if parts else step)
@@ -490,7 +490,7 @@ def _add(
     *,
     both: bool,
 ) -> None:
-    """Add the correction of a table to the entry of ``grids`` for tables with the same points.
+    """Add a table's correction to the sum in ``grids`` of the tables with the same points.
 
     It is added for both directions (``both``), or only against the counting direction.
     """

@@ -69,7 +69,8 @@ class _Nodes:
 
 
 def over_travel(ring: Sequence[float], axis: Axis) -> tuple[float, ...]:
-    """Return the points of a repeating table that are on an axis' travel or at its reference.
+    """Return the points of a repeating table that are needed for an axis' travel and its reference
+    position.
 
     All points if one period is too short for that.
 
@@ -204,7 +205,9 @@ def _nodes(
 
 
 def _beyond_shape(compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Return a fault for each property of a compensation that one table of straight lines lacks."""
+    """Return a fault if a compensation has a property that tables with straight lines lack, such as
+    a slope or a backlash value.
+    """
     more = compensation.others or compensation.slope or compensation.backlash
     if compensation.interpolation == "linear" and not more:
         return []
