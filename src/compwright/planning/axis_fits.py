@@ -100,8 +100,8 @@ def fit_all(
 def _fit(
     task: tuple[AxisWork, Capacity, Literal["simple", "guarded"]],
 ) -> _Fitted | CapacityError:
-    """Return the wanted correction of an axis and its tables, or the reason why the control cannot
-    hold a table.
+    """Return the wanted correction and the fitted tables of an axis, or the CapacityError that
+    states why the control cannot hold a table.
 
     One table is used where the second could hold the drift of the test and the job leaves the
     choice.
@@ -180,8 +180,8 @@ def _shown(work: AxisWork, rule: Literal["simple", "guarded"]) -> Shown:
 def _pays(
     work: AxisWork, table: FittedTable, usual: FittedTable, rule: Literal["simple", "guarded"]
 ) -> bool:
-    """Return whether the ``table`` fitted for the job's goal replaces the ``usual`` table: where
-    both are equal, or where simulated tests show a gain.
+    """Return whether the ``table`` fitted for the job's goal is used instead of the ``usual``
+    table: if both are equal, or if simulated tests show that it is better.
     """
     goal = work.planned.request.goal
     if goal == "expected" or same_tables(table, usual):

@@ -1,4 +1,6 @@
-"""The data of one axis while a job runs: evaluated, estimated, fitted, predicted."""
+"""The data of one axis while a job runs: from its evaluated tests and its estimated error to the
+fitted table and the prediction.
+"""
 
 from __future__ import annotations
 

@@ -166,8 +166,8 @@ class CircleChecks:
     def with_circle_backlash(
         self, circles: Sequence[CircleWork]
     ) -> tuple[dict[str, AxisWork], tuple[Finding, ...]]:
-        """Return the axes, with lost motion from their circles instead of their positioning tests
-        where the job requires it.
+        """Return the axes by name, with the findings about them. If the job requires it, an axis
+        has the lost motion from its circular tests instead of its positioning tests.
         """
         works = dict(self.works)
         findings: list[Finding] = []
@@ -201,8 +201,8 @@ class CircleChecks:
         return Finding.of("CW-P130.unknown", "error", axis=name)
 
     def _shift(self, name: str, circles: Sequence[CircleWork]) -> ValueWithError | None:
-        """Return the lost motion (mm) of an axis from its circles, weighted mean, minus that from
-        its positioning test. None if no circle can be compared.
+        """Return by how much the lost motion (mm) of an axis is larger in its circular tests
+        (weighted mean) than in its positioning test. None if no circular test can be compared.
         """
         values, weights = [], []
         for work in circles:

@@ -50,8 +50,8 @@ Unknown = tuple[str, str]
 
 @dataclass(frozen=True, slots=True)
 class Observation:
-    """An equation from one circle: a measured value ``found`` is the sum of unknown machine errors
-    times their coefficients.
+    """An equation from one circular test: the measured value ``found`` is the sum of unknown
+    machine errors times their coefficients.
     """
 
     kind: str
@@ -61,8 +61,8 @@ class Observation:
 
     @property
     def group(self) -> tuple[str, str]:
-        """The kind of this value and, for squareness, its plane. Values with equal keys are
-        compared.
+        """The kind of the measured value and, for squareness, its plane. Observations of equal kind
+        and plane are compared with each other.
         """
         return self.kind, next(iter(self.parts))[1] if self.kind == "squareness" else ""
 
@@ -75,8 +75,8 @@ class Observation:
 
 @dataclass(frozen=True, slots=True)
 class CircleNetwork:
-    """The machine errors that fit all ``circles`` best, with the values in which circles contradict
-    each other.
+    """The machine errors that fit all circular tests ``circles`` best, and the measured values in
+    which these tests contradict each other.
 
     ``values`` by unknown; ``contradictions``: the observations in which the circles contradict each
     other, by kind and, of squareness, plane.
@@ -183,8 +183,8 @@ def _observations(result: CircularResult) -> Iterator[Observation]:
 def _mean_scale(
     result: CircularResult, of_mismatch: float, turning: float
 ) -> Iterator[Observation]:
-    """Yield the mean scale error of both axes of a circle as an equation, in which the shrinkage of
-    the radius by the servo loops is a further unknown.
+    """Yield an equation for the mean scale error of both axes of a circular test. A second unknown
+    in the equation is the shrinkage of the radius by the servo loops.
     """
     found = [effect_of(result, f"scale_error_{side}") for side in ("first", "second")]
     # What is taken off for unequal lags has opposite signs and is not in the mean.
@@ -218,8 +218,8 @@ def network_findings(circles: Sequence[CircleWork]) -> Iterator[Finding]:
 
 
 def machine_findings(network: CircleNetwork) -> Iterator[Finding]:
-    """Yield a finding with the machine errors from all circles, and one for each contradiction
-    other than of squareness.
+    """Yield a finding with the machine errors from all circular tests, and a finding for each
+    contradiction between these tests, except about squareness (`squareness_findings`).
     """
     circles, machine = list(network.circles), list(_machine(network))
     yield Finding.of("CW-P135", "info", circles=circles, machine=machine)

@@ -32,8 +32,8 @@ _SAME: Final = 0.02
 def with_active_corrections(
     tests: Sequence[PlannedTest], axis: Axis, states: Mapping[str, ControlState]
 ) -> tuple[PlannedTest, ...]:
-    """Return the tests, each with the correction that was active in it, from its motion and the
-    state of the control (``states`` by name).
+    """Return the tests, each with the correction that was active in the test. It follows from the
+    test's motion (feed or rapid) and from the state of the control (``states`` by name).
 
     None where its difference from the first test is unknown, or where a test after the first has
     readings at a single target, which say nothing about the error. Tests in one unknown state and
@@ -87,8 +87,8 @@ def select_consistent(
     axis: Axis,
     active: AxisCompensation | None,
 ) -> tuple[tuple[PlannedTest, ...], MeasuredError, tuple[Finding, ...]]:
-    """Return the tests, those that contradict the first one marked as unused; the error estimated
-    from the tests in use; and the doubts.
+    """Return three results: the tests, with those marked as unused that contradict the first test;
+    the error estimated from the tests in use; and the doubts about the unused tests.
 
     ``observed``: the same tests with the active correction subtracted; ``active``: the correction
     during the first.

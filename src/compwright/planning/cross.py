@@ -47,8 +47,8 @@ _PPM = 1e6
 
 @dataclass(frozen=True, slots=True)
 class Squareness:
-    """The squareness of a plane under the present corrections, rad, with its standard error, its
-    circles, and the largest diameter, mm.
+    """The squareness of a plane under the present corrections, rad, with its standard error, the
+    names of the circular tests that show it, and the largest diameter of these tests, mm.
     """
 
     value: float
@@ -166,7 +166,8 @@ class _Planner:
         slope: float,
     ) -> CrossCompensation:
         """Return the correction of the axis ``bent`` as a table over the travel of the axis
-        ``given``, zero at its reference. Beyond the measured range it continues with ``slope``.
+        ``given``, zero at the reference of ``given``. Beyond the measured range the correction
+        continues with ``slope``.
         """
         axis = self.axes[given]
         nodes = _nodes(axis, where)
@@ -346,7 +347,9 @@ class _Planner:
 
 
 def angle_of(work: CircleWork, state: ActiveCorrections) -> float:
-    """Return the squareness, rad, that corrections between axes remove over a circle."""
+    """Return the squareness error, rad, that the corrections between axes in ``state`` remove from
+    a circular test.
+    """
     test = work.planned.test
     crossing = replace(state, along={}).displacement(test.axes)
     degrees: FloatArray = np.linspace(0.25, 359.75, 720)

@@ -60,7 +60,7 @@ def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
 
 
 def _second_table(work: AxisWork, drift: float, within: float) -> Iterator[Finding]:
-    """Yield the finding CW-P153 if the difference of the tables for + and − may come from drift.
+    """Yield the finding CW-P153 if drift can explain the difference of the tables for + and −.
 
     ``drift`` from the first run to the last, ``within`` a run; mm or deg.
     """

@@ -1,4 +1,6 @@
-"""Findings about what the goal of a fit gains and costs in separate simulated tests."""
+"""Findings about the goal of a fit (the parameter that it minimises, such as A): what this goal
+gains and costs in separate simulated tests.
+"""
 
 from __future__ import annotations
 
@@ -23,8 +25,8 @@ _REPORTED: Final = (
 
 
 def goal_findings(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Finding]:
-    """Yield the finding CW-P152: A, E and M of simulated tests with the table ``new``, and with the
-    other fitted table, which was not used.
+    """Yield the finding CW-P152: A, E and M of simulated tests with the chosen table ``new`` and,
+    for comparison, with the fitted table that was not chosen.
 
     ``fresh``: simulated tests at new targets. Only if the job has a goal other than the least
     expected square.

@@ -73,5 +73,7 @@ def guard_bands(
 
 
 def _moved(narrow: Quantiles, wide: Quantiles) -> float:
-    """Return how far the range ``wide`` extends beyond ``narrow``, at the worse end."""
+    """Return how far the range ``wide`` (5 % to 95 %) extends beyond the range ``narrow``, at the
+    end where it extends further.
+    """
     return max(wide.p95 - narrow.p95, narrow.p05 - wide.p05)

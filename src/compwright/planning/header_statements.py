@@ -109,7 +109,9 @@ def _is_active(state: ControlState, axis: Axis) -> bool:
 
 
 def _stated(header: Mapping[str, str]) -> set[bool]:
-    """Return the set of states of compensation in a header: True for on, False for off."""
+    """Return the states of compensation that a header contains: True for on, False for off. The set
+    is empty if the header does not mention compensation.
+    """
     texts = [text for key, text in header.items() if key.strip().lower() == _KEY]
     lines = [line.strip() for text in texts for line in text.splitlines()]
     return {_OFF.match(line) is None for line in lines if _ON.match(line) or _OFF.match(line)}

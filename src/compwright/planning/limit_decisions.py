@@ -1,4 +1,6 @@
-"""The limits of a job: whether tests yield these parameters, and the decision about each limit."""
+"""The limits of a job: whether the tests yield the limited parameters, and whether each limit is
+met.
+"""
 
 from __future__ import annotations
 
@@ -163,13 +165,15 @@ def _measured(
 
 
 def unguarded(accept: Mapping[str, AcceptDecision]) -> list[str]:
-    """Return the parameters that have a guarded decision but no uncertainty."""
+    """Return the parameters whose decision requires a guard band for uncertainty, but whose
+    uncertainty is unknown.
+    """
     return [name for name, entry in accept.items() if entry.rule == "guarded" and entry.U is None]
 
 
 def lacking_guard(axis: Axis, standard: str, names: Iterable[str]) -> tuple[Finding, ...]:
-    """Return the finding CW-P132: which uncertainties the job must state for guarded decisions
-    about the parameters ``names`` of an axis.
+    """Return the finding CW-P132: which uncertainties the job must state so that decisions about
+    the parameters ``names`` of an axis can allow for uncertainty (guard band).
     """
     if standard == "vdi3441":
         give = (
@@ -190,8 +194,8 @@ def lacking_guard(axis: Axis, standard: str, names: Iterable[str]) -> tuple[Find
 
 
 def lacking_circle_guard(name: str, accept: Mapping[str, AcceptDecision]) -> tuple[Finding, ...]:
-    """Return the finding CW-P132 for a circle: which uncertainties the job must state for guarded
-    decisions.
+    """Return the finding CW-P132 for a circular test: which uncertainties the job must state so
+    that decisions can allow for uncertainty (guard band).
     """
     give = (
         "give uncertainty.circular in the job (U of the instrument in µm, length, setup, E_VE), or"
@@ -217,8 +221,8 @@ def magnitude(quantiles: Quantiles) -> Quantiles:
 
 
 def check_limits(job: Job, entry: AxisJob, results: tuple[PositioningResult, ...]) -> None:
-    """Raise UsageError for every limit on a parameter that the tests do not yield, and for a
-    guarded decision without uncertainty.
+    """Raise UsageError for every limit on a parameter that the tests do not yield, and for every
+    decision that requires a guard band although the uncertainty is unknown.
     """
     accept = entry.accept
     if accept is None:

@@ -1,4 +1,5 @@
-"""Causes that limit an axis, with the contribution of each to the predicted parameter.
+"""Causes that limit the accuracy of an axis, with the contribution of each cause to the predicted
+parameter.
 
 Each cause is computed from the same draws with and without it.
 """
@@ -42,7 +43,8 @@ _WORTH_SAYING: Final = 0.005
 
 
 def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> LimitingCauses | None:
-    """Return how much each cause contributes to a parameter of an axis with the correction ``new``.
+    """Return how much each cause contributes to one predicted parameter, such as A, of an axis with
+    the correction ``new``.
 
     It is the first of A, E, ... that the first test has; None where it has none.
 
@@ -110,8 +112,8 @@ def _without(
     shown: _ShownParameter,
     without_outliers: Quantiles,
 ) -> Iterator[tuple[str, Quantiles, float | None]]:
-    """Yield each cause with the parameter of simulated tests that lack this cause, and the rms
-    error by the cause (mm or deg), None where it is unknown.
+    """Yield each cause with two results: the parameter of simulated tests without this cause, and
+    the rms error (mm or deg) by this cause, None where that is unknown.
 
     ``without_outliers``: the parameter without outlying readings.
     """

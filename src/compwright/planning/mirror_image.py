@@ -1,5 +1,5 @@
-"""Detection of a table in the control that is the mirror image of a test made with it. Such a table
-was probably not active.
+"""Detection of tests whose deviations are the mirror image of the table that is stated as active.
+That table was probably not active in the test.
 
 Then the table was made from this very test: it was not active in the test, and a further table
 would remove the same error twice.

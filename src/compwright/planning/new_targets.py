@@ -68,8 +68,8 @@ def _undecided(
     test: TestPrediction,
     posterior: AxisPosterior,
 ) -> Iterator[Finding]:
-    """Yield the finding CW-P133 if a limit is kept at the same targets but undecided at new
-    targets, with what to measure.
+    """Yield the finding CW-P133, with what to measure, if a limit is met at the measured targets
+    but undecided at new targets.
     """
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
     new, hidden = test.predicted_new_targets, posterior.hidden

@@ -48,8 +48,8 @@ _LEAST = 0.05
 
 @dataclass(frozen=True, slots=True)
 class ScaleCorrection:
-    """The correction of an axis' scale error from circles. ``planned`` is None if there is none,
-    and ``finding`` states why.
+    """The correction of an axis' scale error from circular tests. Without a correction, ``planned``
+    is None and ``finding`` states the reason.
     """
 
     name: str
@@ -230,8 +230,8 @@ def _two_feeds(
 
 
 def _seen(work: CircleWork, name: str) -> ValueWithError | None:
-    """Return the scale error as measured at the feed of a circle, with the effect of servo lag and
-    the standard error of the fit alone, or None if it is unknown.
+    """Return the scale error that a circular test shows at its feed, servo lag included, with the
+    standard error of the fit alone. None if the scale error is unknown.
     """
     effect = effect_of(work.result, f"scale_error_{ENDS[_index(work, name)]}")
     if effect is None:

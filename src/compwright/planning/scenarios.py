@@ -1,4 +1,5 @@
-"""Simulated tests with which a goal of the fit is optimised, and others with which it is judged.
+"""Simulated tests for a fit whose goal is a small parameter such as A: some to optimise the table,
+and others to judge the result.
 
 They are drawn as predictions are, from separate draws; a third set, that of the prediction,
 confirms the result or not.
@@ -41,8 +42,8 @@ _SHOWN_BY: Final = {
 def scenarios_of(
     result: PositioningResult, posterior: MeasuredError, estimate: ErrorEstimate, axis: Axis
 ) -> Scenarios:
-    """Return simulated repetitions of the test ``result`` at new random targets, as deviations
-    minus the ``estimate``.
+    """Return simulated repetitions of the test ``result`` at new random targets. Their values are
+    the deviations minus the ``estimate`` of the error.
     """
     test = result.test
     m = test.targets.size

@@ -68,7 +68,9 @@ def second_test_findings(work: AxisWork, new: Correction, fresh: FreshTests) -> 
 def _open_properties(
     test: PositioningTest, noise: NoiseDraws
 ) -> Iterator[tuple[Sentence, Sentence, NoiseDraws, NoiseDraws]]:
-    """Yield what the test shows, the other possibility, and the noise of a new test under each."""
+    """Yield, for each property of the noise that one test leaves open: what the test shows, the
+    other possibility, and the noise of a new test in each of these two cases.
+    """
     rng = generator(test.axis, test.name, "another day")
     if np.mean(noise.drift != 0.0) >= _CERTAIN:
         share = rng.standard_normal(noise.count)
@@ -101,7 +103,9 @@ def _open_properties(
 
 
 def _only(noise: NoiseDraws, chosen: BoolArray) -> NoiseDraws:
-    """Return as many draws as there are, of the ``chosen`` (count,) ones alone."""
+    """Return the ``chosen`` (count,) draws of the noise, repeated so that the number of draws is
+    unchanged.
+    """
     places = np.flatnonzero(chosen)
     return noise.taken(places[np.arange(noise.count) * places.size // noise.count])
 

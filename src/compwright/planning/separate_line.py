@@ -80,8 +80,8 @@ def with_line(
 def _line(
     table: AxisCompensation, nodes: FloatArray, unit: float, reference: float
 ) -> AxisCompensation | None:
-    """Return a straight line with the slope of ``table``, zero at the reference, or None if it
-    rises by less than one unit per interval.
+    """Return a straight line with the slope of ``table``, zero at the reference. None if the rise
+    per interval rounds to zero units of the control, or with fewer than three points.
     """
     mean = (table.positive + table.negative) / 2
     if mean.size < 3:

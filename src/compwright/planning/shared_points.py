@@ -51,7 +51,7 @@ def share_points(
 
 
 def _named_points(planned: PlannedAxis) -> int:
-    """Return the number of table points that an axis needs at the spacing stated in the job."""
+    """Return the number of points that an axis' table has at the spacing stated in the job."""
     request, axis = planned.request, planned.axis
     spacing = request.named_spacing or 1.0
     low = min(axis.travel[0] if request.start is None else request.start, axis.reference)

@@ -150,8 +150,8 @@ class FreshTests:
         }
 
     def open_waves(self) -> FloatArray | None:
-        """Return random draws (s, m) of periods that the readings may hide, mm or deg, or None if
-        there are none.
+        """Return random draws (s, m) of the periodic errors that the readings possibly hide, mm or
+        deg, or None if there are no such errors.
         """
         if not self.waves:
             result, (count, _) = self.result, self.draws.positive.shape

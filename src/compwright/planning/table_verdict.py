@@ -114,7 +114,9 @@ def _what_remains(axis: Axis, limiting: LimitingCauses, scatter: float) -> Itera
 
 
 def _main_cause(limiting: LimitingCauses, scatter: float) -> LimitingCause | None:
-    """Return the main cause why a table does not help, or None if there is no advice about it."""
+    """Return the main cause why a table does not help, or None if no cause with a known remedy is
+    large enough.
+    """
     known = [cause for cause in limiting.causes if cause.cause in _CURED_ELSEWHERE]
     largest = max(known, key=lambda cause: cause.value, default=None)
     if largest is None or not limiting.then > 0.0:

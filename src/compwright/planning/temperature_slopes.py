@@ -56,8 +56,8 @@ def fresh_slope(rule: Literal["simple", "guarded"], test: PlannedTest) -> float:
 
 
 def slope_in_table(job: Job, tests: Sequence[PlannedTest], coming: PositioningTest) -> float:
-    """Return the standard deviation (mm/mm) of the slope error that the table takes from the first
-    of the ``tests``.
+    """Return the standard deviation (mm/mm) of the slope error in the table, which has its slope
+    from the first of the ``tests``.
 
     It is relative to the slope of a test like ``coming``.
 

@@ -1,4 +1,6 @@
-"""Finding about steps in a table that the control never applies."""
+"""Finding about reversal steps in a table (jumps of the correction where the axis reverses) that
+the control never applies.
+"""
 
 from __future__ import annotations
 
@@ -12,8 +14,8 @@ from compwright.records.correction import AxisCompensation
 
 
 def unapplied_step_findings(axis: Axis, table: AxisCompensation) -> Iterator[Finding]:
-    """Yield the finding CW-P156 if an axis reverses where the control does not apply a step of its
-    table. The finding states helpful axis accelerations.
+    """Yield the finding CW-P156 if the control does not apply some reversal steps of an axis'
+    table. The finding states the axis accelerations with which it applies them.
     """
     found = unapplied_range(table, axis)
     if found is None or axis.unapplied_steps is None:
