@@ -1,4 +1,4 @@
-"""The interface of all virtual controls, and the list of them."""
+"""The interface of all virtual controls, and the list of the virtual controls."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class VirtualControl(Protocol):
 
     @property
     def assumed(self) -> tuple[Assumption, ...]:
-        """The facts that were assumed because the files do not state them."""
+        """The facts about the control that were assumed because no file states these facts."""
         ...
 
     @property

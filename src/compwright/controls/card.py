@@ -1,4 +1,6 @@
-"""Data of the commissioning card that depend on the control: tables, steps, changes, restoring."""
+"""Data of the commissioning card that depend on the control: its tables, loading steps, changed
+values, and how to restore them.
+"""
 
 from __future__ import annotations
 
@@ -320,7 +322,9 @@ def _with_all_files(
 
 
 def _card(control: Control, axis: Axis, work: AxisWork, loaded: DecodedState) -> AxisCard:
-    """Return the card of an axis or of its gantry slave, from the written files as read back."""
+    """Return what the card shows about an axis or its gantry slave, made from the written files,
+    which are decoded again.
+    """
     leading, tables = work.planned.axis, loaded.state.axes
     return control.format.card(
         CardRequest(

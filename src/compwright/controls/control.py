@@ -223,7 +223,9 @@ def open_control(
 def _definition(
     session: Session, name: str, origin: Origin
 ) -> tuple[Definition, tuple[Finding, ...]]:
-    """Return a control's definition, with findings about it; a copy in a plan takes precedence."""
+    """Return a control's definition and the findings about it; a definition copied into the plan
+    takes precedence.
+    """
     if not origin.carried:
         found = definition_named(session, name, origin.folder)
         return found, () if found.id == name or is_path(name) else (

@@ -49,7 +49,9 @@ _BARE_TABLE = ".comp"
 
 @dataclass(frozen=True, slots=True)
 class ControlCopy:
-    """The copy of one file without private names, with its control and the old and new names."""
+    """The copy of one file without private names, the control to which it belongs, and the replaced
+    names with their new names.
+    """
 
     content: bytes
     control: str
@@ -146,7 +148,8 @@ def _copy(file: ControlFile, likely: Sequence[Definition], cuts: Cuts) -> Contro
 
 
 def _as_read(file: ControlFile, likely: Sequence[Definition]) -> tuple[Definition, ReadText]:
-    """Return the first control that reads a file without a fault, and the contents of the file.
+    """Return the first definition of a control by which a file can be read without a fault, and the
+    contents of the file.
 
     Raises InputError with the first control's faults.
     """
@@ -160,7 +163,7 @@ def _as_read(file: ControlFile, likely: Sequence[Definition]) -> tuple[Definitio
 
 
 def _read(file: ControlFile, definition: Definition) -> ReadText | tuple[Fault, ...]:
-    """Return the statements of a file, or the faults that prevent reading it."""
+    """Return the statements of a file; if it cannot be read, its faults."""
     faults: list[Fault] = []
     (text,) = texts_of(definition, [file], faults) or (file,)
     read = text_reader(definition).read(text, faults)

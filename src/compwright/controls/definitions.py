@@ -67,7 +67,9 @@ def shipped_definitions(session: Session) -> dict[str, Definition]:
 
 
 def name_conflicts(session: Session, definition: Definition) -> tuple[Fault, ...]:
-    """Return a fault if a definition has the id of a supplied one, whatever the letter case."""
+    """Return a fault if a definition has the id of a supplied definition, in any letter case; else
+    no faults.
+    """
     stems = (Path(name).stem for name, _ in storage.definition_files(session))
     shipped = {stem.casefold(): stem for stem in stems}.get(definition.id.casefold())
     if shipped is None:
@@ -156,7 +158,9 @@ def _content(session: Session, path: Path) -> bytes:
 
 
 def _neighbour_files(session: Session, folder: Path) -> Find:
-    """Return a function that finds a base definition: a file in ``folder``, or a supplied one."""
+    """Return a function that finds a base definition by name: in a file of ``folder``, or supplied
+    with compwright.
+    """
 
     def find(name: str) -> tuple[str, bytes] | None:
         path = folder / name

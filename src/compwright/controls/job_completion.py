@@ -33,7 +33,8 @@ _AXIS_NAME = re.compile(r"[XYZABCUVW](?:[0-9]{0,2}|_\w*)")
 def named_axes(
     job: Job, control: Control, by_name: Callable[[], Mapping[str, tuple[str, str]]]
 ) -> tuple[Job, tuple[Assumption, ...]]:
-    """Return the job with the control's addresses of its axes, and the assumptions made for that.
+    """Return the job with each axis' address in the control, and the assumptions made to find these
+    addresses.
 
     ``by_name``: the addresses of axis names in the control's own files, each with its evidence;
     called only if the control cannot have an address of the job. Raises UsageError if the files do
@@ -97,7 +98,9 @@ def _address(
 
 
 def _number_question(control: Control, axis: Axis, by_name: Mapping[str, tuple[str, str]]) -> Fault:
-    """Return the question for the axis number of an axis whose letter does not determine it."""
+    """Return the fault that asks for the axis number of an axis, if the letter of the axis does not
+    determine the number.
+    """
     names = ", ".join(f"{letter}: {number}" for letter, (number, _) in by_name.items())
     quantity = name_of(control.definition, "axis_letters")
     return Fault(
@@ -309,7 +312,9 @@ def other_joints(axis: Axis, facts: AxisFacts, state: str) -> Iterator[Fault]:
 
 
 def length_unit(definition: Definition) -> tuple[OptionRule, str] | None:
-    """Return the option for the machine's length unit, and the file that states it."""
+    """Return the option for the length unit, and as text the file that states the unit; None if the
+    definition has no such option.
+    """
     rules = definition.options.values()
     rule = next((rule for rule in rules if rule.settled_by == "length_unit"), None)
     if rule is None:

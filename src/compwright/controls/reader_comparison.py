@@ -137,7 +137,9 @@ def _total(
 
 
 def probe_positions(nodes: FloatArray) -> FloatArray:
-    """Return positions that test a whole table: at its points, between them, beyond both ends."""
+    """Return positions at which to compare two tables: at the points, between the points, and
+    beyond both ends.
+    """
     if nodes.size == 0:
         return np.array([-1000.0, 0.0, 1000.0])
     step = float(nodes[-1] - nodes[0]) / max(nodes.size - 1, 1) or 1.0

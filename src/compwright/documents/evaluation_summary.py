@@ -1,4 +1,6 @@
-"""Summarise many tests: their number, their size by axis, and the count of each finding."""
+"""Summarise many tests: how many there are, how large each parameter is on each axis, how often
+each finding occurs.
+"""
 
 from __future__ import annotations
 

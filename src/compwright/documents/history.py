@@ -25,7 +25,7 @@ _MOST = 99.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestSeries:
-    """The tests of one axis or plane in the order of time, with the changes between them.
+    """The tests of one axis or plane, ascending by date, and the changes between successive tests.
 
     ``key``: identifies the machine, also where it has no name.
     """
@@ -141,7 +141,9 @@ def _rounded(value: float | None) -> float | None:
 
 
 def history_csv(document: Mapping[str, Any]) -> bytes:
-    """Return every test of a history as a row of CSV, with the parameters that changed."""
+    """Return a history as CSV, a row for each test; a column names the parameters that changed up
+    to that test.
+    """
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(

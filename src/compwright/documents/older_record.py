@@ -1,4 +1,6 @@
-"""Make a record for a result folder that an older version of compwright wrote without one."""
+"""Make a record for a result folder that has no record, because an older version of compwright
+wrote the folder.
+"""
 
 from __future__ import annotations
 

@@ -85,7 +85,9 @@ def carried_definition(content: bytes) -> Texts:
 
 
 def _definition_out(texts: Texts) -> dict[str, Any]:
-    """Return the plan's entry with the user's own control definition, or nothing without one."""
+    """Return the plan's entry with the user's own control definition; empty if the user has no own
+    definition.
+    """
     entries = [{"name": name, "text": content.decode("utf-8")} for name, content in texts]
     return {"definition": entries} if entries else {}
 

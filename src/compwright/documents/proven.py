@@ -11,7 +11,7 @@ KEYS = ("control", "machine", "date", "how")
 
 
 def proven_lines(entry: Mapping[str, str], heading: Sequence[str], indent: int) -> bytes:
-    """Return comment lines, and the YAML key ``proven`` with one entry below them."""
+    """Return the comment lines ``heading``, followed by the YAML key ``proven`` with one entry."""
     blanks = " " * indent
     lines = [*(f"# {_one_line(line)}" for line in heading), "proven:"]
     for place, key in enumerate(KEYS):

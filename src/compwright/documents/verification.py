@@ -133,7 +133,7 @@ def _headline(
     circles: Mapping[str, VerifiedCircle],
     verdict: Literal["good", "bad", "undecided"],
 ) -> str:
-    """Return the verdict as a sentence, which mentions limits only if the job has limits."""
+    """Return the verdict as a sentence; limits are mentioned only if the job has limits."""
     if verdict == "bad":
         limits = (entry.decision for one in circles.values() for entry in one.accept.values())
         return SentenceText(say("headline.bad", circles="reject" in limits))

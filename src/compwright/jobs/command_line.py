@@ -136,7 +136,9 @@ def _numbers(text: str) -> Any:
 
 
 def _number(text: str) -> Any:
-    """Return ``text`` as a number, or unchanged if it is none, to be refused by the schema."""
+    """Return ``text`` as a number; if it is no number, unchanged, so that the schema refuses the
+    text.
+    """
     word = text.strip()
     if _WHOLE.fullmatch(word):
         return int(word)

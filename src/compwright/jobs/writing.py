@@ -75,7 +75,7 @@ def _plain(value: object) -> str:
 
 
 def data_text(data: Mapping[str, Any], heading: Sequence[str]) -> str:
-    """Return a whole job as YAML. ``heading``: comment lines above it."""
+    """Return a whole job as YAML below the comment lines ``heading``."""
     lines = [f"# {line}" for line in heading]
     for key, value in data.items():
         if key in _SPREAD and isinstance(value, Mapping) and value:

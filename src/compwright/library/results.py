@@ -293,7 +293,8 @@ class JobPlan(DocumentResult):
 
     @in_argument_names
     def write(self, folder: str | Path | None = None, *, force: bool = False) -> list[Path]:
-        """Write all files that ``compwright run`` writes, or none. Returns their paths.
+        """Write all files that ``compwright run`` writes; if that fails, write no file. Returns the
+        paths.
 
         ``folder``: default: that of the job. ``force``: replace an earlier result. Raises
         StorageError where files exist or cannot be written.

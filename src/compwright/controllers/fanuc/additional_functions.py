@@ -132,7 +132,7 @@ def cyclic_numbers(machine: Machine, axis: int) -> range:
 
 
 def inclined(machine: Machine, axis: int) -> MachineEntry | None:
-    """Return the first inclination amount of an axis that is not 0; None if there is none."""
+    """Return the first inclination amount of an axis that is not 0; None if all amounts are 0."""
     found = (machine.entry(number, axis) for number in _INCLINED)
     return next((entry for entry in found if entry is not None and not entry.zero), None)
 

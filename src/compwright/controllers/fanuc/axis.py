@@ -131,8 +131,8 @@ class AxisLoader:
         return grid if len(self.memory.faults) == before else None
 
     def known_rotary(self, axis: int) -> bool | None:
-        """Return whether an axis is rotary by 1006#0 or by the request; None if neither states
-        it.
+        """Return whether an axis is rotary by 1006#0 or by the job; None if neither 1006#0 nor the
+        job states the kind.
         """
         bit = self.memory.bit(1006, 0, axis)
         requested = by_address(self.request.kinds, str(axis))
@@ -141,8 +141,8 @@ class AxisLoader:
         return True if by_address(self.request.modulo, str(axis)) is not None else None
 
     def rotary(self, axis: int) -> bool:
-        """Return whether an axis is rotary: by 1006#0, else by the request, else because 3625
-        states a travel per turn.
+        """Return whether an axis is rotary: by 1006#0, else by the job, else because 3625 states a
+        travel per turn.
         """
         bit = self.memory.bit(1006, 0, axis)
         requested = by_address(self.request.kinds, str(axis))

@@ -29,8 +29,8 @@ _WHOLE_PERIODS = 1e-6
 def pitch_table(
     loader: AxisLoader, grid: IncrementGrid, options: Options, returning: Direction
 ) -> PitchTable | None:
-    """Return the pitch error table of an axis as totals, with inclination if the options include
-    it.
+    """Return an axis' pitch error table as totals (summed increments), with inclination if the
+    options include inclination.
 
     The set of the reference-return direction is 0 at the reference; the other set is offset by
     3627. None where points of the grid are missing or faulty.

@@ -76,7 +76,7 @@ class MachineEntry:
 
     @property
     def whole(self) -> int | None:
-        """Return the value as a whole number; None if it is not one."""
+        """Return the value as a whole number; None if the value is not a whole number."""
         return int(self.text) if _WHOLE.fullmatch(self.text) else None
 
     def bit(self, bit: int) -> bool:
@@ -138,7 +138,9 @@ class Machine:
         )
 
     def path(self, axis: int) -> int | None:
-        """Return the path of an axis, from 0; None if parameter 981 does not state it."""
+        """Return the number of an axis' path, from 0; None if parameter 981 does not state the
+        path.
+        """
         home = self.entries.get(PATH_OF, {}).get(("A", axis))
         return None if home is None or home.whole is None else max(home.whole, 1)
 
@@ -169,7 +171,7 @@ class Machine:
         )
 
     def bit(self, number: int, bit: int, axis: int) -> bool | None:
-        """Return a parameter's bit that applies to an axis; None if no file states it."""
+        """Return a bit of a parameter for an axis; None if no file states the parameter."""
         entry = self.entry(number, axis)
         return None if entry is None else entry.bit(bit)
 

@@ -243,7 +243,8 @@ class _TapeReader:
         )
 
     def _place(self, number: int) -> None:
-        """Add a fault for a block outside ``%`` .. ``%``, because the control does not read it.
+        """Add a fault for a block that is not between two ``%`` lines, because the control does not
+        read such a block.
 
         A file without any ``%`` counts as inside.
         """

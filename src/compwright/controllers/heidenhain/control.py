@@ -57,8 +57,8 @@ class HeidenhainControl:
         return tuple(self.axes)
 
     def nodes(self, address: str) -> FloatArray:
-        """Return the positions (k,) of the axis' own table, active or not, mm or deg; empty if
-        none.
+        """Return the positions (k,) of the axis' own table, active or not, mm or deg; empty without
+        a table.
         """
         table = self._axis(address).table
         return np.empty(0) if table is None else table.nodes()

@@ -25,7 +25,7 @@ _STRUCT = re.compile(r"\s*(NAME|WIDTH)\s*=\s*(\S+)\s*", re.IGNORECASE)
 
 @dataclass(slots=True)
 class ColumnWidths:
-    """The widths (characters) of a table's columns as its head describes them.
+    """The widths (characters) of a table's columns, as the head of the table describes the widths.
 
     ``first``: the column with the row numbers.
     """
@@ -76,7 +76,9 @@ def described(lines: Sequence[Line]) -> tuple[ColumnWidths, list[Line]]:
 
 
 def _closing(lines: Sequence[Line], begin: int) -> int | None:
-    """Return the line that closes the bracket opened in line ``begin``. None without one."""
+    """Return the index of the line that closes the bracket opened in line ``begin``; None if no
+    line closes it.
+    """
     depth = 0
     for index in range(begin, len(lines)):
         code = _QUOTED.sub("", lines[index][1])

@@ -67,7 +67,9 @@ class Generation:
         return text.upper() if self.ignores_case else text
 
     def parameter(self, quantity: Quantity) -> str:
-        """Return the control's name of a quantity, or its general name if the control has none."""
+        """Return the control's name of a quantity; if the control has no such name, the general
+        name of the quantity.
+        """
         return next(
             (name for name, held in self.parameters.items() if held is quantity), quantity.value
         )

@@ -121,7 +121,7 @@ def _increment(request: Request, address: str, name: str) -> float:
 
 
 def ascending(axis: AxisLists, positions: FloatArray, entries: Mapping[int, ListStatement]) -> None:
-    """Add a fault for the first position that is not above the one before it."""
+    """Add a fault for the first position that is not above the preceding position."""
     steps = np.diff(positions)
     if steps.size and not np.all(steps > 0.0):
         index = int(np.argmax(~(steps > 0.0))) + 1

@@ -122,7 +122,9 @@ def _entries(axis: AxisLists, request: Request) -> tuple[str, FloatArray, FloatA
 
 
 def _master(axis: AxisLists, *, filled: bool) -> str | None:
-    """Return the axis whose position corrects this one; None without a table, or with a fault."""
+    """Return the master axis, whose position corrects this axis; None if there is no table or, with
+    a fault, if it is invalid.
+    """
     number = axis.whole(SECTION + "master_ax_nr", 0)
     if number is None or number == 0:
         if filled:
@@ -136,7 +138,8 @@ def _master(axis: AxisLists, *, filled: bool) -> str | None:
 
 
 def cross_sign(request: Request, slave: str) -> float | None:
-    """Return the sign (1 or -1) of the slave's table values; None if the job does not state it.
+    """Return the sign (1 or -1) of the slave's table values; None if the job does not state the
+    sign.
 
     Raises UsageError when the option ``cross_values`` is neither ``error`` nor ``correction``.
     """

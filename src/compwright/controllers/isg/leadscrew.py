@@ -65,7 +65,9 @@ class LeadscrewTable:
 def read_table(
     axis: AxisLists, request: Request, assumed: list[Assumption]
 ) -> LeadscrewTable | None:
-    """Return the leadscrew table of an axis; None without one, or with faults."""
+    """Return the leadscrew table of an axis; None if the list has no table or, with faults, if the
+    table is invalid.
+    """
     if not axis.section(SECTION):
         return None
     entries = table_entries(axis, SECTION, _KEYS, _COLUMNS)

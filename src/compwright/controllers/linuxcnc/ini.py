@@ -59,7 +59,9 @@ class IniFile:
     faults: tuple[Fault, ...]
 
     def find(self, section: str, key: str) -> IniValue | None:
-        """Return the value of a key as the control finds it; None if it finds none."""
+        """Return the value of a key as the control would find it in the file; None if the control
+        would find no value.
+        """
         inside = False
         for line in self.lines:
             text = line.text.lstrip(_BLANKS)

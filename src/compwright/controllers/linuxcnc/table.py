@@ -99,7 +99,9 @@ def load_table(content: bytes, file: str, comp_type: int) -> CompTable:
 
 
 def _plain(piece: bytes) -> bool:
-    """Return whether a piece of the file is exactly one row of separate numbers."""
+    """Return whether a piece of the file (as the control reads it) is exactly one row of separate
+    numbers.
+    """
     words = piece.split(maxsplit=3)
     one_row = not any(mark in piece.strip() for mark in (b"\r", b"\x00"))
     return one_row and all(_NUMBER.fullmatch(word) for word in words[:3])
@@ -111,7 +113,9 @@ def _lost(rest: bytes) -> str:
 
 
 def _pieces(content: bytes) -> Iterator[tuple[int, bytes, bytes]]:
-    """Yield (line number, piece, following text), cut as the C function ``fgets`` does."""
+    """Yield the pieces that the C function ``fgets`` reads from a file: line number, the piece, and
+    the text after it.
+    """
     start, line = 0, 1
     while start < len(content):
         newline = content.find(b"\n", start, start + LONGEST_PIECE)
@@ -136,7 +140,9 @@ def three_numbers(piece: bytes) -> tuple[float, float, float] | None:
 
 
 def leading_number(text: str) -> float | None:
-    """Return the number that C's ``%lf`` would find at the start of ``text``; None without one."""
+    """Return the number that C's ``%lf`` would find at the start of ``text``; None if there is no
+    number.
+    """
     match = _NUMBER.match(text.encode("utf-8", "replace"))
     return None if match is None else _value(match)
 

@@ -30,7 +30,7 @@ from compwright.records.correction import Assumption, ControlFile
 
 @dataclass(frozen=True, slots=True)
 class PmacControl:
-    """A PMAC after its scripts, with all motors homed; interface
+    """A PMAC after executing its scripts, all motors homed; interface
     ``controllers.virtual.VirtualControl``.
 
     Addresses are motor numbers as text.

@@ -74,7 +74,7 @@ class Motor:
 
     @property
     def tables(self) -> tuple[CardTable, ...]:
-        """All tables by the motor's own position, active or not."""
+        """All tables that correct the motor by its own position, active or not."""
         return (*self.own, *(() if self.varying is None else (self.varying,)))
 
     @property
@@ -196,7 +196,9 @@ class Judged:
             self.faults.append((table.target, fault))
 
     def _register(self, number: int) -> float | None:
-        """Return the value of a backlash variable; None if no script sets it, or with a fault."""
+        """Return the value of a backlash variable; None if no script sets the variable or, with a
+        fault, if the value is invalid.
+        """
         setting = self.card.variables.get(number)
         if setting is None:
             return None

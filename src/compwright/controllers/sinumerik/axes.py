@@ -55,7 +55,7 @@ class MachineAxisNames:
 
 
 def axis_names(contents: Sequence[ProgramContent], request: Request) -> MachineAxisNames:
-    """Return the axis names that the files list, without names that they use for two axes."""
+    """Return the axis names that the files list, except a name that they give to two axes."""
     meant: dict[str, set[str]] = {}
     for content in contents:
         for place, names in content.machine_names.items():

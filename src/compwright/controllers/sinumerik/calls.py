@@ -32,7 +32,7 @@ class PlacedBlock:
 
 @dataclass(slots=True)
 class ProgramCalls:
-    """The programs of several files and the calls between them."""
+    """The programs in several files, and the calls between these programs."""
 
     blocks: list[PlacedBlock]
     _titles: dict[str, list[PlacedBlock]] = field(default_factory=dict)
@@ -95,7 +95,7 @@ class ProgramCalls:
         return [line for line in block.trail if line.mentions & self._loaders]
 
     def is_called(self, block: ProgramBlock) -> bool:
-        """Return whether another program calls this one."""
+        """Return whether another program calls the program ``block``."""
         return block.title in self._sites
 
     def trail(self, block: ProgramBlock) -> list[Line]:
@@ -115,7 +115,9 @@ class ProgramCalls:
         ]
 
     def not_started(self, placed: PlacedBlock) -> tuple[str, Doubt] | None:
-        """Return the file and line that may prevent a program's start; None without one."""
+        """Return the file and line that may prevent a program's start; None if nothing prevents its
+        start.
+        """
         behind: list[int] = []
         while id(placed.block) not in self._started:
             if placed.block.caller is not None:
@@ -129,7 +131,7 @@ class ProgramCalls:
         return None
 
     def in_doubt(self, block: ProgramBlock) -> bool:
-        """Return whether a statement of a program may skip an assignment or a call after it."""
+        """Return whether a statement of a program may skip a later assignment or call."""
         return bool(self.doubts(block)) or any(
             self._before(block, line) for line in self.calls_of(block)
         )

@@ -121,8 +121,8 @@ class SinumerikControl:
         return total
 
     def cross(self) -> tuple[Pair, ...]:
-        """Return (input axis, output axis) of the tables between two axes, in the order of their
-        index.
+        """Return (input axis, output axis) of the tables between two axes, ascending by the index
+        of the table.
 
         Tables that are not a curve are left out and listed in ``notes``; so are all tables if the
         option ``cec_sign`` is not given.
@@ -172,7 +172,8 @@ class SinumerikControl:
 def sinumerik_control(
     files: Sequence[ControlFile], request: Request, *, room: tuple[int, int] | None = None
 ) -> SinumerikControl:
-    """Return the control with ``files`` loaded: first archives, then all other files over them.
+    """Return the control with ``files`` loaded: first archives, then all other files, whose values
+    replace those of the archives.
 
     In their container, and over them table files, machine data and whole text archives in any
     order.
@@ -350,7 +351,9 @@ class _AxisLoader:
         return table
 
     def _factor(self, name: str, entries: list[VariableAssignment]) -> float:
-        """Return the backlash factor (MD32452) of the first parameter set; 1 without one."""
+        """Return the backlash factor (MD32452) of the first parameter set; 1 if the files do not
+        state a factor.
+        """
         if any(e.name == "MA_BACKLASH_DYN" and e.value != 0.0 for e in entries):
             self.remarks.assumed.append(
                 Assumption(

@@ -68,8 +68,8 @@ def inches_in_mm(
 def lengths_of(
     contents: Sequence[ProgramContent], names: MachineAxisNames, request: Request
 ) -> tuple[Lengths, list[Fault]]:
-    """Return the length units of the files; it is a fault if files contradict each other, units are
-    user-defined, or an axis may be linear or rotary.
+    """Return the length units of the files; contradictions, unusual units and invalid kinds of axes
+    are faults.
 
     If no file states the basic system, the option ``units`` does (``inch``), else it is metric.
     """

@@ -1,4 +1,5 @@
-"""Conditions in a SINUMERIK program that depend on each other, so that some runs are impossible.
+"""Conditions in a SINUMERIK program that depend on each other, so that some runs of the program are
+impossible.
 
 Two conditions on one variable that is not assigned between them get the same value. So the program
 is followed once for each value that makes a difference.
@@ -321,7 +322,7 @@ def _without_brackets(words: Words) -> Words:
 
 
 def _signed(words: Words) -> Words:
-    """Return the words with each sign joined to the number after it."""
+    """Return the words of an expression, in which each sign is joined to the next number."""
     if len(words) == 4 and words[2] in "+-" and words[1] in _TURNED:
         return words[0], words[1], words[2] + words[3]
     return words

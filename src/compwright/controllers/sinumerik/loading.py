@@ -1,4 +1,5 @@
-"""Load the files of a SINUMERIK: first the commissioning archive, then small files over it.
+"""Load the files of a SINUMERIK: first the commissioning archive, then small files, whose values
+replace those of the archive.
 
 A file loaded over an archive replaces single variables: the last value of a variable counts, and a
 variable that no small file names keeps the archive's value. Text files have no order among each

@@ -1,4 +1,6 @@
-"""Check that all assignments in a SINUMERIK's programs were executed, or ask the user about it."""
+"""Check that all assignments in a SINUMERIK's programs were executed; if that is uncertain, ask the
+user.
+"""
 
 from __future__ import annotations
 

@@ -71,7 +71,9 @@ class Line:
 
 
 def _shortened(lines: Sequence[Line]) -> tuple[list[Line], list[set[int]]]:
-    """Return the lines with successive assignments merged, and the line numbers of each."""
+    """Return the lines with successive assignments merged into one line, and the line numbers that
+    each new line replaces.
+    """
     used = (word for line in lines for words in line.assigned.values() for word in words or ())
     wanted = {word for line in lines for word in line.words} | {EVERYTHING, *used}
     found: list[Line] = []
@@ -283,7 +285,7 @@ def _sought(jump: str, name: str, place: int, names: Mapping[str, Sequence[int]]
 
 
 def _reachable_after(follow: Sequence[int]) -> list[int]:
-    """Return for every line the lines that may be executed at any time after it."""
+    """Return for each line the lines that may be executed at any time after the line."""
     behind = list(follow)
     changed = True
     while changed:

@@ -69,7 +69,7 @@ class CompensationTable:
 
 @dataclass(slots=True)
 class Remarks:
-    """The assumptions, notes and faults that all parts of one control collect."""
+    """The assumptions, notes and faults found while the virtual control is built from its files."""
 
     assumed: list[Assumption] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
@@ -77,7 +77,7 @@ class Remarks:
 
 
 def last_value(entries: Sequence[VariableAssignment], name: str) -> float | None:
-    """Return the last value assigned to a variable, None without one."""
+    """Return the last value assigned to a variable; None if no value is assigned."""
     return next((entry.value for entry in reversed(entries) if entry.name == name), None)
 
 
@@ -226,7 +226,9 @@ class _Ends:
 def _ends(
     first: VariableAssignment, label: str, grid: tuple[float, float, float], faults: list[Fault]
 ) -> _Ends | None:
-    """Return the end of a table, point k = (MAX - MIN) / STEP; None if that is impossible."""
+    """Return the number of points and the end of a table, from MIN, MAX and STEP; None, with a
+    fault, if these are invalid.
+    """
     step, low, high = grid
     if step <= 0.0 or high < low:
         faults.append(
