@@ -235,7 +235,7 @@ def _run(run: CircularRun) -> dict[str, Any]:
 
 
 def _numbers(values: FloatArray) -> list[float | None]:
-    """Return a list of numbers for JSON, with None for each that is not finite."""
+    """Return a list of numbers for JSON, with None in place of each number that is not finite."""
     if not np.all(np.isfinite(values)):
         return [_number(value) for value in values.tolist()]
     return [round(value, _DIGITS) + 0.0 for value in values.tolist()]

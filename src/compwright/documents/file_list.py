@@ -48,7 +48,9 @@ def list_text(entries: Mapping[str, ListedFile]) -> bytes:
 
 
 def listed_before(content: bytes) -> dict[str, ListedFile]:
-    """Return the entries of an earlier list, or nothing if ``content`` is not such a list."""
+    """Return the entries of an earlier list file by relative name; empty if ``content`` is not a
+    list file.
+    """
     try:
         listed = read_json(content, LIST, SCHEMA, "list of files", "the list that a command left")
         return {

@@ -221,7 +221,9 @@ def _planned(record: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def outdated_verification(record: Mapping[str, Any], earlier: Mapping[str, Any]) -> dict[str, str]:
-    """Return the SHA-256 of verification files of another plan, by relative name."""
+    """Return the SHA-256 of the verification files in the ``earlier`` record, by relative name, if
+    its plan differs from that of ``record``; else empty.
+    """
     if _planned(earlier) == _planned(record):
         return {}
     return {

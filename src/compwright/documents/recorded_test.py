@@ -76,7 +76,9 @@ def _axis(result: Mapping[str, Any], errors: Errors) -> dict[str, Any]:
 
 
 def _means(result: Mapping[str, Any], key: str) -> list[float]:
-    """Return the mean deviations of all targets in a direction, or nothing if one is missing."""
+    """Return the mean deviations of all targets in a direction; empty if the mean of a target is
+    missing.
+    """
     means = [target.get(key) for target in result["targets"]]
     return [] if None in means else [round(mean, 9) for mean in means]
 
@@ -130,7 +132,7 @@ def _circle(result: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def pooled(targets: Iterable[Mapping[str, Any]]) -> float | None:
-    """Return the pooled standard deviation of readings, or None without repeated readings."""
+    """Return the pooled standard deviation of readings; None if no target has repeated readings."""
     total, dof = 0.0, 0
     for target in targets:
         for direction in ("positive", "negative"):

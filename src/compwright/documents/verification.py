@@ -1,4 +1,6 @@
-"""The file ``verification.json``: results before, predicted and after side by side."""
+"""The file ``verification.json``: results before loading, predicted results, and results after
+loading.
+"""
 
 from __future__ import annotations
 
@@ -79,7 +81,8 @@ class SquarenessCheck:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VerifiedCircle:
-    """The results of ``verify`` for one circular test: before, predicted, after and decisions.
+    """The results of ``verify`` for one circular test: before loading, as predicted, after loading,
+    and the decisions on limits.
 
     ``squareness`` only where that of its plane was corrected from circles; ``accept`` and
     ``acknowledged`` as of an axis; ``findings``: what its limits lack.
@@ -188,7 +191,7 @@ def _accept(accept: Mapping[str, AcceptDecision]) -> dict[str, Any]:
 
 
 def _circle(circle: VerifiedCircle) -> dict[str, Any]:
-    """Return a verified circular test for JSON: parameters in µm, causes in their units."""
+    """Return a verified circular test for JSON: parameters in µm, error causes in their own units."""
     after, predicted = circle_values(circle.after), circle_quantiles(circle.prediction)
     check = circle.squareness
     return {

@@ -181,7 +181,9 @@ def _option(place: str, axis: str) -> str:
 
 
 def stated_activity(options: dict[str, object]) -> bool | None:
-    """Remove ``active`` from options and return its value. Raises UsageError if not yes or no."""
+    """Remove ``active`` from the options and return its value. Raises UsageError unless it is yes
+    or no.
+    """
     text = options.pop(ACTIVE, None)
     words = {None: None, "yes": True, "true": True, "no": False, "false": False}
     word = text if text is None else str(text).lower()

@@ -1,4 +1,4 @@
-"""Check keys of the job together: names that must exist, start before end, exclusive values.
+"""Check the keys of a job together, for example that the axes and states that the keys name exist.
 
 They work on the plain data as read, so that their faults are listed together with those of the
 schema. Values of the wrong type are left to the schema.
@@ -150,7 +150,9 @@ def _untested(data: Mapping[str, Any]) -> Iterator[KeyFault]:
 
 
 def _acknowledged(section: Any, axes: Sequence[str]) -> Iterator[KeyFault]:
-    """Yield faults of acknowledgements whose code is no doubt, or whose axis is not in the job."""
+    """Yield a fault for each acknowledgement with a code that is not that of a doubt, or with an
+    axis that is not in the job.
+    """
     for code, value in mapping_of(section).items():
         path: KeyPath = ("acknowledged", code)
         if code in REMARKS | RESULTS:

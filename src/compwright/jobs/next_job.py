@@ -1,4 +1,5 @@
-"""Make the job of the next round from the last job; its control files are those read back.
+"""Make the job of the next round from the last job and the control files that were read back after
+loading.
 
 It works on the plain data of a job file, so that everything else stays as the engineer wrote it:
 axes, options, grid, uncertainty, expansion, limits.

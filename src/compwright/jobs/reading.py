@@ -268,7 +268,9 @@ def _test(
 
 
 def _thermal(*sections: OwnThermalSection | None) -> Thermal | None:
-    """Return the differential expansion from ``sections``, of which later ones override earlier."""
+    """Return the differential expansion from ``sections``; keys of later sections override those of
+    earlier sections.
+    """
     keys: dict[str, Any] = {}
     for section in sections:
         keys |= section.model_dump(exclude_none=True) if section else {}

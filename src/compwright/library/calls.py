@@ -1,4 +1,4 @@
-"""The functions of the library. Each has its own session, so calls in several threads share
+"""The functions of the library. Each call has its own session, so calls in several threads share
 nothing.
 """
 

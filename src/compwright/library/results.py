@@ -62,7 +62,9 @@ class DocumentResult:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Evaluation(DocumentResult):
-    """One test evaluated to its standard. ``evaluation["A"]`` is a parameter in `unit`."""
+    """The result of evaluating one test to its standard. ``evaluation["A"]`` is a parameter in
+    `unit`.
+    """
 
     def __repr__(self) -> str:
         """Return the test, its standard and its parameters with unit."""

@@ -149,7 +149,7 @@ class Sag:
         )
 
     def peak(self, pair: Pair) -> float:
-        """Return the largest absolute sum of an axis pair's tables, or an upper bound of the sum."""
+        """Return the largest absolute sum of an axis pair's tables, or an upper bound of it."""
         return max(self._peak(pair, direction) for direction in Direction)
 
     def _peak(self, pair: Pair, direction: Direction) -> float:
