@@ -191,7 +191,7 @@ def _accept(accept: Mapping[str, AcceptDecision]) -> dict[str, Any]:
 
 
 def _circle(circle: VerifiedCircle) -> dict[str, Any]:
-    """Return a verified circular test for JSON: parameters in µm, error causes in their own units."""
+    """Return a verified circular test for JSON: parameters in µm, error causes in their units."""
     after, predicted = circle_values(circle.after), circle_quantiles(circle.prediction)
     check = circle.squareness
     return {

@@ -72,7 +72,7 @@ def cross_measurements(cross: Any, axes: Any, states: Sequence[str]) -> Iterator
 
 
 def _cross_unit(section: Mapping[str, Any], path: KeyPath, axes: Any) -> Iterator[KeyFault]:
-    """Yield a fault for a unit of angle with a linear axis, or a unit of length with a rotary axis."""
+    """Yield a fault for a unit of angle with a linear axis, or of length with a rotary axis."""
     unit, output = section.get("unit"), mapping_of(mapping_of(axes).get(str(section.get("output"))))
     if not isinstance(unit, str) or unit not in TO_INSIDE or not output:
         return
