@@ -139,7 +139,8 @@ def axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
 
 
 def typed_backlash(definition: Definition, axis: Axis, values: Mapping[str, str]) -> str:
-    """Return the card's text on the backlash value to type in; empty if none is typed.
+    """Return the card's text on the backlash value that the user types in; empty if the control has
+    no such value.
 
     Empty if the control has none. ``values``: as in `card_steps`.
     """
@@ -169,7 +170,7 @@ def gantry_words(axis: Axis) -> str:
 
 
 def _used(form: str, values: Mapping[str, str]) -> dict[str, str]:
-    """Return the values that the text ``form`` uses as ``{name}`` fields."""
+    """Return those of the ``values`` that the text ``form`` contains as ``{name}`` fields."""
     return {name: values[name] for name in field_names(form)}
 
 

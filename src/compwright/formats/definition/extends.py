@@ -27,7 +27,9 @@ Find = Callable[[str], tuple[str, bytes] | None]
 
 @dataclass(frozen=True, slots=True)
 class DefinitionText:
-    """The merged plain data of a definition, with the file and line (from 1) of each key."""
+    """The YAML data of a definition, merged with the definitions that it extends, with the file and
+    line (from 1) of each key.
+    """
 
     file: str
     data: Any
@@ -130,7 +132,9 @@ def _over(under: DefinitionText, over: DefinitionText) -> DefinitionText:
 
 
 def _omitted(under: DefinitionText, over: DefinitionText) -> set[KeyPath]:
-    """Return the key paths that ``over`` removes by ``without``. Raises InputError for faults."""
+    """Return the key paths that ``over`` removes from ``under`` by ``without``. Raises InputError
+    for a path that ``under`` does not have.
+    """
     listed = over.data.get(WITHOUT, [])
     if not isinstance(listed, list):
         raise InputError(

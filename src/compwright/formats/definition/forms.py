@@ -73,14 +73,16 @@ def _or_mapping(other: Any, whole: Any) -> cs.CoreSchema:
 
 
 def _or_option(other: cs.CoreSchema) -> cs.CoreSchema:
-    """Return a schema that accepts a value by ``other``, or ``{option: NAME}`` to take it from an
-    option.
+    """Return a schema for a value that is either stated, in the schema ``other``, or taken from an
+    option, as ``{option: NAME}``.
     """
     return _or_mapping(other, mapping({"option": _TEXT}, lambda values: OptionValue(**values)))
 
 
 def _range(bounds: Any) -> tuple[float, float]:
-    """Check a range: both bounds are numbers, and the range has a width."""
+    """Return the two bounds of a range, after checks that both are numbers and that the first is
+    smaller.
+    """
     if bounds is None:
         refuse(KeyFault((), "has the wrong form", "a list", shown(bounds)))
     each = bounds if isinstance(bounds, list) else []

@@ -19,7 +19,9 @@ _T = TypeVar("_T")
 
 
 class Required(dict[str, _T]):
-    """A section of a definition; looking up an entry that it lacks raises InputError."""
+    """A section of a definition as a dict; access to an entry that the section does not have raises
+    InputError.
+    """
 
     def __init__(
         self,
@@ -56,7 +58,8 @@ def resolve_options(
     *,
     strict: bool = False,
 ) -> Mapping[str, object]:
-    """Return a value for every option: the given one, converted, or the default.
+    """Return a value for every option: the value given by the user or stated in the control's
+    files, else the default.
 
     ``given`` may hold text from the command line (``"0.001"``, ``"3,4"``). With a ``state``, an
     option that the control's own files answer for all axes alike (such as the unit) takes that

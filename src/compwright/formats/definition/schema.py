@@ -44,7 +44,7 @@ class EvidenceNote:
 
     @property
     def text(self) -> str:
-        """The note as one line in several languages."""
+        """The note as one line, as a text that each language can translate."""
         source = ControlText(self.source, {})
         if self.state == "unconfirmed":
             return unconfirmed(source)
@@ -116,8 +116,8 @@ class TextKind:
 
 @dataclass(frozen=True, slots=True)
 class Statement:
-    """A line template with typed fields in braces. ``within``: the section that contains it;
-    ``rest``: what may follow on the line.
+    """A line template with typed fields in braces. ``within``: the section of the file in which the
+    line is valid; ``rest``: what may follow the template on the line.
     """
 
     name: str
@@ -132,7 +132,7 @@ class Statement:
 
 @dataclass(frozen=True, slots=True)
 class Absent:
-    """The default of a quantity that is missing in the files, and whether the user is informed."""
+    """The default of a quantity that is in none of the files, and whether the default is shown."""
 
     value: str
     say: Say
@@ -201,7 +201,8 @@ class Plain(Binding):
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """How a table is arranged in the files: shape, value columns, and values beyond its ends.
+    """How a table is arranged in the files: its shape, its value columns, and the correction below
+    its first and above its last point.
 
     ``shape``: a key of ``RULES`` in `families.shapes`; ``singles``: quantities outside the rows,
     one value each.
@@ -285,7 +286,8 @@ class OptionRule:
 
 @dataclass(frozen=True, slots=True)
 class WrittenFile:
-    """One file to be written: its name, the lines around the table, the statement of a table row.
+    """A template for one file to be written: its name, its lines before and after the table, and
+    the statement for each table row.
 
     ``rows`` None: the file has no table.
 

@@ -39,7 +39,9 @@ class KeptLines:
         return _compiled((self.naming,)).fullmatch(line) is not None
 
     def begins(self, content: bytes) -> bool:
-        """Return whether the first line of a file identifies this shape."""
+        """Return whether the first line of a file shows that its tables have the shape of these
+        patterns.
+        """
         return _compiled((self.first,)).match(content[:1000].decode("latin-1")) is not None
 
 

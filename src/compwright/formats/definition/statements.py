@@ -74,7 +74,7 @@ class Occurrence(NamedTuple):
 
     @property
     def variant(self) -> bool:
-        """Whether the line has an alternative form, which compwright reads but never writes."""
+        """Whether the line has a form that compwright reads but never writes."""
         return self.form > 0
 
     @property
@@ -85,7 +85,9 @@ class Occurrence(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class StatementForm:
-    """A line template compiled to a pattern; ``group`` is the part that may repeat on one line."""
+    """A line template compiled to a pattern; ``group``: the pattern of the part that may occur
+    several times on one line.
+    """
 
     pattern: re.Pattern[str]
     group: re.Pattern[str] | None = None

@@ -1,4 +1,4 @@
-"""The words that a definition may use: quantities, types of fields, rules, names of limits."""
+"""The words that a definition may use: names of quantities, field types, rules and limits."""
 
 from __future__ import annotations
 

@@ -93,7 +93,9 @@ def _machine(
 def _channel(
     definition: Definition, found: Mapping[str, Mapping[str, Sequence[Occurrence]]]
 ) -> dict[str, str]:
-    """Return each channel axis name that belongs to one machine axis only, with that axis (AX1)."""
+    """Return the machine axis (AX1) of each channel axis name; names that mean several machine axes
+    are left out.
+    """
     meant: dict[str, set[str]] = {}
     for index, occurrences in found.get("channel_axis", {}).items():
         used = {

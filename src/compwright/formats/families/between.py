@@ -24,7 +24,7 @@ class FileReading(Protocol):
     """
 
     def __call__(self, files: tuple[ControlFile, ...], *, written: bool = False) -> ControlState:
-        """Return the compensation in ``files``. Raises CompwrightError if it cannot be read."""
+        """Return the compensation in ``files``. Raises CompwrightError if these cannot be read."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

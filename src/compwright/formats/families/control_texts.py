@@ -205,7 +205,7 @@ class _Over:
         return ControlFile(file.name, apply_changes(file.content, changes))
 
     def _own_tokens(self, one: Occurrence) -> list[Token]:
-        """Return the fields of a line without those of the section header that precedes it."""
+        """Return the fields of a line, except fields that belong to the header of its section."""
         within = self.definition.statements[one.statement].within or ""
         return [token for name, token in one.tokens.items() if f"{{{name}}}" not in within]
 

@@ -149,8 +149,8 @@ def _ask_about_followers(
 
 
 def _other_leader(address: str, axis: Axis, couplings: Sequence[Coupling]) -> Iterator[Fault]:
-    """Yield a fault if the job's gantry slave follows another axis in the files or moves
-    differently.
+    """Yield a fault if, by the files, the job's gantry slave follows another master axis, or is
+    coupled in another way than a gantry.
     """
     for coupling in couplings:
         if axis.gantry != coupling.follows:
@@ -256,8 +256,8 @@ def compare_partners(
 
 
 def note_twin(address: str, other: str, notes: Notes, *, single: bool = False) -> None:
-    """Report that an axis of the job has the same table as another axis, as the axes of a gantry
-    do.
+    """Report that an axis of the job has the same table as another axis, which suggests that they
+    form a gantry.
 
     ``single``: no gantry in the files contains the axis.
     """

@@ -80,7 +80,9 @@ def tables_with_axes(
 
 
 def with_partners(definition: Definition, pairs: Sequence[AxisTable]) -> list[AxisTable]:
-    """Return the tables, with a copy of each gantry master's table for the slave axis."""
+    """Return the given tables and, for each gantry, a copy of the master's table for the slave
+    axis.
+    """
     result = {address: (address, axis, compensation) for address, axis, compensation in pairs}
     for _, axis, compensation in pairs:
         if axis.gantry is not None:

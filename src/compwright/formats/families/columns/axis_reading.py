@@ -115,8 +115,8 @@ class ColumnAxisReader:
     # --- the table
 
     def _curves(self) -> tuple[FloatArray, FloatArray, FloatArray, float | None] | None:
-        """Return positions, corrections in + and - direction, and the period; None without a valid
-        table.
+        """Return the positions of the axis' table, its corrections in + and in - direction, and its
+        period; None if the files contain no valid table.
         """
         missing = self.sources.missing.get(self.address)
         if missing is not None and (self.address in self.wanted or not self.wanted):
@@ -229,8 +229,8 @@ class ColumnAxisReader:
         return self.parameters.one(quantity, given, quiet=True)
 
     def _enabled(self) -> bool:
-        """Return whether the table is active by the control's parameter or table list, else by the
-        job.
+        """Return whether the table is active by the control's parameter or list of tables; if the
+        files state neither, by the job.
         """
         found = self._found("enabled") if "enabled" in self.definition.bindings else None
         if (

@@ -133,12 +133,14 @@ def _typed(family: Family, request: BetweenRequest, entry: PlannedCross, why: st
 
 
 def _form(family: Family, request: BetweenRequest, entry: PlannedCross) -> str:
-    """Return the meaning of the numbers in the moving axis' table: "error" or "correction"."""
+    """Return what the numbers in the moving axis' table are: "error" or "correction"."""
     return str(family.options_of(request.axes.get(entry.input))["table_values"])
 
 
 def _selected(family: Family, entry: PlannedCross) -> str:
-    """Return the card's sentence that tables are active only while a parameter bit is 1."""
+    """Return the card's sentence that the table column is active only while the corrected axis' bit
+    in a parameter is 1.
+    """
     select = _parameter(family, "enabled")
     if not select:
         return ""

@@ -36,7 +36,9 @@ class Filled:
 
 
 def values_quantum(family: Family) -> float:
-    """Return the resolution of the values in a column: the same number for mm and for deg."""
+    """Return the smallest step of the values in a column, in mm or deg (the number is the same for
+    both).
+    """
     return float(Decimal(1).scaleb(-family.definition.measure("value").digits))
 
 
@@ -74,8 +76,8 @@ class CrossFiller(Patches):
         return Filled(table.file, column, replace(entry, added=held))
 
     def _place(self, added: CrossCompensation) -> tuple[UserTable, str]:
-        """Return the moving axis' table and the column for the corrected axis. Raises NotHeld if
-        none fits.
+        """Return the moving axis' table and the name of its column for the corrected axis. Raises
+        NotHeld if there is no such table or column.
         """
         table = self.sources.tables.get(added.input)
         if table is None:
@@ -118,7 +120,7 @@ class CrossFiller(Patches):
 
 
 def _on_rows(added: CrossCompensation, rows: FloatArray, file: str) -> FloatArray:
-    """Return the correction (k,) at the positions of the table's rows, mm or deg.
+    """Return the correction (k,), mm or deg, interpolated at the positions of the table's rows.
 
     A straight line is extended to the ends of the table; a curve must have its bends at rows.
     Raises NotHeld.

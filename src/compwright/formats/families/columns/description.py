@@ -50,8 +50,8 @@ class TableDescription:
         return self.columns.get(name.upper())
 
     def fits(self, titles: Sequence[tuple[str, int]]) -> bool:
-        """Return whether the positions of the column names (name, character) agree with the
-        described widths.
+        """Return whether the distances between the column names (name, character) are the column
+        widths that the description states.
 
         False if no width is described.
         """

@@ -221,7 +221,9 @@ class TableFiller:
         return np.clip(np.arange(len(positions)) - first, 0, nodes.size - 1)
 
     def _head(self, grid: FloatArray) -> None:
-        """Write first position and spacing into the table's first line, if it has them."""
+        """Write the first position and the spacing into the table's first line, if tables of this
+        control state them there.
+        """
         if not self.sources.numbered:
             return
         spacing = float(grid[1] - grid[0])
@@ -242,7 +244,7 @@ class TableFiller:
                 self.patches.replace(self.number, BytesChange(cell.start, cell.end, text.encode()))
 
     def _rows(self, grid: FloatArray, held: np.ndarray) -> None:
-        """Fill the table's rows and add missing ones.
+        """Fill the table's existing rows, and add rows for the points beyond them.
 
         ``held`` (k,): for each row the index of the point whose value it gets.
         """
@@ -262,8 +264,8 @@ class TableFiller:
         self.patches.add_lines(self.number, rows[-1].start, added)
 
     def _cells(self, position: float, node: int, row: Row | None) -> dict[str, str]:
-        """Return the texts of a row's cells. A cell keeps its characters if its number does not
-        change.
+        """Return the new texts of a row's cells, by column; cells whose number does not change are
+        left out.
         """
         entry = self.entry
         cells = {
@@ -295,7 +297,9 @@ class TableFiller:
 
 
 def signed(table: UserTable, text: str, column: str) -> str:
-    """Return a number with a plus sign if the other numbers in its column or table have one."""
+    """Return the number ``text``, with a plus sign if numbers in its column (in an empty column: in
+    the table) have plus signs.
+    """
     if text.startswith("-"):
         return text
     texts = [row.cells[column].text for row in table.rows if column in row.cells]

@@ -249,7 +249,9 @@ class _ColumnStateReader:
         return tuple(found)
 
     def _off(self, address: str) -> bool:
-        """Return whether the files, or else the job, state that no table is active on an axis."""
+        """Return whether no table is active on an axis, by the parameter bit in the files or,
+        without one, by the job.
+        """
         bits = self.sources.given.get((address, "enabled"), [])
         if bits:
             return bits[0].text == "0" and self.activity.stated is not True

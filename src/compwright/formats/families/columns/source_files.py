@@ -101,8 +101,8 @@ def _rows(
 
 
 def _check_count(sheet: EntrySheet, found: int, faults: list[Fault]) -> None:
-    """Check the number of points against the count in the sheet, so that a lost last line is
-    noticed.
+    """Compare the number of points in an entry sheet with the count that the sheet states, because
+    a sheet may have lost its last lines.
     """
     text = sheet.comments.get("points")
     if text is not None and text != str(found):

@@ -53,7 +53,7 @@ class AxisNumbers:
         return self.by_number.get(number, str(number))
 
     def follower(self, number: int, known: Collection[str]) -> str:
-        """Return the address of the axis with this number, which moves with another axis.
+        """Return the address of a coupled axis, given by its number, that moves with another axis.
 
         AX and its number if the axis is unknown, or if its letter is that of a rotary axis which
         the job does not name.

@@ -57,7 +57,7 @@ class Described:
     inch: bool = False
 
     def refuses(self, text: str) -> str:
-        """Return why a cell of this column cannot contain ``text``. Empty if it can."""
+        """Return the reason why a cell of this column cannot contain ``text``; empty if it can."""
         if self.read_only:
             return "is read only by the table's own description"
         if self.width is not None and len(text) > self.width:

@@ -63,8 +63,8 @@ def is_other_table(file: ControlFile) -> bool:
 def read_table_text(
     definition: Definition, file: ControlFile, faults: list[Fault]
 ) -> UserTable | None:
-    """Return the table in a file. None with faults, which are added to ``faults`` with their
-    lines.
+    """Return the table in a file; None if it contains faults, which are added to ``faults`` with
+    their lines.
     """
     table, found = _read(text_reader(definition), file)
     faults.extend(found)

@@ -71,8 +71,8 @@ class TableValues:
         self.notes = notes
 
     def own_options(self, address: str) -> Mapping[str, object]:
-        """Return the options of an axis by precedence: entry sheet, options of the axis, of the
-        controller.
+        """Return the options of an axis; its entry sheet has priority over its options in the job,
+        and these over the controller's options.
         """
         axis = self.axes.get(address)
         options = self.control.options if axis is None else self.control.options_of(axis)
@@ -134,7 +134,8 @@ class TableValues:
         return self._checked(table, [position * factor for position in found], scale)
 
     def _uneven(self, table: UserTable, found: Sequence[Decimal]) -> None:
-        """Report a table whose points are not equally spaced; they are read as written.
+        """Report a table whose points are not equally spaced; its positions are used as they are
+        written.
 
         The control requires equal spacing (MANUALplus 620 technical manual p715); what it does with
         others is not known.
@@ -254,8 +255,8 @@ class TableValues:
     def turned(
         self, address: str, positions: FloatArray, values: FloatArray, file: str
     ) -> tuple[FloatArray, FloatArray, float | None]:
-        """Return positions, values and period of a table; on a rotary axis one turn from 0 to 360
-        degrees.
+        """Return positions, values and period of a table; for a rotary axis reduced to one turn
+        from 0 to 360 degrees.
         """
         axis = self.axes.get(address)
         if self.kind(address) is AxisKind.LINEAR:

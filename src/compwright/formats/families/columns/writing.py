@@ -163,8 +163,8 @@ class _OwnTables(Patches):
         self.replace(place.number, *set_field(place.occurrence, "value", text))
 
     def _bit(self, address: str, place: FoundValue, text: str) -> None:
-        """Record the change of an axis' bit in a bit mask, which several axes may change one after
-        another.
+        """Record the change of an axis' bit in a bit mask, in addition to the changes of other
+        axes' bits in the same mask.
         """
         known = self.text(place.number, place.occurrence.tokens["value"])
         number, mask = self.sources.numbers.number(address), mask_of(known)
@@ -176,7 +176,8 @@ class _OwnTables(Patches):
         self._set(place, f"%{changed:b}" if ambiguous(new) else new)
 
     def _check_other_tables(self, address: str, *, awake: bool) -> None:
-        """Raise NotHeld if the axis' bit also switches tables of other axes that correct this axis.
+        """Raise NotHeld if the axis' bit would also activate or deactivate columns that correct
+        this axis in tables that follow other axes.
 
         The bit selects every table that corrects the axis, not only its own. Raises NotHeld.
         """

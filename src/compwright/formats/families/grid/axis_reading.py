@@ -142,7 +142,9 @@ class GridAxisReader:
         return self.axis.reference_return
 
     def _stated_values(self) -> dict[str, Fact]:
-        """Return values in the files that override options or are printed on the card."""
+        """Return the values in the files that have priority over options, and values to be printed
+        on the card.
+        """
         unit = self._unit()
         stated: dict[str, Fact] = {} if unit is None else {"length_unit": unit}
         for quantity in ("max_points", "gantry_type"):

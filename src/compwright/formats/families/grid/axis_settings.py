@@ -33,7 +33,8 @@ class AxisSettingsReader:
         self.notes = notes
 
     def facts(self, own: AxisFacts, axis: Axis | None, partners: Mapping[str, str]) -> AxisFacts:
-        """Return the facts ``own``, completed by the axis' settings; note other active functions.
+        """Return the facts ``own`` completed by the axis' settings; the axis' other active
+        functions are reported.
 
         ``partners``: the synchronised axis by leading axis.
         """
@@ -98,7 +99,7 @@ class AxisSettingsReader:
         return None if found is None else float(found.text)
 
     def gantry(self, partners: Mapping[str, str]) -> None:
-        """Check that MD37100 and the job name the same gantry axes."""
+        """Check that the files (gantry type, MD37100) and the job name the same gantry axes."""
         kind = self._kind(self.address)
         if kind is None or not kind:
             return

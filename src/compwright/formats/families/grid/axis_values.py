@@ -24,7 +24,9 @@ class GridAxisValues(Values):
     system: str | None
 
     def places(self, quantity: str) -> list[FoundValue]:
-        """Return each value of a quantity of the axis in the files, with its file and line."""
+        """Return each value that the files state for a quantity of the axis, with its file and
+        line.
+        """
         return self.gathered.found(quantity, self.address, self.system)
 
     def single(self, quantity: str, *, quiet: bool = True) -> FoundValue | None:

@@ -71,7 +71,9 @@ def joint_letters(kinematics: str, order: str, count: str) -> str:
 
 
 def sure_joints(kinematics: str, order: str, count: str) -> str:
-    """Return the axis letter of each joint in one word, such as XYYZ; empty if it is uncertain."""
+    """Return the axis letter of each joint in one word, such as XYYZ; empty if the letters are
+    uncertain.
+    """
     letters = joint_letters(kinematics, order, count)
     name = kinematics.split(maxsplit=1)[0].lower() if kinematics.strip() else ""
     if letters or name != _TRIVIAL:
@@ -124,7 +126,7 @@ def homing_of(
 
 
 def _is_true(values: GridAxisValues, name: str, *, others: bool = False) -> bool:
-    """Return whether a setting is true.
+    """Return whether a yes-or-no setting is true; False if no file states it.
 
     ``others``: any number other than 0 also means true.
     """

@@ -36,7 +36,8 @@ _DECIMALS = 9
 def in_modulo_range(
     compensation: AxisCompensation, start: float, name: str, faults: list[Fault]
 ) -> AxisCompensation:
-    """Return a repeating table that begins at ``start`` (deg), with each value at its old angle.
+    """Return a repeating table with its points reordered so that it begins at ``start`` (deg); each
+    angle keeps its correction.
 
     It is not known whether the control would find a table with another start. If no node is at
     ``start``, that is a fault, which names a possible spacing.
@@ -143,7 +144,8 @@ def most_points_of_turn(axis: Axis, rows: int) -> int:
 def spacings_from(
     reference: float, start: float, period: float, quantum: float
 ) -> tuple[float, ...] | None:
-    """Return the spacings (deg) with a point both at the reference and at the start of the range.
+    """Return the spacings (deg) of tables that have one point at the reference and one at the start
+    of the modulo range.
 
     None: any spacing that divides the turn.
     """

@@ -214,7 +214,8 @@ class GridReader:
         return replace(own, facts=facts)
 
     def _one_name(self, address: str, axis: Axis | None) -> None:
-        """Refuse to read an axis that may have a second name in the files, such as X1 and AX1.
+        """Add a fault if values under another name in the files, such as X1 and AX1, may also
+        belong to this axis.
 
         No list of names says which of them are one axis.
         """
@@ -320,7 +321,9 @@ class GridReader:
         raise_all(InputError, self.notes.faults)
 
     def _note_sources(self, files: Sequence[ControlFile]) -> None:
-        """Report printed listings, and archives whose programs may load or switch tables."""
+        """Report printed listings, and archives with programs that may load, activate or deactivate
+        tables.
+        """
         kinds = self.definition.texts.values()
         words = tuple(sorted({claim for kind in kinds for claim in kind.claims_anywhere}))
         for file in files:

@@ -161,8 +161,8 @@ class SystemChoice:
         return int(places[-1].text) if places else None
 
     def _switch(self, system: str) -> bool | None:
-        """Return whether the last value in the files activates a system's table; None without a
-        value.
+        """Return whether the last value of the activation parameter in the files activates the
+        table of a measuring system; None if no file states it.
         """
         places = self.gathered.singles.get((self.address, system), {}).get("enabled", ())
         binding = self.gathered.definition.bindings.get("enabled")

@@ -79,7 +79,8 @@ class TableFiles:
         return len(self.texts) == len(self.tables) == 1
 
     def rows(self, address: str, *, mentioned: bool) -> list[FoundValue] | None:
-        """Return the table rows of an axis. None if the rows name their axis themselves.
+        """Return the rows in the table file of an axis; None if the control's table rows name their
+        axis, so that no file has to be found.
 
         ``mentioned``: other lines name the axis, and would name its file.
         """
@@ -117,7 +118,9 @@ class TableFiles:
         return rows
 
     def _named_by(self, address: str) -> list[ReadText]:
-        """Return the table file that other lines name for an axis. A missing file is a fault."""
+        """Return the table file that a line in another file names for an axis. If this table file
+        is missing, that is a fault.
+        """
         named = self.gathered.found("table_file", address, None)
         if not named:
             return []

@@ -129,7 +129,9 @@ def _stays(text: TableText) -> bool:
 
 
 def is_blank(source: TableSource) -> bool:
-    """Return whether all values, start, end and spacing are zero, as in memory never written."""
+    """Return whether all values of a table, its start, end and spacing are zero, because no table
+    was ever stored.
+    """
     values = [
         row.occurrence.tokens[name].text for row in source.rows for name in source.value_fields
     ]
@@ -138,7 +140,9 @@ def is_blank(source: TableSource) -> bool:
 
 
 def _whole(source: TableSource) -> bool:
-    """Return whether the files contain the start, end and spacing of the table and its values."""
+    """Return whether the files contain a table's start, end and spacing, and at least one of its
+    values.
+    """
     definition = source.scale.definition
     forms = {
         name: definition.statements[definition.bindings[name].statement].form for name in _GRID

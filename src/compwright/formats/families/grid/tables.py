@@ -75,7 +75,9 @@ class TableSource:
         what: str = "",
         hint: str = _CORRECT,
     ) -> None:
-        """Add a fault at the line of ``found``, or else at the first line of the table."""
+        """Add a fault at the line of the value ``found``; without this value, in the file of the
+        table.
+        """
         place = found or next(iter((*self.rows, *self.singles.values())), None)
         self.notes.faults.append(
             Fault(
@@ -152,7 +154,7 @@ class TableText:
             return "0"
 
     def values(self, index: int) -> dict[str, str]:
-        """Return the texts of the correction at one table point, by the field of the row."""
+        """Return the correction at one table point as text, for each value field of the row."""
         definition, position = self.scale.definition, float(self.compensation.positions[index])
         sides = (self.compensation.positive, self.compensation.negative)
         return {

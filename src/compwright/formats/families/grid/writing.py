@@ -95,7 +95,9 @@ class NewFile:
         return [print_form(form, {**self.text.named, **row}) for row in self.text.rows]
 
     def _occurrences(self, skeleton: ControlFile) -> tuple[Occurrence, ...]:
-        """Return the lines for single values, such as the spacing, in a file without table rows."""
+        """Return the lines of a new file without table rows, so that single values, such as the
+        spacing, can be written into them.
+        """
         faults: list[Fault] = []
         read = text_reader(self.definition).read(skeleton, faults)
         raise_all(InputError, faults)
@@ -199,7 +201,9 @@ class GridWriter:
         return self.own.patched(numbers)
 
     def _turned(self, work: AxisToWrite) -> AxisCompensation:
-        """Return the table of an endless axis over the control's own range of one turn."""
+        """Return the table of an endless axis for one turn, which begins where the control's modulo
+        range begins.
+        """
         compensation, axis = over_travel(work.compensation, work.axis), work.axis
         if compensation.period is None or RANGE_QUANTITY not in self.definition.bindings:
             return compensation
@@ -321,7 +325,9 @@ class GridWriter:
         return self.own.gathered.singles.get(key, {})
 
     def _put(self, text: AxisText, work: AxisToWrite) -> set[str]:
-        """Write values into the control's files; return the quantities that have a line there."""
+        """Write values into existing lines of the control's files; return the quantities that these
+        lines contain.
+        """
         if self.own is None:
             return set()
         own_values, placed = self.own_values(text), self.put_backlash(text)
@@ -349,7 +355,8 @@ class GridWriter:
         return placed | {value, *names}
 
     def _switch_on(self, switches: Sequence[FoundValue], table: TablePlaces) -> None:
-        """Activate the table if the last value in the files deactivates it.
+        """Change the lines of the table's activation parameter so that the table is active once the
+        file is loaded.
 
         In a file that also holds the values the switch is off before them, as in a maker's program,
         and on after them: a table that is on is protected, and the control would take none of the
@@ -389,7 +396,9 @@ class GridWriter:
 
 
 def _first_few(faults: list[Fault], address: str) -> list[Fault]:
-    """Return the first three faults and a count of the others: one wrong rounding repeats."""
+    """Return the first three faults and one fault with the number of all further ones, because a
+    wrong rounding causes many.
+    """
     rest = len(faults) - 3
     more = Fault(
         message=f"axis {address} has {rest} more values with the same fault",
