@@ -89,8 +89,8 @@ class Basis:
         return np.hstack([mean, half_reversal]), np.hstack([mean, -half_reversal])
 
     def halves(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the functions of the mean error, and those of half the reversal error, at
-        ``positions``.
+        """Return two matrices with the values of the functions at ``positions``: for the mean
+        error, and for half the reversal error.
 
         One is common to both directions, (k, mean_size); the other, (k, size - mean_size), is added
         in + and subtracted in -.

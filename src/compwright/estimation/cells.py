@@ -70,8 +70,8 @@ class Cells:
     rough_reversal: float = 0.0
 
     def line_at(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the straight line with jumps and mean reversal that was subtracted before the fit,
-        (k,) in each direction at ``positions``, mm or deg (ISO 230-2:1997, 2.14).
+        """Return the straight line, jumps and mean reversal that were subtracted before the fit:
+        the sum (k,) in each direction at ``positions``, mm or deg (ISO 230-2:1997, 2.14).
         """
         line = self.offset + self.slope * (positions - self.targets[0])
         for jump in self.jumps:
@@ -157,7 +157,7 @@ def _distinct(positions: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, slots=True)
 class _CommonLine:
-    """One slope and reversal error for all tests of an axis, an offset for each; mm or deg."""
+    """The straight line of an axis: one slope and reversal error, an offset per test; mm or deg."""
 
     offsets: FloatArray
     slope: float
@@ -182,7 +182,7 @@ def _refit_without_jumps(
     least: float,
     turn: float | None,
 ) -> _CommonLine:
-    """Return the straight line fitted again without the jumps between neighbouring targets.
+    """Return the straight line, fitted again after jumps between neighbouring targets are removed.
 
     ``least``: smallest noise that is assumed, mm or deg; ``turn``: of an endless axis, deg.
     """
@@ -269,7 +269,7 @@ def _rough_reversal(part: ObservedCells) -> float:
 
 @dataclass(frozen=True, slots=True)
 class _Sizes:
-    """Typical sizes, mm or deg: mean readings minus the straight line, and scatter of readings.
+    """Typical sizes, mm or deg: of the mean readings minus the straight line, and of the scatter.
 
     ``roughness``: rms of means minus the line; ``spread``: standard deviation of the readings, with
     its degrees of freedom; ``floor``: lower bound of both.

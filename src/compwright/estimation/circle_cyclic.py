@@ -43,8 +43,8 @@ class CyclicSearch:
 
 
 def search_cyclic(problem: CircleProblem, fitted: CircleFit, axes: Sequence[str]) -> CyclicSearch:
-    """Return the strongest cyclic error of the two ``axes``, if the residuals of ``fitted`` show
-    one clearly.
+    """Return the strongest cyclic error of the two ``axes``, if the residuals of ``fitted`` clearly
+    show a cyclic error.
 
     One at a time, because a strong one of one axis has side lobes among the frequencies of the
     other. The threshold is the gain in weighted squares, a chi-square of two degrees of freedom,
@@ -90,8 +90,9 @@ def longest_pitch(samples: CircleSamples) -> float:
 def _screen(
     problem: CircleProblem, fitted: CircleFit, axis: str
 ) -> tuple[FloatArray, FloatArray, float]:
-    """Return candidate frequencies (f,), 1/mm, the approximate improvement of the fit by each, and
-    the least information (1 / variance), 1/µm², that the samples give about an amplitude.
+    """Return candidate frequencies (f,), 1/mm, the approximate improvement of the fit by a cyclic
+    error of each frequency, and the least information (1 / variance), 1/µm², that the samples give
+    about the amplitude.
     """
     samples, grid = problem.samples, problem.grid
     shared = fitted.rest[0] / fitted.spectra[0].density

@@ -453,7 +453,7 @@ def _of_halves(
 
 
 def white_problems(problem: CircleProblem) -> Iterator[WeightedProblem]:
-    """Yield the equations with white noise of several levels in the samples, as starts of the fit.
+    """Yield the equations for several levels of white noise in the samples: the starts of the fit.
 
     Standard deviations: 1 µm, that of the upper half of the orders, and the geometric mean of both.
     """

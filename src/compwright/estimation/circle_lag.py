@@ -79,7 +79,8 @@ def at_actual_angles(samples: CircleSamples, lag: Lag) -> CircleSamples:
 
 
 def with_undetected_lag(samples: CircleSamples) -> CircleSamples:
-    """Return the samples with ``lag_std``, the standard uncertainty of a delay too small to find.
+    """Return the samples with an uncertainty of the delay, ``lag_std``, for a delay that is too
+    small to be found.
 
     Uniform up to the largest angle that fits the samples next to the reversal points as well as
     zero does, plus half the angle between samples (JCGM 100:2008, eq. 7); at least half the angle
@@ -132,8 +133,8 @@ def _windows(samples: CircleSamples, half: int) -> FloatArray:
 
 
 def _squares(windows: FloatArray, angles: FloatArray) -> tuple[FloatArray, float]:
-    """Return the residual sum of squares (a,) for each assumed angle of the reversal, and its
-    degrees of freedom.
+    """Return the residual sum of squares (a,) for each assumed angle of the reversal, and the
+    degrees of freedom of this sum.
 
     In each window: a parabola, and from the reversal on a step, a bend and two decays.
     """

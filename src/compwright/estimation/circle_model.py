@@ -166,7 +166,8 @@ def since_reversal(samples: CircleSamples, axis: str) -> FloatArray:
 
 
 def fixed_columns(samples: CircleSamples) -> tuple[CauseColumn, ...]:
-    """Return the column of each cause whose curve has no parameter to search, with its prior width.
+    """Return the columns, with prior widths, of all causes whose curve is completely known. A
+    cyclic error is not one of them, because its frequency has to be searched.
 
     Auxiliary unknowns have names starting with ``_``.
     """

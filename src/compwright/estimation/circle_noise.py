@@ -97,7 +97,8 @@ def _nearest(angles: FloatArray, where: FloatArray, run: IndexArray) -> IndexArr
 
 
 def sum_and_difference(grid: AngleGrid, values: FloatArray) -> tuple[FloatArray, ...]:
-    """Return the cosine transforms (size, ...) of the sum and of the difference of both directions.
+    """Return the cosine transforms (size, ...) of two arrays: the sum and the difference of the
+    ``values`` in both directions.
 
     ``values`` (n, ...) by sample: residuals or rows of the model. Runs of one direction are
     averaged and count by their number; one direction alone gives one half.

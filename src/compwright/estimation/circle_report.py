@@ -405,8 +405,8 @@ def _cyclic(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
 def _amplitude(
     solution: Solution, parts: list[str], runs: int
 ) -> tuple[float, FloatArray, FloatArray]:
-    """Return the value, draws and curve of an amplitude: the root of the sum of squares of its
-    ``parts``, corrected for their noise.
+    """Return an amplitude (the root of the sum of squares of its ``parts``, corrected for noise),
+    random draws of this amplitude, and its radial deviations.
     """
     index = np.array([solution.problem.names.index(part) for part in parts])
     mean = np.mean(solution.draws.values, axis=0)[index]

@@ -256,8 +256,8 @@ class _Options:
         self.cross = marginal.gram[alike, unlike] if self.both else np.empty(0)
 
     def evidence(self, marginal: MarginalEquations, shapes: SpikeShapes) -> FloatArray:
-        """Return the log probability of each possibility: no shape, or a shape that is equal in
-        both directions or different.
+        """Return the log probability of each possibility: no shape, a shape that is equal in both
+        directions, or a shape that differs between the directions.
 
         Nothing, each size and shape alike in both directions, each with a difference (1 + 2 s m,);
         with one direction (1 + s m,).

@@ -95,7 +95,8 @@ def search_vibration(problem: CircleProblem, residual: FloatArray) -> Vibration:
 
 
 def _threshold(count: float, runs: int) -> float:
-    """Return the power, relative to its mean, that noise exceeds with probability `_FALSE_ALARM`.
+    """Return the power, as a multiple of the mean power of noise, that noise exceeds at any
+    frequency with probability `_FALSE_ALARM`.
 
     Noise: ``count`` sums of ``runs`` exponentials (Erlang distribution, solved by iteration).
     """

@@ -132,8 +132,8 @@ class WaveHypotheses:
     curve: CurveColumns
 
     def drawn(self, targets: FloatArray, count: int, rng: np.random.Generator) -> FloatArray:
-        """Return random draws (count, m) of the error by the possible waves at ``targets``, (m,) or
-        (count, m). Draws without a wave are zero.
+        """Return random draws (count, m) of the part of the error that the possible waves cause at
+        ``targets``, (m,) or (count, m). This part is zero in draws without a wave.
         """
         unique, back = np.unique(targets, return_inverse=True)
         places = np.broadcast_to(back.reshape(targets.shape), (count, targets.shape[-1]))
@@ -178,8 +178,8 @@ class HiddenPeriods:
         return tuple(sorted(found.items(), key=lambda pair: (-round(pair[1], 9), pair[0])))
 
     def waves(self, targets: FloatArray, count: int, rng: np.random.Generator) -> FloatArray:
-        """Return random draws (count, m) of the error by possible periods at ``targets``, mm or
-        deg. Targets are (m,), or (count, m) for different targets in each draw.
+        """Return random draws (count, m) of the part of the error that possible periods cause at
+        ``targets``, mm or deg. Targets are (m,), or (count, m) for different targets in each draw.
         """
         added = np.zeros((count, targets.shape[-1]))
         for each in self.hypotheses:

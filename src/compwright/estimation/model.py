@@ -94,7 +94,7 @@ class MixturePart:
 
     @property
     def noises(self) -> FloatArray:
-        """The variance (n,) of a reading in each draw, where it is estimated, relative to the
+        """The variance (n,) of a reading in each draw, if the noise is estimated, relative to the
         squared scale.
         """
         return np.array([self.evidence.variances(h)[0] for h in self.values])
@@ -132,8 +132,8 @@ class FittedModel:
 def fit_model(
     cells: Cells, travel: Travel, periods: Periods, *, varying: bool, draws: int
 ) -> FittedModel:
-    """Return a model with these periods, fitted to the mean readings of an axis. Its reversal error
-    varies with position if ``varying``, else it is constant.
+    """Return a model with the ``periods``, fitted to the mean readings of an axis. The reversal
+    error of the model varies with position if ``varying``, else it is constant.
 
     ``draws`` equally likely hyperparameters.
     """

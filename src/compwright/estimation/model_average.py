@@ -74,8 +74,8 @@ def average_models(
 def _varying_and_constant_reversal(
     cells: Cells, travel: Travel, known: Periods, model: PeriodModel, draws: int
 ) -> tuple[dict[bool, FittedModel], float]:
-    """Return a model with varying and one with constant reversal error, and the log odds of the
-    first.
+    """Return two models, the first with varying and the second with constant reversal error, and
+    the log odds of the first model against the second.
     """
     periods = known.with_periods(model.periods, model.harmonics)
     both = {

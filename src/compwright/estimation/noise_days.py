@@ -44,8 +44,8 @@ _TINY: Final = 1e-12
 def over_days(
     noise: NoiseDraws, tests: Sequence[NoiseDraws], own: int, rng: np.random.Generator
 ) -> NoiseDraws:
-    """Return ``noise`` with the variation between ``tests``, for a new test like the one at index
-    ``own``.
+    """Return ``noise`` for a new test that is made like the test at index ``own``, with the
+    variation from day to day that the ``tests`` show.
 
     Its drift and scatter vary as they do between the ``tests``.
     """

@@ -1,4 +1,4 @@
-"""Which traverses, runs or time steps of a test shift the readings: all of them or only some.
+"""Choice whether all or only some traverses, runs or time steps of a test shift the readings.
 
 A creeping mounting shifts every traverse; a knock, a chip or an inaccurate reference run shifts one
 now and then. Existing shifts are normal, the others zero (Mitchell and Beauchamp, J. Am. Stat.

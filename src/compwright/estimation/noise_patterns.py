@@ -100,8 +100,8 @@ class Patterns:
         return total
 
     def offset_of(self, form: int, moved: BoolArray) -> FloatArray:
-        """Return the covariance (k, k) of traverse offsets of unit size. Unless they follow a wave,
-        only the shifts marked in ``moved`` (q,) exist.
+        """Return the covariance (k, k) of traverse offsets of unit size. Only the shifts marked in
+        ``moved`` (q,) exist, unless the offsets follow a wave.
         """
         if form >= WAVE:
             return np.asarray(self.waves[form - WAVE])
@@ -177,8 +177,8 @@ def build_patterns(readings: CellReadings, cycle: Cycle, runs: tuple[int, int]) 
 
 
 def _moves(order: FloatArray, middle: int) -> FloatArray:
-    """Return the effect of each unit shift on each traverse, (3, 2n, 2n): independent, by run, or
-    as random walk.
+    """Return the effect of each unit shift on each traverse for three patterns, (3, 2n, 2n):
+    independent shifts of traverses, shifts of runs, and steps of a random walk.
 
     ``order`` (2, n): place of each traverse in time. A random walk is zero at the ``middle`` of the
     test, as in the record of the noise.

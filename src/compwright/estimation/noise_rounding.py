@@ -75,8 +75,8 @@ def _distinct(values: FloatArray) -> FloatArray:
 
 
 def _common_step(gaps: FloatArray, least: float) -> float:
-    """Return the largest step that divides all ``gaps`` (n,), by Euclid's algorithm. It is 0
-    without gaps, or if not larger than ``least``.
+    """Return the largest step that divides all ``gaps`` (n,), by Euclid's algorithm; 0 without
+    gaps, or if the step is not larger than ``least``.
     """
     step = float(np.min(gaps, initial=np.inf)) if gaps.size else 0.0
     while step > least:

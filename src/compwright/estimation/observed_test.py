@@ -54,7 +54,8 @@ class ObservedCells:
 def cell_means(
     observed: ObservedTest, order: NDArray[np.intp], other_noise: NoiseDraws | None
 ) -> ObservedCells:
-    """Return the mean readings of a test, with the noise of each draw in ``order`` (n,).
+    """Return the mean readings of a test and their noise, under the n noise draws with the indices
+    ``order`` (n,).
 
     ``other_noise``: n draws of the noise of another test of the axis, for where the own readings do
     not show how the traverses moved.

@@ -211,8 +211,8 @@ class _ShownLikelihood:
     near: float
 
     def odds(self, frequencies: FloatArray, choice: NodeChoice) -> tuple[FloatArray, FloatArray]:
-        """Return the log odds (f,) of waves with one harmonic and with two, -inf at excluded
-        frequencies.
+        """Return two arrays of log odds (f,): of a wave with one harmonic, and of a wave with two.
+        Excluded frequencies have -inf.
         """
         one, both = self.likelihood.log_odds(frequencies, choice)
         one = np.where(self._silent(frequencies), -np.inf, one)

@@ -56,7 +56,8 @@ class PeriodCurve:
 
 @dataclass(frozen=True, slots=True)
 class PeriodSearch:
-    """The result of a search for periods: possible models, and each found period with probability.
+    """The result of a search for periods: possible models, and each found period with its
+    probability.
 
     ``models``, the most probable first, probabilities sum to 1; ``alike``: groups of periods that
     these targets cannot tell apart, each with the probability that it is one of them.

@@ -11,8 +11,8 @@ from compwright.records.positioning import PositioningTest
 def longer_tests(
     fitted: Sequence[PositioningTest], others: Iterable[PositioningTest]
 ) -> list[Finding]:
-    """Return a finding (CW-E011) for each other test that extends beyond the ``fitted`` ones by
-    more than one mean interval of targets.
+    """Return the finding CW-E011 for each of the ``others``, tests not in use, that extends beyond
+    the ``fitted`` tests by more than one mean interval of targets.
 
     An axis over 2 000 mm has two tests (ISO 230-2:1997, 5.2): its whole length once, and 2 000 mm
     five times. They count together where it is known which compensation was active in each.

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 
 def score_of_t(t: float, dof: float) -> float:
-    """Return the standard normal value that is as improbable as ``t`` of Student's distribution.
+    """Return the standard normal value that is as improbable as the value ``t`` of a Student's
+    distribution.
 
     ``dof``: its degrees of freedom. The sign is kept. Wallace, Ann. Math. Statist. 30 (1959),
     "Bounds on normal approximations": accurate within 0.1 for the values and degrees of freedom
@@ -18,7 +19,8 @@ def score_of_t(t: float, dof: float) -> float:
 
 
 def score_of_ratio(ratio: float, dof: float, dof_below: float) -> float:
-    """Return the standard normal value that is as improbable as a ratio of two variances (F test).
+    """Return the standard normal value that is as improbable as the ``ratio`` of two variances (F
+    test).
 
     ``dof`` of the numerator, ``dof_below`` of the denominator: degrees of freedom. Negative where
     the numerator is smaller. The cube root of F is nearly normal (Paulson, Ann. Math. Statist. 13

@@ -1,4 +1,4 @@
-"""Decision whether a value keeps its limit: by the value alone, or with the uncertainty as a guard
+"""Decision whether a value meets its limit: by the value alone, or with the uncertainty as a guard
 band.
 """
 
@@ -14,7 +14,8 @@ Rule = Literal["simple", "guarded"]
 
 
 def decide(value: float, limit: float, U: float | None, rule: Rule) -> Decision:
-    """Return the decision on ``value`` <= ``limit`` with expanded uncertainty ``U``, in one unit.
+    """Return the decision whether ``value`` <= ``limit``, given the expanded uncertainty ``U`` (all
+    three in the same unit).
 
     ``simple`` compares the value alone. ``guarded`` (ISO 14253-1) accepts when value + U <= limit,
     rejects when value - U > limit, and is undecided between. A value that is not a number is

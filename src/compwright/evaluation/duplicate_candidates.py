@@ -53,7 +53,8 @@ def equal_tests(tests: Sequence[PositioningTest]) -> list[list[int]]:
 
 
 def tests_with_equal_run(tests: Sequence[PositioningTest], fewest: int) -> Iterator[list[int]]:
-    """Yield groups of ``tests`` (two or more indices, ascending) that may contain the same run.
+    """Yield groups of ``tests`` (two or more indices, ascending) that possibly contain the same
+    run.
 
     Their runs in one direction agree but for a constant at the `_LOOKED_AT` lowest common targets,
     of which there are ``fewest`` or more. All tests with a run that agrees at every common target

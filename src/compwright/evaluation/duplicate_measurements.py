@@ -148,8 +148,8 @@ def _zeros(mine: FloatArray, theirs: FloatArray) -> list[float] | None:
 
 
 def _spread(values: FloatArray, where: NDArray[np.bool_]) -> FloatArray:
-    """Return the largest minus the smallest of the values marked in ``where`` (c, ..), negative
-    where none is marked.
+    """Return the largest minus the smallest of the values marked in ``where`` (c, ..). The result
+    is negative where no value is marked.
     """
     largest = np.where(where, values, -np.inf).max(axis=0)
     smallest = np.where(where, values, np.inf).min(axis=0)
@@ -192,8 +192,8 @@ def _most_alike(gaps: FloatArray) -> int:
 
 
 def repeat_findings(tests: Sequence[PositioningTest]) -> list[Finding | None]:
-    """Return the finding CW-T034 for each test that repeats the measurement of another test, and
-    None for other tests.
+    """Return an entry for each test: the finding CW-T034 if it repeats the measurement of another
+    test, else None.
 
     The result equals that of `same_measurement` on all pairs. The time grows with the number of
     tests, not with its square.

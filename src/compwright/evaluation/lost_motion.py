@@ -43,8 +43,8 @@ class LostMotionResult:
 
 
 def lost_motion_result(test: LostMotionTest) -> LostMotionResult:
-    """Return the best constant for the lost motion, from the mean of each move, and whether it is
-    constant.
+    """Return the best constant for the lost motion, from the mean of each move, and whether the
+    lost motion is constant.
 
     CW-T040: it depends on the move; CW-T041: it does not, as far as the readings show.
     """

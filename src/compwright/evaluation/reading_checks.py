@@ -344,8 +344,8 @@ def suspect_traverse_findings(test: PositioningTest, compare: Compare) -> list[F
 
 
 def _shifts(test: PositioningTest) -> dict[Traverse, float]:
-    """Return the offset of each traverse from the others of its direction (median over targets; mm
-    or deg).
+    """Return the offset of each traverse from the other traverses of its direction (median over
+    targets; mm or deg).
 
     Directions with three runs or more.
     """

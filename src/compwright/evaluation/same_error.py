@@ -82,7 +82,8 @@ def _log_density(values: FloatArray, covariance: FloatArray) -> float:
 
 
 def _common(one: PositioningTest, other: PositioningTest) -> tuple[FloatArray, ...]:
-    """Return the data to compare two tests at their common targets and directions.
+    """Return the means of two tests at their common targets and directions, with further data to
+    compare these means.
 
     Difference of the means, both means, variance of the difference, position and direction (+1,
     -1).

@@ -147,7 +147,7 @@ def noted_trends(entries: Sequence[HistoryEntry]) -> Iterator[NotedTrend]:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _ComparedTests:
-    """The tests of one parameter that were made in the same way as the last one.
+    """The tests of one parameter that were made in the same way as its last test.
 
     ``places``: their indices in the series; ``odds``: of a jump after each test.
     """

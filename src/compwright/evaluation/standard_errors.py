@@ -183,7 +183,9 @@ def _larger(pooled: float, dof: float, by_run: FloatArray) -> tuple[float, float
 def _reversal(
     positive: FloatArray, negative: FloatArray, s: float, dof: float
 ) -> dict[str, StandardError]:
-    """Return the standard errors of B at its target, and of the mean reversal error."""
+    """Return the standard errors of B, at the target with the largest reversal error, and of the
+    mean reversal error.
+    """
     both = np.isfinite(positive).any(axis=1) & np.isfinite(negative).any(axis=1)
     up, down = positive[both], negative[both]
     if not up.size:

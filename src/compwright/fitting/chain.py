@@ -133,8 +133,8 @@ def build_chain(
     kept: tuple[int, ...],
     closed: bool,
 ) -> CurveChain:
-    """Return the objective of a curve with ``size`` table points: half the weighted sum of its
-    squared differences from the ``wishes``.
+    """Return the objective of a curve with ``size`` table points: half the weighted sum of squared
+    differences between this curve and the wanted curves ``wishes``.
 
     Normal equations of hat functions, which couple only neighbouring points (de Boor 1978, chapter
     III). ``fixed``: indices of points with the value zero; ``kept``: indices of points outside the

@@ -162,7 +162,8 @@ def mean_over(
 def as_wanted(
     x: FloatArray, layout: UnknownsLayout, capacity: Capacity, wanted: WantedCorrection
 ) -> WantedCorrection:
-    """Return the correction that the table values ``x`` (n,) give, as a wanted correction.
+    """Return the correction that the table values ``x`` (n,) give, in the form of a
+    `WantedCorrection`.
 
     A table of whole increments is then fitted to it.
     """
@@ -196,7 +197,7 @@ def _measured(
 def _wanted_at(
     wanted: WantedCorrection, where: FloatArray, way: Direction, period: float | None
 ) -> FloatArray:
-    """Return the wanted correction at any positions. With a ``period`` it repeats."""
+    """Return the wanted correction at any positions. With a ``period`` the correction repeats."""
     if period is not None:
         where = wanted.reference + np.mod(where - wanted.reference, period)
     return np.interp(where, wanted.positions, wanted.total(way))

@@ -272,7 +272,9 @@ class _LatticeSearch:
         return part.shifts(self.unit, magnification)
 
     def first_solution(self, index: int, magnification: int) -> LatticeValues | None:
-        """Return valid values of one curve: the real-number optimum rounded, or the best nearby."""
+        """Return valid values of one curve: the rounded real-number optimum, or else the best valid
+        values near this optimum.
+        """
         part, limits = self.parts[index], self.limits(self.parts[index], magnification)
         relaxation = self.relaxed(index, magnification).relaxation
         variants = variants_within(

@@ -222,8 +222,8 @@ def best_of_part(
     shifts: FloatArray,
     ceiling: float,
 ) -> LatticeValues | None:
-    """Return the best solution of one curve with an objective up to ``ceiling``, or None without
-    one.
+    """Return the best solution of one curve with an objective up to ``ceiling``, or None if there
+    is none.
     """
     nearest = variants_within(part, relaxation, limits, shifts, np.inf).take(slice(0, 1))
     best = first_of_part(part, relaxation, limits, nearest)

@@ -112,8 +112,8 @@ def _steps(
     request: TableRequest,
     ends: tuple[int | None, int | None],
 ) -> list[int]:
-    """Return the possible intervals in resolution steps, or the one stated in the job. Raises
-    CapacityError if that one does not fit.
+    """Return the possible intervals in resolution steps, or only the interval stated in the job.
+    Raises CapacityError if the stated interval does not fit.
     """
     if request.named_spacing is not None:
         step = requested_step(request.named_spacing, capacity, wanted.kind.unit)

@@ -1,5 +1,5 @@
-"""Table points with the spacing stated in the job, or the reason why it does not fit, with spacings
-that do.
+"""Table points with the spacing stated in the job, or the reason why this spacing does not fit,
+with the nearest spacings that fit.
 
 All arithmetic is in whole quanta of the position.
 """

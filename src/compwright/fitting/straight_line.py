@@ -95,7 +95,8 @@ def _refuse_grid(request: TableRequest, capacity: Capacity) -> None:
 
 
 class _FittedLine:
-    """The mean square of constant + slope * x + reversal - wanted, for a straight-line fit.
+    """The mean square error that a straight line leaves: of constant + slope * x + reversal -
+    wanted.
 
     The datum is free: it moves the zero of the axis and does not change its errors.
     """
@@ -111,8 +112,8 @@ class _FittedLine:
         )
 
     def mean_square(self, slope: float, reversal: float) -> float:
-        """Return the mean square over travel and both directions. ``reversal`` is added in the
-        direction opposite to the reference return.
+        """Return the mean square error that the line leaves over travel and both directions.
+        ``reversal`` is added in the direction opposite to the reference return.
         """
         straight = slope * self.x
         left = straight - self.own, straight + reversal - self.other
@@ -161,7 +162,8 @@ class _FittedLine:
 
 def reversal_range(capacity: Capacity, sign: int) -> tuple[float, float]:
     """Return the range of the reversal value, mm or deg, from the control's range of the backlash
-    value. ``sign``: its sign in the direction opposite to the reference return.
+    value. ``sign``: the sign with which the control adds the backlash value in the direction
+    opposite to the reference return.
     """
     if capacity.backlash_quantum is None:
         return 0.0, 0.0

@@ -80,8 +80,8 @@ class WholeIncrementFit:
         return ChainTarget(rows=self.rows, weights=self.weights, aims=aims, constant=constant)
 
     def single(self, *, reversal: bool) -> CurveChain:
-        """Return one curve for both directions. ``reversal``: the other direction differs by a
-        constant.
+        """Return one curve for both directions. With ``reversal``, a constant is added to the curve
+        in the direction opposite to the reference return.
         """
         home = self.aim.reference_return
         wishes = (self.wish(home), self.wish(home.opposite, constant=reversal))

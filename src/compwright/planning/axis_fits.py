@@ -120,7 +120,7 @@ def _fit(
 
 
 def _holds_drift(work: AxisWork, found: _Fitted, rule: Literal["simple", "guarded"]) -> bool:
-    """Return whether test drift may explain the difference of the fitted tables for + and −."""
+    """Return whether test drift can explain the difference of the fitted tables for + and −."""
     planned = work.planned
     if planned.request.mode != "auto" or found.table.mode != "bidirectional":
         return False

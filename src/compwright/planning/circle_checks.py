@@ -58,30 +58,32 @@ def laser_values(
 
 
 def lost_motion(work: CircleWork, index: int) -> ValueWithError | None:
-    """Return the lost motion, mm, of a circle's first (``index`` 0) or second axis, or None if the
-    diagnosis does not determine it.
+    """Return the lost motion, mm, of the first (``index`` 0) or second axis of a circular test, or
+    None if the diagnosis does not determine it.
     """
     found = effect_of(work.result, f"backlash_{ENDS[index]}")
     return None if found is None else ValueWithError(found.value / _UM, found.std_error / _UM)
 
 
 def scale_error(work: CircleWork, index: int) -> ValueWithError | None:
-    """Return the scale error (mm/mm) of a circle's first (``index`` 0) or second axis, or None
-    without a calibrated bar.
+    """Return the scale error (mm/mm) of the first (``index`` 0) or second axis of a circular test,
+    or None without a calibrated bar.
     """
     found = effect_of(work.result, f"scale_error_{ENDS[index]}")
     return None if found is None else ValueWithError(found.value / _PPM, found.std_error / _PPM)
 
 
 def mismatch(work: CircleWork) -> ValueWithError | None:
-    """Return the scale error of the circle's first axis minus that of its second axis, mm/mm."""
+    """Return the scale error of the first axis of a circular test minus that of its second axis,
+    mm/mm.
+    """
     found = effect_of(work.result, "scale_mismatch")
     across = 2.0 * work.planned.test.nominal_radius * _UM
     return None if found is None else ValueWithError(found.value / across, found.std_error / across)
 
 
 class CircleChecks:
-    """Comparison of every circle of a job with the positioning tests of its axes."""
+    """Comparison of every circular test of a job with the positioning tests of its axes."""
 
     def __init__(
         self, job: Job, works: Mapping[str, AxisWork], states: Mapping[str, ActiveCorrections]
@@ -91,8 +93,8 @@ class CircleChecks:
         self.states = states
 
     def laser(self, work: CircleWork, index: int) -> LaserValues | None:
-        """Return the lost motion and scale error of one axis of a circle from its positioning test,
-        or None without a positioning test in both directions.
+        """Return the lost motion and scale error of one axis of a circular test, computed from the
+        axis' positioning test. None without a positioning test in both directions.
         """
         axis = self.works.get(work.planned.test.axes[index])
         if axis is None or not axis.results[0].test.bidirectional:
@@ -107,7 +109,9 @@ class CircleChecks:
         )
 
     def findings(self, circles: Sequence[CircleWork]) -> Iterator[Finding]:
-        """Yield findings where circle and positioning test differ beyond both uncertainties."""
+        """Yield a finding for each value from a circular test that differs from the value of a
+        positioning test by more than both uncertainties allow.
+        """
         for work in circles:
             both = [self.laser(work, index) for index in (0, 1)]
             for index, laser in enumerate(both):
@@ -194,7 +198,7 @@ class CircleChecks:
 
     def _not_taken(self, name: str, circles: Sequence[CircleWork]) -> Finding:
         """Return the finding that an axis keeps the lost motion of its positioning test: a warning
-        if no circle moves the axis, else an error.
+        if no circular test moves the axis, else an error.
         """
         if not _on(circles, name):
             return Finding.of("CW-P130.no_circle", "warning", axis=name)
@@ -221,7 +225,7 @@ class CircleChecks:
 
 
 def _on(circles: Sequence[CircleWork], name: str) -> bool:
-    """Return whether any of the circles moves the axis ``name``."""
+    """Return whether any of the circular tests ``circles`` moves the axis ``name``."""
     return any(name in work.planned.test.axes for work in circles)
 
 

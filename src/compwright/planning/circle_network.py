@@ -1,4 +1,5 @@
-"""Combination of several circles of one machine (planes, radii, feeds) in one system of equations.
+"""Combination of several circular tests of one machine (planes, radii, feeds) in one system of
+equations.
 
 Every circle gives a squareness, two scales, two lost motions and a servo mismatch. The machine has
 one squareness per plane, and one scale, one lost motion, one lag and one shrinking per axis. The
@@ -87,7 +88,9 @@ class CircleNetwork:
     contradictions: Mapping[tuple[str, str], tuple[Observation, ...]]
 
     def values_of(self, kind: str) -> dict[str, ValueWithError]:
-        """Return the machine errors of a ``kind`` that the circles determine, by axis or plane."""
+        """Return the machine errors of a ``kind`` that the circular tests determine, by axis or
+        plane.
+        """
         most = _TELLS * _PRIOR[kind][1]
         return {
             name: value
@@ -97,7 +100,7 @@ class CircleNetwork:
 
     def position_loops(self) -> dict[str, ValueWithError]:
         """Return the servo lag (time constant of the position loop, ms) of each axis for which the
-        circles determine it.
+        circular tests determine it.
         """
         loops = {}
         for name, value in self.values_of("shrinking").items():
@@ -108,7 +111,7 @@ class CircleNetwork:
 
 
 def solve_network(circles: Sequence[CircularResult]) -> CircleNetwork:
-    """Return the machine errors from circles that were measured in one state of the control."""
+    """Return the machine errors from circular tests that were made in one state of the control."""
     seen = [each for result in circles for each in _observations(result)]
     unknowns = sorted({unknown for each in seen for unknown in each.parts})
     matrix = np.array([[each.parts.get(name, 0.0) for name in unknowns] for each in seen])
@@ -204,7 +207,8 @@ def _mean_scale(
 
 
 def network_findings(circles: Sequence[CircleWork]) -> Iterator[Finding]:
-    """Yield the findings about the machine errors from circles in the same state of the control.
+    """Yield the findings about the machine errors from circular tests in the same state of the
+    control.
 
     What ``run`` says of the squareness of a plane is in `planning.cross`.
     """
@@ -246,8 +250,8 @@ def machine_findings(network: CircleNetwork) -> Iterator[Finding]:
 
 
 def squareness_findings(network: CircleNetwork) -> Iterator[Finding]:
-    """Yield a finding for each plane about whose squareness circles of one state of the control
-    contradict each other.
+    """Yield a finding for each plane whose squareness differs between circular tests that were made
+    in the same state of the control.
     """
     for (kind, plane), seen in network.contradictions.items():
         if kind == "squareness":
@@ -257,8 +261,8 @@ def squareness_findings(network: CircleNetwork) -> Iterator[Finding]:
 
 
 def squareness_contradiction(axes: tuple[str, str], values: Iterable[tuple[str, float]]) -> Finding:
-    """Return the finding that circles contradict each other about the squareness of a plane.
-    ``values``: um/m, by circle.
+    """Return the finding that circular tests contradict each other about the squareness of a plane.
+    ``values``: squareness in um/m, by name of the test.
     """
     each = [say("CW-P110.circle", circle=circle, squareness=value) for circle, value in values]
     return Finding.of("CW-P110", "warning", axes, plane="".join(axes), values=each)

@@ -59,15 +59,17 @@ class CircleWork:
 
 
 def effect_of(result: CircularResult, name: str) -> CircularEffect | None:
-    """Return one cause of a circle's deviations, or None if the diagnosis does not determine it."""
+    """Return one cause of the deviations of a circular test, or None if the diagnosis does not
+    determine this cause.
+    """
     if result.diagnosis is None or name in result.diagnosis.undetermined:
         return None
     return result.diagnosis.effects.get(name)
 
 
 def as_shown_at_feed(effect: CircularEffect) -> CircularEffect:
-    """Return a scale error or mismatch as measured at the feed of the circle: with the effect of
-    servo lag, which the diagnosis subtracts.
+    """Return a scale error or mismatch as measured at the feed of the circular test: with the
+    effect of servo lag, which the diagnosis subtracts.
 
     The standard error is that of the fit alone.
     """
@@ -77,8 +79,8 @@ def as_shown_at_feed(effect: CircularEffect) -> CircularEffect:
 
 
 def why_undetermined(works: Iterable[CircleWork], name: str) -> Iterator[Sentence]:
-    """Yield, for each circle that does not determine the cause ``name``, the reason with the name
-    of the circle.
+    """Yield, for each circular test that does not determine the cause ``name``, the reason with the
+    name of the test.
     """
     for work in works:
         diagnosis = work.result.diagnosis
@@ -90,7 +92,9 @@ def why_undetermined(works: Iterable[CircleWork], name: str) -> Iterator[Sentenc
 
 
 def _without_causes(name: str, test: CircularTest) -> Sentence:
-    """Return the sentence that states why a circle was not diagnosed, with the sample count."""
+    """Return the sentence that states why a circular test was not diagnosed, with its number of
+    samples.
+    """
     return say(
         "undetermined.causes",
         circle=name,
@@ -230,8 +234,8 @@ def travel_findings(work: CircleWork, axes: Mapping[str, Axis]) -> tuple[Finding
 
 
 def worse_circle_findings(predictions: Mapping[str, CirclePrediction]) -> tuple[Finding, ...]:
-    """Return a finding for every circle whose circular deviation the tables are predicted to make
-    worse.
+    """Return a finding for every circular test whose circular deviation is predicted to become
+    worse with the new tables.
 
     Worse is what lies above the measured value in 95 of 100 fresh tests and by more than `WORSE`:
     the next set-up of the bar alone changes G by some hundredths. Noise makes both values larger,
@@ -245,7 +249,8 @@ def worse_circle_findings(predictions: Mapping[str, CirclePrediction]) -> tuple[
 
 
 def undecided_circle_findings(predictions: Mapping[str, CirclePrediction]) -> tuple[Finding, ...]:
-    """Return a finding for every circle that has limits but whose causes are unknown.
+    """Return a finding for every circular test that has limits, but whose causes of deviation are
+    unknown.
 
     Its predicted band then holds the noise of the samples alone: of fresh tests on short arcs 0 to
     52 % were within the 90 % bands.
@@ -258,8 +263,8 @@ def undecided_circle_findings(predictions: Mapping[str, CirclePrediction]) -> tu
 
 
 def _growing(circle: CirclePrediction) -> str | None:
-    """Return the name of the circular deviation that the new tables make worse, or None without
-    one.
+    """Return the name of the circular deviation that the new tables make worse, or None if there is
+    none.
 
     The deviation of both runs together decides, if there is one: lag and squareness may cancel in
     one run, so that this run alone looks worse when one of the two errors is corrected.
@@ -282,8 +287,8 @@ def _growing(circle: CirclePrediction) -> str | None:
 
 
 def _without_noise(result: CircularResult, parameter: str) -> float | None:
-    """Return a ``parameter`` of the circle without noise: computed from the fitted causes alone.
-    None without a diagnosis.
+    """Return a ``parameter`` of the circular test without noise: computed from the fitted causes
+    alone. None without a diagnosis.
     """
     fitted = () if result.diagnosis is None else result.diagnosis.fitted
     runs = tuple(

@@ -133,7 +133,7 @@ def _doubt(
     names: tuple[str, str],
 ) -> Finding | None:
     """Return the doubt that the test ``shown`` contradicts the test ``telling``, or None if both
-    agree.
+    tests agree.
 
     Only the directions in which a test was taken count. Each test has its own noise.
     """

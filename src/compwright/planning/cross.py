@@ -1,4 +1,4 @@
-"""Corrections between axes: squareness from circles, squareness and straightness from direct
+"""Corrections between axes: squareness from circular tests, squareness and straightness from direct
 measurements.
 
 All values here are changes of the present correction. The angle of a circle is that of the machine
@@ -289,7 +289,7 @@ class _Planner:
 
     def _angles(self, circles: Sequence[CircleWork]) -> Iterator[tuple[frozenset[str], Squareness]]:
         """Yield the squareness of each pair of axes under the present corrections, as weighted mean
-        of its circles.
+        of the circular tests of this pair.
         """
         by_pair: dict[frozenset[str], list[CircleWork]] = {}
         for work in circles:
@@ -316,8 +316,8 @@ class _Planner:
         return Squareness(mean, error, tuple(work.name for work in works), diameter)
 
     def _as_found(self, work: CircleWork) -> tuple[float, float]:
-        """Return the squareness (rad) from one circle, converted to the present corrections, and
-        its standard error.
+        """Return the squareness (rad) from one circular test, converted to the present corrections,
+        and the standard error of this squareness.
         """
         effects = work.result.diagnosis.effects if work.result.diagnosis is not None else {}
         effect = effects["squareness"]

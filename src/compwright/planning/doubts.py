@@ -76,5 +76,7 @@ def find_doubts(
 
 
 def mark_undecided(accept: Mapping[str, AcceptDecision]) -> dict[str, AcceptDecision]:
-    """Return the decisions of an axis or circle with an open doubt, all changed to undecided."""
+    """Return the decisions of an axis or circular test with an open doubt, all changed to
+    undecided.
+    """
     return {name: replace(entry, decision="undecided") for name, entry in accept.items()}

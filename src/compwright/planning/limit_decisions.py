@@ -54,7 +54,7 @@ def accept_decisions(
 def circle_decisions(
     accept: Acceptance | None, circle: CirclePrediction, rule: Literal["simple", "guarded"]
 ) -> Mapping[str, AcceptDecision]:
-    """Return the decision about each limit of a circle (µm) from the predicted values.
+    """Return the decision about each limit of a circular test (µm) from the predicted values.
 
     As `accept_decisions` does. Its U is that of the measured circle, because the tables hardly
     change its size. Undecided where the causes in the circle are not known (CW-P134).
@@ -129,7 +129,9 @@ def measured_circle_decisions(
     believed: bool,
     proven: bool,
 ) -> dict[str, AcceptDecision]:
-    """Return the decision about each limit of a circle (µm) from its test after loading."""
+    """Return the decision about each limit of a circular test (µm) from the repetition of this test
+    after loading.
+    """
     if accept is None:
         return {}
     factor = MICROMETRES_PER_MILLIMETRE

@@ -1,5 +1,5 @@
-"""Tests of one axis at cutting feed and at rapid traverse, for which a control may use different
-backlash values.
+"""Tests of one axis in different motions (at cutting feed, at rapid traverse), for which a control
+may use different backlash values.
 
 A table is made for the motion of the first test (``Axis.motion``). A new one changes both values
 equally, so that their difference is active in a test at the other motion before and afterwards.
@@ -21,8 +21,8 @@ from compwright.records.plan import PlannedTest
 
 
 def backlash_more(axis: Axis, motion: Motion, state: ControlState | None) -> float:
-    """Return the backlash value active in a test minus that for the axis' usual ``motion``, mm or
-    deg, 0 if unknown.
+    """Return the backlash value for ``motion`` minus the value for the usual motion of the axis
+    (cutting feed or rapid traverse), mm or deg; 0 if unknown.
     """
     if state is None or motion == axis.motion:
         return 0.0
@@ -45,8 +45,8 @@ def with_motion(correction: Correction, axis: Axis, more: float) -> Correction:
 def with_backlash(
     tests: tuple[PlannedTest, ...], axis: Axis, states: Mapping[str, ControlState]
 ) -> tuple[PlannedTest, ...]:
-    """Return the tests, each with the difference of its backlash value from that for the axis'
-    usual motion.
+    """Return the tests, each with its backlash value minus the backlash value for the usual motion
+    of the axis (cutting feed or rapid traverse).
 
     The values come from the control's present state, else from the state of the test.
     """
@@ -62,8 +62,8 @@ def with_backlash(
 
 
 def unknown_motions(job: Job, states: Mapping[str, ControlState]) -> Iterator[Fault]:
-    """Yield faults for tests at a different motion than the first, if the control's files do not
-    state the backlash value for it.
+    """Yield a fault for each test in another motion (cutting feed or rapid traverse) than the first
+    test, if the control's files do not state the backlash value for this motion.
     """
     for name, entry in job.axes.items():
         for request in entry.before:

@@ -1,4 +1,4 @@
-"""Findings about periodic errors that new targets may show but the measured targets may hide.
+"""Findings about periodic errors that the measured targets can hide and that new targets can show.
 
 These are periods that are possible or that the readings do not exclude.
 """
@@ -41,8 +41,8 @@ def decide_limits(
 
 
 def further_targets_finding(axis: Axis, posterior: AxisPosterior) -> Iterator[Finding]:
-    """Yield the finding CW-P164 if periodic errors may be hidden at the measured targets. It names
-    a few further targets that would show them.
+    """Yield the finding CW-P164 if the measured targets may hide periodic errors. The finding names
+    a few further targets that would show these errors.
     """
     hidden = posterior.hidden
     found = further_targets(posterior) if hidden.probability >= _NAMED else None

@@ -28,7 +28,7 @@ _MOST: Final = 400
 def point_count_tradeoff(
     work: AxisWork, new: Correction, fresh: FreshTests, name: str
 ) -> tuple[PointCountOption, ...]:
-    """Return the parameter ``name`` of simulated tests for tables with more and more points.
+    """Return the parameter ``name`` of simulated tests for tables with different numbers of points.
 
     At new targets; ``new`` is the table that is written. Empty where there is no choice: no
     table, or only one grid.
@@ -76,7 +76,7 @@ def _table_on(
     nodes: FloatArray, work: AxisWork, capacity: Capacity, request: TableRequest
 ) -> Correction | None:
     """Return the correction by a table with points at ``nodes``, or None if the control cannot hold
-    it.
+    such a table.
     """
     wanted = work.planned.wanted
     if wanted is None:

@@ -58,7 +58,7 @@ def drift_within_run(test: PositioningTest, noise: NoiseDraws) -> float:
 
 
 def explained_by_drift(rise: float, within: float) -> bool:
-    """Return whether a drift ``within`` each run may explain a reversal error that rises by
+    """Return whether a drift ``within`` each run can explain a reversal error that rises by
     ``rise``.
     """
     return within != 0.0 and 1.0 / _ALIKE <= rise / within <= _ALIKE

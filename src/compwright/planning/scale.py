@@ -1,4 +1,4 @@
-"""Scale error of an axis without a positioning test, from circles.
+"""Scale error of an axis without a positioning test, from circular tests.
 
 The radius of a circle also shrinks by the lag of the position loop, v²/(2 Kv² R). A scale is
 therefore taken from a calibrated bar at a low feed, from two feeds extrapolated to zero, or from
@@ -143,8 +143,8 @@ def _scaled(
 def _values(
     name: str, circles: Sequence[CircleWork], checks: CircleChecks
 ) -> Iterator[tuple[ValueWithError, Sentence] | Sentence]:
-    """Yield the scale error under the present corrections with its source, or the reason why a
-    circle does not determine it.
+    """Yield the scale error under the present corrections with the circular tests that show it, or
+    the reason why a circular test does not determine it.
     """
     mine = [work for work in circles if name in work.planned.test.axes]
     slow = [
@@ -202,8 +202,8 @@ def shrinking(work: CircleWork) -> float:
 def _two_feeds(
     works: Sequence[CircleWork], name: str
 ) -> Iterator[tuple[CircleWork, CircleWork, ValueWithError]]:
-    """Yield pairs of circles at clearly different feeds, as (fast, slow, scale error extrapolated
-    to feed 0).
+    """Yield pairs of circular tests at clearly different feeds, as (fast, slow, scale error
+    extrapolated to feed 0).
 
     They have the same size and centre and were taken in one state.
     """
@@ -249,8 +249,8 @@ def _index(work: CircleWork, name: str) -> int:
 def _now(
     stated: ValueWithError, work: CircleWork, name: str, checks: CircleChecks
 ) -> ValueWithError:
-    """Return the scale error of an axis from a circle, converted from the corrections during the
-    circle to the present ones.
+    """Return the scale error of an axis from a circular test, converted from the corrections during
+    the test to the present corrections.
     """
     radius, middle = work.planned.test.nominal_radius, work.planned.centre[_index(work, name)]
     during = checks.states.get(work.planned.measured_in, NO_CORRECTIONS)
@@ -312,7 +312,9 @@ def _planned(
 
 
 def scale_steps(scaled: Sequence[ScaleCorrection]) -> tuple[Mapping[str, str], ...]:
-    """Return the steps of the operator's card for axes whose table was computed from circles."""
+    """Return the steps of the operator's card for axes whose table was computed from circular
+    tests.
+    """
     return tuple(
         {
             "title": f"{entry.name}: scale from circles",

@@ -60,8 +60,8 @@ def verdict(
 
 
 def no_table_finding(axis: Axis, limiting: LimitingCauses) -> Finding:
-    """Return the finding CW-P155: an axis gets no new table because a test would show no gain. It
-    names the largest remaining cause.
+    """Return the finding CW-P155: an axis gets no new table because a test would show no gain. The
+    finding names the largest remaining cause.
     """
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
     name, left = limiting.parameter, limiting.now

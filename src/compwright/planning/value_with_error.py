@@ -1,4 +1,6 @@
-"""A value with its standard error: whether values differ, and whether a correction may harm."""
+"""A value with its standard error: whether values differ, and whether a correction could make an
+error larger.
+"""
 
 from __future__ import annotations
 
