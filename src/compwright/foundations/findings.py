@@ -86,7 +86,7 @@ class Finding:
 
     @property
     def values(self) -> Mapping[str, Any]:
-        """The values of the sentence by name."""
+        """The values that are filled into the sentence, by their names in it."""
         return dict(self.sentence.values)
 
     @property
@@ -96,7 +96,9 @@ class Finding:
 
 
 def next_step(codes: Iterable[str]) -> Sentence | None:
-    """Return the next step for doubts with the given codes, or None if there is no doubt."""
+    """Return the next step for doubts with the given codes, or None if none of the codes is a
+    doubt's.
+    """
     doubts = [code for code in dict.fromkeys(codes) if code in DOUBTS]
     return say("doubts.step", codes=doubts) if doubts else None
 

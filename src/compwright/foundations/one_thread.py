@@ -1,4 +1,4 @@
-"""Let one thread at a time change settings that all threads of the process share."""
+"""Ensure that only one thread at a time changes settings that all threads of the process share."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ _ENCODINGS: Final = ("utf-8", "cp1252", "utf-16-le", "utf-16-be")
 
 @dataclass(slots=True)
 class Names:
-    """The personal names found by one command, each with the number that replaces it."""
+    """The personal names that one command found, each with the number in its replacement."""
 
     numbers: dict[str, int] = field(default_factory=dict)
 

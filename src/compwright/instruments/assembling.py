@@ -44,7 +44,8 @@ def as_text(position: float) -> str:
 
 
 def grid_of(readings: Readings, kind: AxisKind, faults: FaultList) -> ReadingGrid:
-    """Return the readings, which may come in any order, as arrays of targets by runs.
+    """Return the readings, which can be in any order, as arrays with a row per target and a column
+    per run.
 
     Raises InputError (with the faults noted before) when there are no readings or too many, a
     reading is given twice, or a bidirectional test does not have the same targets in both

@@ -255,7 +255,9 @@ def centre_of(text: str) -> tuple[float, ...] | None:
 
 
 def _value_column(table: CsvTable, faults: FaultList) -> str:
-    """Return the name of the column with the measured values. Raises InputError without one."""
+    """Return the name of the column with the measured values. Raises InputError if the table has no
+    such column.
+    """
     place = f"line {table.line}"
     found = f"columns {', '.join(table.columns[:8])}"
     for column in ("direction", "angle_deg"):

@@ -91,7 +91,7 @@ def _only(test: CircularTest) -> Sense | None:
 
 
 def _belong(one: CircularTest, other: CircularTest) -> bool:
-    """Return whether two files can belong to one test."""
+    """Return whether nothing in two files excludes that they are the two directions of one test."""
     if any(
         one.header.get(key) and other.header.get(key) and one.header[key] != other.header[key]
         for key in _SAME_MACHINE
@@ -132,7 +132,9 @@ def _file_of(test: CircularTest) -> str:
 
 
 def _doubtful(test: CircularTest, others: Sequence[CircularTest]) -> CircularTest:
-    """Return the test with a finding: several files may contain its runs in the other direction."""
+    """Return the test with the finding that several files are possible as its runs in the other
+    direction, so that none was joined.
+    """
     return replace(
         test,
         findings=(*test.findings, Finding.of("CW-R039", "warning", files=map(_file_of, others))),

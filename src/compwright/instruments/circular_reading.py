@@ -103,7 +103,7 @@ def read_circular(content: bytes, file: str) -> CircularTest:
 
 
 def merge_circular(tests: Sequence[CircularTest], name: str) -> CircularTest:
-    """Return one test from several files, one per direction or per run. The runs are numbered
+    """Join several files (one for each direction or for each run) to one test, and number its runs
     continuously.
 
     Raises InputError when the files do not belong together (plane, radius, feed, arc, centre) or a

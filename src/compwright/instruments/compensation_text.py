@@ -306,7 +306,9 @@ def _unit(
     answers: Answers,
     faults: FaultList,
 ) -> float:
-    """Return the factor from the table's values to mm. Values may be counts of a resolution."""
+    """Return the factor from the table's values to mm. The values of some tables are counts of a
+    resolution.
+    """
     if answers.unit is not None:
         if answers.unit not in LENGTHS:
             faults.add(

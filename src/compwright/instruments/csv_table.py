@@ -157,7 +157,9 @@ def traverse_of(column: str) -> tuple[str, int] | None:
 
 
 def like_traverse(column: str) -> bool:
-    """Return whether an unknown column may be a traverse: a number with a sign or direction."""
+    """Return whether an unknown column name looks like that of a traverse: a number with a sign or
+    direction.
+    """
     return (
         any(character.isdigit() for character in column)
         and _LIKE_TRAVERSE.search(column) is not None
@@ -203,8 +205,8 @@ def rows_as_comments(
 
 
 def first_row(lines: Sequence[str]) -> tuple[int, str] | None:
-    """Return number and text of the first line that is neither blank nor a comment, None without
-    one.
+    """Return number and text of the first line that is neither blank nor a comment, or None if
+    there is no such line.
     """
     return next(
         (
@@ -232,7 +234,8 @@ def header_names(header: str) -> tuple[str, list[str], int]:
 
 
 def read_table(lines: Sequence[tuple[int, str]], faults: FaultList) -> CsvTable:
-    """Return the table in the lines of a file, given without comments and blank lines.
+    """Return the table in ``lines``, from which comments and blank lines have been removed. Each
+    line has its number.
 
     Notes rows with fewer or more cells than the header, a quote that is not closed, values below a
     column without a name and a column name given twice. Raises InputError when the header row
@@ -357,7 +360,9 @@ def is_number(text: str) -> bool:
 
 
 def _without_unnamed(table: CsvTable, faults: FaultList) -> CsvTable:
-    """Remove nameless columns, which spreadsheets add at the end. A value in one is a fault."""
+    """Remove the columns without a name that spreadsheets add at the end of a table. A value in
+    such a column is a fault.
+    """
     for index, name in enumerate(table.columns):
         if not name and any(table.cells[index]):
             for line, cell in zip(table.lines, table.cells[index], strict=True):

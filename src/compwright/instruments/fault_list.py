@@ -1,4 +1,5 @@
-"""Collect every fault of one file, but only a few of each kind.
+"""Collect all faults of one file. If many faults are of the same kind, only the first few are
+listed.
 
 So that the user sees them all at once and not a thousand of one kind.
 """

@@ -204,8 +204,8 @@ def _near_targets(grid: ReadingGrid, kind: AxisKind) -> Finding | None:
 
 
 def skipped_finding(names: Sequence[str]) -> Finding | None:
-    """Return the finding about skipped files, which by extension are no measurements, None without
-    any.
+    """Return the finding about files that were skipped because their extension is not that of
+    measurements, or None if there are none.
     """
     if not names:
         return None

@@ -54,7 +54,8 @@ class _ProfiledRows:
 
 
 def at_its_header(text: Sequence[str], profile: Profile) -> Profile:
-    """Return the profile with the header row's line in this file, which may be a different one.
+    """Return the profile with the number of the header line in this file, because the header can be
+    on another line than in the profile.
 
     Unchanged if its own line has all columns, if there is no header row, and if no line or more
     than one has them all.
@@ -154,7 +155,9 @@ def _refuse_contradictions(
 def profiled_parts(
     text: Sequence[str], profile: Profile, faults: FaultList
 ) -> tuple[TestPart, ...]:
-    """Return the parts of a table: one per axis if the profile names a column of axes."""
+    """Return the lines of each axis if the profile names a column of axes, else all lines as one
+    part.
+    """
     if not profile.axis_column or not has_columns(text, profile):
         return (TestPart(text),)
     table = foreign_table(text, profile.delimiter, profile.header_line, FaultList(""))

@@ -60,7 +60,8 @@ class _Read:
 def read_tests(
     content: bytes, file: str, profile: Profile | None = None
 ) -> tuple[PositioningTest, ...]:
-    """Return the positioning tests in a file: one, or one per axis or sheet of a workbook.
+    """Return the positioning tests in a file. A file has one test, or one for each axis or for each
+    sheet of a workbook.
 
     ``file`` is the name in messages and in the record's source. Reads the forms of `forms.FORMS`,
     the plain CSV forms (contract, "Plain CSV"), the same in an Excel workbook, and any other table

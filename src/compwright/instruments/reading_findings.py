@@ -20,8 +20,8 @@ _NOTHING = frozenset({"", "no", "none", "nothing", "-"})
 
 
 def assumed_finding(assumed: Sequence[str]) -> Finding | None:
-    """Return the finding about facts that are assumed because the file lacks them, None without
-    any.
+    """Return the finding about facts that are assumed because the file lacks them, or None if
+    nothing is assumed.
     """
     return Finding.of("CW-R001", "info", assumed=assumed) if assumed else None
 

@@ -74,7 +74,8 @@ def whole(line: str, meaning: Meaning) -> Spans:
 
 @dataclass(frozen=True, slots=True)
 class Elements:
-    """The meaning of texts and attributes in an XML file, by name of element or attribute.
+    """The meaning of the texts and of the attributes in an XML file, by the name of the element or
+    attribute.
 
     Their own text by ``tags``, their ``attributes`` by name in capitals. ``names``: the meaning of
     the attribute NAME where it is no result.

@@ -69,7 +69,9 @@ def _names_in(lines: Sequence[str], first: int, delimiter: str) -> bool:
 
 
 def _header_line(lines: Sequence[str], first: int, delimiter: str, width: int) -> int:
-    """Return the line (from 1) of the header row above the first numbers, or 0 without one."""
+    """Return the number (from 1) of the header line above the first row of numbers, or 0 if there
+    is no header.
+    """
     for index in range(first - 1, max(first - 4, -1), -1):
         cells = cells_of(lines[index], delimiter) or []
         texts = [cell for cell in cells if cell and number_in(cell, None) is None]

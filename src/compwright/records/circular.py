@@ -127,7 +127,8 @@ class FreshRun:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FittedRun:
-    """One run of a circular test, fitted by the model of all causes, with its residuals.
+    """One run of a circular test after the fit of a model with all causes: the fitted deviations
+    and the residuals.
 
     ``angles`` (n,) deg as measured, ``deviations`` (n,) mm of the fit, ``residuals`` (n,) mm,
     measured minus fitted. Of a long run only samples at equal steps.

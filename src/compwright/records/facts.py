@@ -43,7 +43,8 @@ class PairFacts:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisFacts:
-    """Facts about one axis in a control's files; None or empty if the files do not state them.
+    """Facts about one axis in a control's files. A fact that the files do not state is None or
+    empty.
 
     ``name``: its name there, by the parameter ``name_evidence``; ``machine_name``: the machine's
     own name of it, used in the names of new files. ``letters``: the axes of all joints, one letter

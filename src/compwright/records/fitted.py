@@ -1,4 +1,6 @@
-"""The table fitted for a control, with the proof that no better one is possible."""
+"""The table fitted for a control, with the numbers that prove that no other table within its limits
+is better.
+"""
 
 from __future__ import annotations
 

@@ -137,7 +137,8 @@ class ReportHead:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisJob:
-    """What the job requires for one axis. ``before``: its positioning tests, possibly none.
+    """What the job requires for one axis. ``before``: the positioning tests of the axis; empty if
+    it has none.
 
     ``thermal``: the axis' own keys over those of the job. ``stated``: which of ``reference`` and
     ``reference_return`` the job gives itself.

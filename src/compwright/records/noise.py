@@ -186,7 +186,8 @@ def traverse_order(positive: int, negative: int) -> tuple[IndexArray, IndexArray
 
 
 def wave_effects(order: FloatArray, signs: FloatArray, count: int, pace: float) -> FloatArray:
-    """Return the covariance of the traverses' offsets and tilts that one slow disturbance causes.
+    """Return the covariance matrix of the offsets and tilts of all traverses that a slow
+    disturbance of the whole test causes.
 
     A wave of unit standard deviation and correlation time ``pace``, in parts of the test; k of its
     ``count`` traverses: those in the places ``order`` (k,) of time (from 0) and the directions

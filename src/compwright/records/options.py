@@ -1,4 +1,4 @@
-"""The names of options that every control may have."""
+"""The names of options that are the same for every control."""
 
 from __future__ import annotations
 

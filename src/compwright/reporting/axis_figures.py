@@ -45,7 +45,9 @@ def reversal_figure(result: Document, axis: str) -> Drawing:
 
 
 def residual_figure(result: Document, name: str) -> Drawing | None:
-    """Return the figure of a circular test's residuals by run, or None without a fit."""
+    """Return the figure of a circular test's residuals in each run, or None if no model of causes
+    was fitted.
+    """
     charts = residual_charts(result)
     return _drawing(charts, _LOW, "residual", name) if charts else None
 

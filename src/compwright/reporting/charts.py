@@ -207,7 +207,9 @@ def reversal_chart(result: Document) -> Chart:
 
 
 def residual_charts(result: Document) -> list[Chart]:
-    """Return charts of a circular test's residuals over the angle, one per fitted direction."""
+    """Return charts of the residuals of a circular test over the angle, one chart for each
+    direction that was fitted.
+    """
     fitted = result.get("fitted") or ()
     charts = []
     for key, look in zip(("ccw", "cw"), LOOKS, strict=True):

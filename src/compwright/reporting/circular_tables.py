@@ -134,7 +134,9 @@ def _printed(result: Mapping[str, Any]) -> list[Text]:
 
 
 def _not_applicable(result: Mapping[str, Any]) -> list[Text]:
-    """Return one line for each reason why parameters are missing, with their names."""
+    """Return one line for each reason why parameters are missing; the line names the reason and
+    these parameters.
+    """
     reasons: dict[str, list[str]] = {}
     for name, reason in result["not_applicable"].items():
         if name != "diagnosis":

@@ -155,7 +155,8 @@ def entry_tables(entries: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
 
 
 def other_tables(groups: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
-    """Return a table of differing parameters that may not belong to any compensation.
+    """Return a table of those differing parameters that are not known to be part of any
+    compensation.
 
     Parameters that only one side has are counted where they are many.
     """

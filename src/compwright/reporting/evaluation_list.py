@@ -180,7 +180,8 @@ def _warnings(results: Sequence[_Result]) -> _ListColumn:
 
 
 def _gravest(findings: Sequence[Mapping[str, str]]) -> _ListCell:
-    """Return the code of the most severe finding: an error, else a doubt, else a warning.
+    """Return the code of the most severe finding; errors are more severe than doubts, and doubts
+    more than warnings.
 
     Of the whole result; else the warning that stands first on the page of the test; an info is
     none.

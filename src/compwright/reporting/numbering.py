@@ -128,7 +128,9 @@ def numbering_svg(numbering: Mapping[str, Any], language: Language = "en") -> st
 
 
 def _cells(numbering: Mapping[str, Any]) -> list[_SectionCell]:
-    """Return the sections that are drawn: all if few, else those at both ends and the reference."""
+    """Return the sections that are drawn: all of them if they are few, else those at both ends of
+    the table and at the reference.
+    """
     sections: Sequence[Mapping[str, Any]] = numbering["sections"]
     names: dict[int, list[str]] = {}
     for mark in numbering["marks"]:

@@ -1,4 +1,4 @@
-"""Write numbers, units and parameter names as text, alike in plots, pages and cards."""
+"""Write numbers, units and parameter names as text, in the same way in plots, pages and cards."""
 
 from __future__ import annotations
 

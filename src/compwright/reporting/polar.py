@@ -293,7 +293,9 @@ def _rings(panel: Any, place: _Place, most: float, least: float, language: Langu
 
 
 def _round_step(largest: float) -> float:
-    """Return a round deviation step (1, 2 or 5 times 10^n) for one to three faint circles."""
+    """Return the distance between faint circles in the figure, a round deviation (1, 2 or 5 times
+    10^n) that gives one to three circles.
+    """
     power = 10.0 ** math.floor(math.log10(largest / 1.2))
     return power * max(
         step for step in (1.0, 2.0, 5.0) if step * power <= largest / 1.2 * (1.0 + 1e-9)

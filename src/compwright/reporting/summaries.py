@@ -47,7 +47,9 @@ _MOST_ROWS: Final = 60
 def doubt_lines(
     doubts: Sequence[Mapping[str, str]], step: Sentence | None = None
 ) -> list[RenderableType]:
-    """Return doubts with heading and next ``step`` for the terminal, or nothing without doubts."""
+    """Return doubts with their heading and the next ``step`` for the terminal, or no lines if there
+    are no doubts.
+    """
     if not doubts:
         return []
     step = step or next_step(doubt["code"] for doubt in doubts)
@@ -60,7 +62,9 @@ def doubt_lines(
 
 
 def acknowledged_lines(acknowledged: Sequence[Mapping[str, str]]) -> list[RenderableType]:
-    """Return the doubts that the job acknowledges, with their reasons, or nothing."""
+    """Return the doubts that the job acknowledges, with their reasons, as lines; no lines if there
+    are none.
+    """
     if not acknowledged:
         return []
     table = finding_table()
@@ -204,7 +208,7 @@ def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def assumed_table(assumed: Sequence[Mapping[str, str]]) -> list[RenderableType]:
-    """Return a table of the assumptions, or nothing without any."""
+    """Return a table of the assumptions, or no table if nothing was assumed."""
     if not assumed:
         return []
     table = plain_table()

@@ -221,7 +221,9 @@ def _parameters(result: Mapping[str, Any]) -> Table:
 
 
 def _not_applicable(result: Mapping[str, Any]) -> list[RenderableType]:
-    """Return one line for each reason why parameters are missing, with their names."""
+    """Return one line for each reason why parameters are missing; the line names the reason and
+    these parameters.
+    """
     reasons: dict[str, list[str]] = {}
     for name, reason in result["not_applicable"].items():
         reasons.setdefault(reason, []).append(_letter(name))

@@ -116,8 +116,8 @@ class CirclePlan:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Traverse:
-    """One run of a circle as recorded: ``readings`` (n,) mm with overshoot, of which indices
-    ``start`` to ``end`` are the arc.
+    """One run of a circle as recorded. Of the ``readings`` (n,) mm, which include the overshoot,
+    those with the indices ``start`` to ``end`` belong to the arc.
     """
 
     run: CircularRun
@@ -250,8 +250,8 @@ def _radii(
 
 @dataclass(frozen=True, slots=True)
 class _Motion:
-    """The motion of one axis, R cos(``angle``): ``angle`` (n,) rad, its direction ``d`` (+1, -1),
-    and the angle ``travelled`` (n,) rad since the start.
+    """The motion R cos(``angle``) of one axis: its ``angle`` (n,) rad, its direction ``d`` (+1,
+    -1), and the angle ``travelled`` (n,) rad since the start of the run.
     """
 
     angle: FloatArray

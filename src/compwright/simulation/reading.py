@@ -303,8 +303,8 @@ def _axis_error(
 
 
 def _points(axis: Axis) -> Keys:
-    """Return the keys of a MACHINE.yaml for a curve through given points: positions, and the
-    deviations there.
+    """Return the schema keys of an error curve through given points: the positions of the points,
+    and the deviation at each.
     """
     units = _UNITS[axis.kind]
     return {

@@ -168,8 +168,8 @@ def _curves_of(ways: Sequence[Hypothesis]) -> Curves:
 def distances(
     after: AfterMeans, best: RatedHypothesis, rated: Sequence[RatedHypothesis]
 ) -> FloatArray:
-    """Return the distance (H,), in standard errors, between the test that each hypothesis predicts
-    and that of the ``best`` one.
+    """Return, for each of the H hypotheses, how far (in standard errors) the test that it predicts
+    is from the test that the ``best`` one predicts.
     """
     used = np.isfinite(after.plain)
     along = np.broadcast_to(after.targets - after.targets.mean(), after.plain.shape)

@@ -130,7 +130,8 @@ class AfterMeans:
 
 
 def after_means(test: PositioningTest, fallback: NoiseDraws) -> AfterMeans:
-    """Return the mean readings of a ``test``, with noise from its own readings if possible.
+    """Return the mean readings of a ``test``, with its noise estimated from its own readings if
+    these are enough.
 
     Where these are too few, ``fallback`` is used: the noise of another test of the axis.
     """

@@ -108,7 +108,7 @@ class ShownTest:
         )
 
     def between_directions(self, values: FloatArray) -> float:
-        """Return the mean in + minus the mean in − of the residuals (2, m), 0 where only one
+        """Return how much larger the residuals (2, m) are in + than in − on average; 0 if only one
         direction was measured.
         """
         there = np.isfinite(values).any(axis=1)
@@ -122,7 +122,9 @@ class ShownTest:
 
     @property
     def size(self) -> float:
-        """The root mean square of the planned effect at the measured means, mm or deg."""
+        """The standard deviation of the planned effect over all measured means (0 if unknown), mm
+        or deg.
+        """
         if self.loaded is None or self.inactive is None:
             return 0.0
         step = (self.loaded - self.inactive)[np.isfinite(self.means)]
@@ -147,7 +149,8 @@ def named_message(
     factor: float,
     equivalent: Sequence[LoadingName],
 ) -> list[Sentence]:
-    """Return the sentences of a decided verdict: what was measured, how much, and at which target.
+    """Return the sentences of a verdict with a name: what was measured, how large the differences
+    are, and at which target they are largest.
 
     ``expected`` (2, m): the test that the verdict would show.
     """
@@ -297,7 +300,9 @@ def thermal_message(shown: ShownTest, expected: FloatArray, slope: Sentence) -> 
 
 
 def straight_line_message(shown: ShownTest, slope: Sentence, active_part: float) -> Sentence:
-    """Return the sentence about a correction that is itself a straight line."""
+    """Return the sentence that the test cannot distinguish an additional slope from a wrong factor,
+    because the planned correction is a straight line.
+    """
     return say(
         "loading.straight_line",
         slope=slope,

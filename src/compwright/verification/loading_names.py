@@ -122,7 +122,9 @@ def _margin(
 def _loaded_or_thermal(
     rated: Sequence[RatedHypothesis], declared_slope: float | None
 ) -> LoadingName:
-    """Return the name ``loaded``, or ``thermal`` if the test's slope exceeds the declared one."""
+    """Return the name ``loaded``, or ``thermal`` if the slope of the test is larger than the
+    declared uncertainty explains.
+    """
     plain = next(each for each in rated if each.name == "loaded")
     if declared_slope is None:
         return "loaded"

@@ -110,8 +110,8 @@ def _measured(test: PositioningTest) -> list[Direction]:
 def _shifted(
     after: PositioningTest, first: PositioningTest, positive: FloatArray, negative: FloatArray
 ) -> bool:
-    """Return whether the readings of ``after`` equal those of ``first`` in ``positive`` and
-    ``negative``, except for one constant.
+    """Return whether the readings of ``after`` equal the arrays ``positive`` and ``negative``,
+    which are made from the ``first`` test, except for a constant offset.
     """
     if after.positive.shape != positive.shape or after.negative.shape != negative.shape:
         return False

@@ -38,7 +38,9 @@ def one_direction(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def wrong_backlash(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield hypotheses of a wrong backlash value, such as none, the old one, or twice the new."""
+    """Yield hypotheses of a wrong backlash value, such as zero, the old value, or twice the new
+    value.
+    """
     step = ways.backlash
     if not np.any(step):
         step = _reversal(ways)

@@ -25,7 +25,7 @@ _FACTS: Final = (
 
 @dataclass(frozen=True, slots=True)
 class ProvenAxis:
-    """Facts that the tests of one axis prove or do not prove, as text."""
+    """What the tests of one axis prove about the control, and what they leave unproven, as text."""
 
     axis: str
     proven: tuple[str, ...]

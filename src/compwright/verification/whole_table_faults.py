@@ -162,7 +162,9 @@ def wrong_axis(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def _resized(values: FloatArray, size: int, *, held: bool) -> FloatArray:
-    """Return the first ``size`` values; missing ones are the last value if ``held``, else zero."""
+    """Return ``values`` with the length ``size``: cut off, or extended by the last value (``held``)
+    or by zeros.
+    """
     resized = np.full(size, values[-1] if held else 0.0)
     count = min(size, values.size)
     resized[:count] = values[:count]

@@ -60,7 +60,9 @@ def sync_folder(folder: Path) -> None:
 
 
 def move(source: Path, target: Path) -> None:
-    """Rename a file within one file system, replacing a file of the new name. Raises OSError."""
+    """Rename a file within one file system; a file that already has the new name is replaced.
+    Raises OSError.
+    """
     for pause in _PAUSES if _WINDOWS else ():
         try:
             source.replace(target)

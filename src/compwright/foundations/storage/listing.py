@@ -65,7 +65,8 @@ def in_folders_of(session: Session, folder: Path, name: str) -> list[Path]:
 def folders_holding(
     session: Session, top: Path, names: Sequence[str]
 ) -> tuple[list[Path], list[Fault]]:
-    """Return the folders from ``top`` down that contain one of ``names``, and the faults.
+    """Return those folders in ``top`` (at any depth) that contain a file with one of ``names``, and
+    a fault for each unreadable folder.
 
     In the order of their names; hidden folders and links to folders are left out.
 

@@ -20,7 +20,7 @@ def is_folder(path: Path) -> bool:
 
 
 def size_of(paths: Iterable[Path]) -> int:
-    """Return the total size of files, in bytes. Raises OSError for a missing one."""
+    """Return the total size of files, in bytes. Raises OSError if a file is missing."""
     return sum(path.stat().st_size for path in paths)
 
 

@@ -109,7 +109,9 @@ def earlier_bytes(session: Session, path: Path) -> bytes:
 
 
 def bytes_as_they_are(path: Path) -> bytes:
-    """Return the bytes of a file, or b"" without one, without restoring interrupted changes."""
+    """Return the bytes of a file as it is, without restoring interrupted changes first; b"" if
+    there is no file.
+    """
     try:
         small = path.is_file() and path.stat().st_size <= ANY.most_bytes
         return path.read_bytes() if small else b""

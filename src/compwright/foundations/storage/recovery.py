@@ -110,7 +110,9 @@ def _put_right(session: Session, folder: Path) -> None:
 
 
 def _concerns(folder: Path, path: Path) -> bool:
-    """Return whether a journal in ``folder`` affects ``path``; an unreadable one always does."""
+    """Return whether the unfinished change in ``folder`` affects ``path``. If the journal of the
+    change is unreadable, every path inside the folder is affected.
+    """
     real, root = resolved(path.parent) / path.name, resolved(folder)
     try:
         journal = read_journal(folder)
@@ -307,7 +309,9 @@ def sync_folders(sets: Sequence[Set]) -> None:
 
 
 def _changed_since(folder: Path, journal: Journal) -> Iterator[Fault]:
-    """Yield a fault for each file that is neither the old nor the new one of the change."""
+    """Yield a fault for each file whose contents are neither those before nor those after the
+    interrupted change.
+    """
     for number, entry in enumerate(journal.entries):
         target = folder / entry.name
         kept = os.path.lexists(old_file(folder, number))

@@ -129,7 +129,9 @@ def _lies_in(path: Path, folder: Path) -> bool:
 
 
 def _merged(files: dict[Path, bytes], others: dict[Path, bytes]) -> dict[Path, bytes]:
-    """Return the files of both mappings. Raises StorageError for one path with two contents."""
+    """Return the files of both mappings as one. Raises StorageError if a path has different
+    contents in the two.
+    """
     raise_all(StorageError, list(_twice_named(files, others)))
     return files | others
 

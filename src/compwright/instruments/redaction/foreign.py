@@ -112,7 +112,7 @@ def profile_lines(profile: Profile, *, sign_open: bool) -> str:
 
 
 class _Words:
-    """The words that may stay in the cells of a table, by the meaning of its columns."""
+    """Decides which words stay in the cells of a table, by the meaning of its columns."""
 
     def __init__(self, profile: Profile, columns: Sequence[str], cuts: Cuts) -> None:
         self.profile, self.columns, self.cuts = profile, columns, cuts

@@ -55,8 +55,8 @@ def decoded_files(
 
 
 def positions_of(text: str) -> FloatArray:
-    """Return the positions (mm or deg) from a text of numbers and ``LO:HI:STEP`` ranges, in the
-    given order.
+    """Return the positions (mm or deg) in a text of numbers and ranges ``LO:HI:STEP``, in the order
+    of the text.
 
     A range ends with HI where a step falls on it (within 1e-9 of a step). Raises UsageError with
     every part that cannot be read.

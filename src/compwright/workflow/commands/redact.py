@@ -32,7 +32,8 @@ _WHERE: Final = re.compile(r"(?= (?:behind|next to) )")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RedactedFile:
-    """One copied file: original, copy, kind, and how many texts were removed, by kind.
+    """One copied file: the original, the copy, the kind of file, and for each kind of text how many
+    texts were removed.
 
     ``texts``: these themselves, for whoever asks.
     """
@@ -48,7 +49,9 @@ class RedactedFile:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RedactOutcome:
-    """The result of ``redact``: copies, faults of other files, and inner folders not searched."""
+    """The result of ``redact``: the copies, the faults of files that could not be copied, and the
+    inner folders that were not searched.
+    """
 
     files: tuple[RedactedFile, ...]
     faults: tuple[Fault, ...]

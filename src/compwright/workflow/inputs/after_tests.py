@@ -143,7 +143,9 @@ def _refuse_files_apart(
 def _without_temperature(
     request: TestRequest, plan: Plan, test: PositioningTest, axis: str
 ) -> Iterator[InputError]:
-    """Yield errors for temperatures that the test before loading has, but the one after lacks."""
+    """Yield an error for each temperature that the test before loading had of its own, but that the
+    test after loading does not state.
+    """
     planned = plan.axes[axis].tests if axis in plan.axes else ()
     before = next((each.test for each in planned if each.test.name == request.name), None)
     if before is None or before.thermal is None or test.thermal is None:
@@ -259,7 +261,9 @@ def _first_test(job: Job, axis: str, spec: str, names: Mapping[str, str]) -> tup
 
 
 def _axis_of(job: Job, measured: str, spec: str, names: Iterable[str]) -> str:
-    """Return the job's axis that a file names (``measured``), or the only axis of the job."""
+    """Return the axis of the job for a test: the one that its file names (``measured``), or the
+    only axis of the job.
+    """
     if measured:
         axis = next((name for name in job.axes if name.upper() == measured.upper()), None)
         if axis is None:

@@ -127,7 +127,8 @@ def _first_cell(content: bytes) -> bytes:
 
 
 def _properties(content: bytes) -> bytes:
-    """Return the properties of a workbook (such as author and date) as bytes, b"" without any.
+    """Return the properties of a workbook (such as author and date) as bytes, or b"" if it has
+    none.
 
     Those of compwright carry no date, so that they stay the same until another program saves the
     file.

@@ -49,7 +49,7 @@ def stated_of_axes(job: Job) -> dict[str, dict[str, Mapping[str, str | Sentence]
 
 
 def stated_of_circles(job: Job) -> dict[str, Mapping[str, str | Sentence]]:
-    """Return the job's statements about each circular test, by name."""
+    """Return what the job states about each circular test, by the name of the circle."""
     return {
         request.name: {
             **_of_job(job),

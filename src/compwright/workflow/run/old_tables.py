@@ -38,7 +38,8 @@ _Task = tuple[Axis, PlannedTest, PlannedTest, Mapping[str, ControlState], tuple[
 def with_old_tables(
     measured: Measured, works: Mapping[str, AxisWork], each: Each
 ) -> tuple[dict[str, AxisWork], tuple[Finding, ...]]:
-    """Return the axes by name, and findings on whether the existing table of each was active.
+    """Return the axes by name, and the findings on whether the existing table was active. An axis
+    whose existing table differs from the files gets no new table.
 
     An axis gets no table where its tests show that the active correction differs from the files:
     the total of old and new would be wrong.

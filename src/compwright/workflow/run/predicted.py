@@ -72,7 +72,9 @@ def _gain(test: TestPrediction) -> float:
 
 
 def after_loading(work: AxisWork, loaded: DecodedState | None) -> Correction:
-    """Return the correction of an axis after loading: by its new table, else the present one."""
+    """Return the correction of an axis after loading: that of its new table or, if it gets none,
+    its present correction.
+    """
     return (
         work.as_found
         if work.planned.fitted is None

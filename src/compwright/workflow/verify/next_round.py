@@ -1,4 +1,4 @@
-"""The next round after loading: which axes may be corrected further, and the result folder of its
+"""The next round after loading: which axes can be corrected further, and the result folder of its
 job.
 
 A change is added to the existing table only where a measurement has shown that this table is active
@@ -98,7 +98,7 @@ def next_round(
     out: Path,
     each: Each = in_turn,
 ) -> Round:
-    """Return the next round of a verified job, or why no axis may be corrected further.
+    """Return the next round of a verified job, or the reason why no axis can be corrected further.
 
     ``compared``: the document of ``compare``, or why there is none.
     """
@@ -140,7 +140,7 @@ def next_round(
 
 
 def _general(found: Verified, compared: Mapping[str, Any] | str) -> str:
-    """Return why no axis at all may be corrected further, or "" if some may be."""
+    """Return the reason why no axis at all can be corrected further, or "" if some axes can."""
     # limits that were changed, a table between axes that is another one or was not read back
     changed = [one.message for one in found.findings if one.code in _NOT_FROM_HERE]
     if changed:
@@ -182,7 +182,7 @@ def lacks_proof(finding: Finding) -> bool:
 
 
 def _refused(found: Verified, compared: Mapping[str, Any] | str) -> Iterator[tuple[str, str]]:
-    """Yield the axes of the plan that may not be corrected further, with the reason."""
+    """Yield the axes of the plan that must not be corrected further, each with the reason."""
     for name, entry in found.plan.axes.items():
         if entry.fitted is None:
             yield name, SentenceText(say("next.no_table"))
@@ -263,7 +263,7 @@ def _active(found: Verified, files: Sequence[ControlFile], axes: Sequence[str]) 
 
 
 def _squareness(found: Verified, measured: Collection[str], axes: Collection[str]) -> Iterator[str]:
-    """Yield the planes whose squareness may be corrected again in the next round.
+    """Yield the planes whose squareness can be corrected again in the next round.
 
     Measured again, with no axis whose table is in doubt, and where something was corrected before,
     as it was expected.
