@@ -92,7 +92,9 @@ def disagreements(
 def _worked_by_hand(
     expectation: Expectation, correction: Callable[[FloatArray, Direction], FloatArray]
 ) -> Iterator[tuple[int, Direction, float, float]]:
-    """Yield each hand-worked correction: row, direction, expected value and found value."""
+    """Yield each hand-worked correction: the row of its position, the direction, the expected
+    value, and the computed value.
+    """
     factor = TO_INSIDE[expectation.unit][1]
     for row, point in enumerate(expectation.at):
         for direction, expected in (
@@ -132,7 +134,8 @@ def read_expectation(definition: Definition, expectation: Expectation) -> AxisCo
 
 
 def _unproven(definition: Definition, shown: Sequence[AxisCompensation]) -> Iterator[str]:
-    """Yield the properties (sign, backlash, ...) that the hand-worked examples do not test.
+    """Yield the properties of the control's tables, such as sign or backlash, that no hand-worked
+    example tests.
 
     Zeros show no sign, nodes alone not the correction between and beyond them, equal directions no
     backlash.

@@ -1,4 +1,5 @@
-"""Compare an axis' limits in the control's files with the job's travel, in the same coordinates.
+"""Compare an axis' travel limits in the control's files with the travel in the job, because both
+must be in machine coordinates.
 
 Both must be in machine coordinates, or the table is in the wrong place.
 """

@@ -105,7 +105,7 @@ class AxisNames:
         return not self.places or name in self.places or self._is_place(name)
 
     def forms(self, address: str) -> set[str]:
-        """Return all names that the files may use for the axis at an address."""
+        """Return the address of an axis and all other names that the files give to that axis."""
         one = self.address(address)
         return {
             address,
@@ -183,7 +183,9 @@ def entry_key(definition: Definition, occurrence: Occurrence, names: AxisNames) 
 
 
 def which_fields(definition: Definition, statement: str) -> list[str]:
-    """Return the fields, except the axis, that tell the entries of a statement apart."""
+    """Return the fields, other than the axis, that distinguish lines of the same statement (such as
+    an index).
+    """
     return [name for name in definition.statements[statement].fields if name in _WHICH]
 
 

@@ -1,4 +1,5 @@
-"""Open a commissioning archive, and return those of its texts that belong to the control's state.
+"""Open a commissioning archive, and return those of its texts that state active data of the
+control.
 
 The container (``@@MMCIBN.``) is a relative of tar: a header of 512 bytes, the content, zeros up to
 the next multiple of 512, member after member up to the end of the file; the first member is a list

@@ -25,7 +25,8 @@ _KEPT = 32
 
 @dataclass(frozen=True, slots=True)
 class EntryChange:
-    """One entry that differs, as the control writes it.
+    """One entry of the control's files that differs, with its old and new value as the control
+    writes them.
 
     ``old`` or ``new`` None: it does not exist there.
 
@@ -135,7 +136,9 @@ def _sheet_entries(file: ControlFile) -> Iterator[_KeyedEntry]:
 
 
 def _values(definition: Definition, occurrence: Occurrence, row: int) -> Iterator[_KeyedEntry]:
-    """Yield the values of a statement. A bare number is identified by its ``row`` in the file."""
+    """Yield the values of a statement, each with a key; a value on a line without a name has its
+    ``row`` in the file as key.
+    """
     statement = definition.statements[occurrence.statement]
     tokens = occurrence.tokens
     identity = [tokens[name].text for name in _IDENTITY if name in tokens]

@@ -62,7 +62,9 @@ def is_entry_sheet(file: ControlFile) -> bool:
 
 
 def read_sheet(file: ControlFile, faults: list[Fault]) -> EntrySheet | None:
-    """Return an entry sheet. None with faults, which are added to ``faults`` with their lines."""
+    """Return an entry sheet; None if it contains faults, which are added to ``faults`` with their
+    lines.
+    """
     sheet, found = _read(file)
     faults.extend(found)
     return sheet

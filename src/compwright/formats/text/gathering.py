@@ -83,7 +83,9 @@ class Gathered:
         )
 
     def found(self, quantity: str, address: str, system: str | None) -> list[FoundValue]:
-        """Return a quantity's values: of the measuring system, else the axis, else machine-wide."""
+        """Return the values of a quantity for the measuring system; if there are none, for the
+        axis; else for the whole machine.
+        """
         for key in ((address, system), (address, None), (None, None)):
             places = self.singles.get(key, {}).get(quantity)
             if places:

@@ -49,7 +49,9 @@ class Notes:
     open_answers: int = 0
 
     def take(self, other: Notes) -> None:
-        """Add the findings, assumptions and questions of other notes, but not their faults."""
+        """Add to these notes the findings, assumptions and questions of ``other``, but not its
+        faults.
+        """
         self.findings.extend(other.findings)
         self.questions.extend(other.questions)
         self.contradictions.extend(other.contradictions)

@@ -34,7 +34,9 @@ def holds_no_data(definition: Definition, file: ControlFile) -> bool:
 
 
 def _of_commands(kind: TextKind) -> bool:
-    """Return whether every line of this kind of text may be a command of a script."""
+    """Return whether lines of this kind of text need not fit a statement, because they are commands
+    of a script.
+    """
     return not (kind.other_lines_refused or kind.claims_at_start or kind.claims_anywhere)
 
 

@@ -52,7 +52,9 @@ class OwnFiles(Patches):
         self.gathered = gathered
 
     def put(self, quantity: str, places: Sequence[FoundValue], text: str) -> bool:
-        """Set a single value in the lines that take effect; return False if no line states it."""
+        """Set a single value in the lines from which the control takes it; return False if no line
+        states the value.
+        """
         binding = self.definition.bindings[quantity]
         by_file: dict[int, list[FoundValue]] = {}
         for place in places:

@@ -106,7 +106,7 @@ class Patches:
     def like(
         self, number: int, occurrence: Occurrence, texts: Mapping[str, str], *, end: str = ""
     ) -> str:
-        """Return a copy of a line with other texts in some of its fields.
+        """Return a copy of a line in which some fields have new texts.
 
         ``end``: the last field to include.
         """

@@ -105,7 +105,7 @@ class TextRedactor:
         return code + self._remark(line.text[end:])
 
     def _remark(self, text: str) -> str:
-        """Return the replacement of a comment, of which only the comment mark stays."""
+        """Return a comment without its text: the comment mark and a neutral text."""
         mark = next((mark for mark in self.kind.comment_marks if text.startswith(mark)), "")
         if mark != OPEN:
             return f"{mark} {self.cuts.remark(text[len(mark) :])}".rstrip() if mark else ""

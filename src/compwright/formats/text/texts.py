@@ -116,7 +116,9 @@ class TextReader:
         self.concerning = {kind.name: self._concerning(kind) for kind in definition.texts.values()}
 
     def of(self, kind: TextKind) -> list[Matcher]:
-        """Return the compiled statements of one kind of file, except that for section headers."""
+        """Return the compiled statements for one kind of file, without the statement for section
+        headers.
+        """
         return [
             m
             for m in self.matchers.values()
@@ -163,7 +165,9 @@ class TextReader:
         return _KindReader(self, self._kind(lines), file.name, faults).read(lines)
 
     def lines(self, text: str) -> list[TextLine]:
-        """Return the lines of a text. A last line without an end counts if it is not empty."""
+        """Return the lines of a text, including a last line without a line end if that line is not
+        empty.
+        """
         result: list[TextLine] = []
         start = 0
         for match in self.newline.finditer(text):
@@ -419,7 +423,9 @@ class _KindReader:
 
 
 def mark_before_statement(kind: TextKind, text: str) -> str:
-    """Return the comment mark of a line whose comment is a statement; empty for other lines."""
+    """Return the comment mark of a line whose comment contains a statement; empty for all other
+    lines.
+    """
     marks = (mark + word for mark in kind.comment_marks for word in (BY_HAND, AS_IT_IS))
     return next((mark for mark in marks if text.startswith(mark)), "")
 
@@ -434,7 +440,9 @@ def comment_start(kind: TextKind, text: str) -> int:
 
 
 def _nearest(matchers: Sequence[Matcher], probe: str) -> str:
-    """Return the form of the statement whose first word a line contains, for use in a message."""
+    """Return the form of the statement that a faulty line probably means, for a message; empty if
+    none fits.
+    """
     fitting = [matcher for matcher in matchers if matcher.head and matcher.head in probe]
     if not fitting:
         return ""

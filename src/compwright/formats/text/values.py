@@ -144,7 +144,9 @@ class Values:
 
 
 def _nearly(known: str, text: str) -> bool:
-    """Return whether two texts are decimal numbers that are equal apart from rounding."""
+    """Return whether two texts are numbers that differ only by rounding, and the first has
+    decimals.
+    """
     if "." not in known:
         return False
     try:

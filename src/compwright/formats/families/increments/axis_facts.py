@@ -93,7 +93,9 @@ def name_of(values: IncrementAxisValues) -> str | None:
 def with_neighbours(
     facts: AxisFacts, own: AxisParameters, options: Mapping[str, object]
 ) -> AxisFacts:
-    """Return ``facts`` with the axis' other active functions, which new tables leave unchanged."""
+    """Return ``facts`` completed by the functions that are active on the axis in addition to its
+    table, and that a new table leaves unchanged.
+    """
     every = tuple(functions(own))
     alone = left_alone(every, options)
     by_option = {OPTION_OF.get(each.words): each.description for each in every}

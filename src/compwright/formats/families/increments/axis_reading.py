@@ -243,7 +243,9 @@ class IncrementReader:
         return np.array(counts, dtype=np.float64)
 
     def _way_on(self, size: int) -> str:
-        """Return what the user can do about an increment of this size, which is too large."""
+        """Return the next step for the user if an increment of this ``size`` is larger than the
+        control accepts.
+        """
         fitting = [one for one in self.values.definition.options[LIMIT].choices if int(one) >= size]
         if fitting:
             return f"if the control accepts it, set the option `{LIMIT}` to `{fitting[0]}`"
@@ -324,7 +326,9 @@ class IncrementReader:
 
 
 def totals(counts: FloatArray, sections: IncrementSections) -> FloatArray:
-    """Return the sums (k + 1,) of the increments (k,) at section ends, zero at the reference."""
+    """Return the correction (k + 1,) at the ends of the sections: the sum of the increments (k,)
+    from the reference, where it is zero.
+    """
     sums = np.concatenate([[0.0], np.cumsum(counts)])
     zero: FloatArray = sums - sums[sections.reference - sections.first + 1]
     return zero

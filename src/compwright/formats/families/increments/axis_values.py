@@ -37,7 +37,9 @@ class IncrementAxisValues(Values):
     known_kind: AxisKind | None = None
 
     def found(self, quantity: str) -> FoundValue | None:
-        """Return the line with a quantity of this axis or the whole machine; None without one."""
+        """Return the line that states a quantity for this axis or for the whole machine; None if
+        there is none.
+        """
         if quantity not in self.definition.bindings:
             return None
         return self.one(quantity, self.gathered.found(quantity, self.own.address, None))
@@ -180,7 +182,8 @@ class IncrementAxisValues(Values):
 
 
 def length_text(value: Decimal, *, inch: bool = False, whole: bool = False) -> str:
-    """Return a length (mm or deg) as text in the form of the control's own files.
+    """Return a length (mm or deg) as text, written in the way in which the control's files write
+    lengths.
 
     With a decimal point and at least one decimal (``50.0``), or ``whole`` in thousandths, of an
     inch in ten thousandths.

@@ -94,7 +94,7 @@ class IncrementLimits:
         )
 
     def _nodes(self, numbers: int) -> int:
-        """Return how many table points result from ``numbers`` successive point numbers.
+        """Return how many table points the axis can have with so many successive point numbers.
 
         Sections have numbers, and a table that starts or ends at the reference needs one more.
         """
@@ -123,7 +123,8 @@ class IncrementLimits:
         self.assumed.append(Assumption(of_axis, value, evidence))
 
     def _wave(self, limit: int, gap: int) -> Wave | None:
-        """Return the limits of a new second (cyclic) table; None if none can be added.
+        """Return the limits of a new second (cyclic) table; None if this axis cannot get such a
+        table.
 
         Only on a rotary axis: the only page that describes it is about a worm.
         """

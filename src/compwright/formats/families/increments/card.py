@@ -112,7 +112,8 @@ def _neighbours(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
 
 
 def _further(family: Family, axis: Axis, facts: IncrementFacts) -> str:
-    """Return further parameters to type in: second data set, turn, backlash at rapid traverse.
+    """Return the card's text on parameters to type in next to the table: data set for travel
+    towards -, turn, backlash at rapid traverse.
 
     In addition to the grid and 1851. ``facts``: of the axis in the written files, with the turn of
     an endless axis.
@@ -143,7 +144,8 @@ def _further(family: Family, axis: Axis, facts: IncrementFacts) -> str:
 def numbered_sections(
     family: Family, axis: Axis, facts: AxisFacts, table: AxisCompensation
 ) -> NumberedSections | None:
-    """Return the sections of a table by point number; None if the written files have no table.
+    """Return the sections of a table by point number, for the drawing on the card; None if the axis
+    has no table.
 
     ``facts``, and the ``table`` that was read back.
     """
@@ -260,7 +262,9 @@ def _words(
 
 
 def _owning(parameter: str, section: Section, unit: str) -> dict[str, str]:
-    """Return the texts of a table section for the drawing: parameter, point number and range."""
+    """Return the texts that the drawing shows for one table section: parameter, point number and
+    range.
+    """
     low, high = f"{section.low:.10g}", f"{section.high:.10g}"
     owns = control_text("owns {low} to {high} {unit}", low=low, high=high, unit=unit)
     return {"parameter": parameter, "number": str(section.number), "owns": owns}

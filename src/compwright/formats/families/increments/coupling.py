@@ -73,7 +73,9 @@ def _mastered(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
 def _every(
     addresses: Sequence[str], value: ParameterValue, unlike: str, *, switched: bool = False
 ) -> Iterator[Coupling]:
-    """Yield a possible coupling for each axis, as the parameter does not name the axes."""
+    """Yield a possible coupling for each axis, because the parameter does not name the axes that it
+    couples.
+    """
     for each in addresses:
         yield _parameter(value).coupling((), each, switched=switched, unlike=unlike)
 

@@ -25,7 +25,7 @@ _SAME_UNIT = 1e-4
 
 @dataclass(frozen=True, slots=True)
 class DetectionUnit:
-    """The detection unit of an axis in mm or deg, with the parameters from which it follows."""
+    """The detection unit of an axis in mm or deg, with the parameters that determine it."""
 
     size: float
     evidence: str
@@ -91,7 +91,8 @@ def _unread(own: AxisParameters, kind: AxisKind) -> ParameterValue | None:
 
 
 def two_systems(own: AxisParameters) -> str:
-    """Return a text if 1013 and 1004 state different increment systems; empty if they agree.
+    """Return a sentence on parameters 1013 and 1004 if they state different increment systems;
+    empty if they agree.
 
     1013 is the one that counts.
     """

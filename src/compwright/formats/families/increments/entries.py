@@ -343,8 +343,8 @@ class _WholeNumbers:
             )
 
     def _magnification(self, differences: Sequence[FloatArray]) -> int:
-        """Return the existing magnification if every increment fits it, else the smallest that
-        fits.
+        """Return the existing magnification if the control can store every increment with it, else
+        the smallest one with which it can.
 
         It divides every increment and keeps it within the limit.
         """
@@ -366,8 +366,8 @@ class _WholeNumbers:
     def _kept(
         self, low: int, high: int, interval: float, used: Sequence[range], *, two: bool
     ) -> NumberPlace | None:
-        """Return the axis' existing point numbers if the new table has the same sections; else
-        None.
+        """Return the axis' existing point numbers if the new table has exactly the existing
+        sections; else None.
         """
         now = self.facts.interval
         if now is None or abs(now - interval) > _ON_GRID * interval:

@@ -62,7 +62,7 @@ _WORDS = {
 
 @dataclass(frozen=True, slots=True)
 class _Known:
-    """The meaning of a parameter in words, and whether a correction depends on it.
+    """The meaning of a parameter in words, and whether a correction depends on the parameter.
 
     ``relevant``: it corrects an axis, refers to the shared numbers, or decides a unit, a kind or
     the zero.
@@ -150,8 +150,8 @@ def _values(
 def value_location(
     _: Definition, entry: FileValue, __: Mapping[str, FileValue], state: ControlState | None
 ) -> tuple[tuple[str, ...], float | None]:
-    """Return the axes to which a value belongs, and a point's position (end of its section, mm or
-    deg).
+    """Return the axes to which a value belongs and, for an increment at a point number, the
+    position of its section's end (mm or deg).
     """
     if entry.axis:
         return (entry.axis,), None

@@ -76,7 +76,9 @@ def counted(
 
 
 class Counted:
-    """Inclination and cyclic table of one axis, as far as its compensation includes them."""
+    """Those of the two functions, inclination compensation and cyclic table, that are read as part
+    of one axis' compensation.
+    """
 
     def __init__(
         self,
@@ -201,7 +203,8 @@ def line_parameters(numbers: Sequence[int], amounts: Sequence[int]) -> dict[int,
 def second_table(
     totals: FloatArray, interval: str, used: Sequence[range], start: int, highest: int
 ) -> InclinationAndCyclic:
-    """Return a second (cyclic) table for the correction ``totals`` (k,), in the first free numbers.
+    """Return a second (cyclic) table with the correction ``totals`` (k,); it uses the first point
+    numbers that are free.
 
     ``start``: the lowest number to use. Raises NotHeld if too few are free.
 

@@ -25,7 +25,9 @@ class PointNumber:
 
 @dataclass(frozen=True, slots=True)
 class FunctionOnPoints:
-    """An active function that refers to a table by point numbers (``points``; None if unknown)."""
+    """An active function that refers to point numbers of a table (``points``; None if its point
+    numbers are unknown).
+    """
 
     label: str
     points: tuple[PointNumber, ...] | None

@@ -82,8 +82,8 @@ def check_reference(
 
 
 def points_question(axis: Axis, answer: object) -> Iterator[Fault]:
-    """Yield the question where points are counted from, if the reference (1240) is not machine
-    zero.
+    """Yield a question to the user if the reference (1240) is not machine zero: from which of the
+    two the control counts the points.
 
     Unless the ``answer`` is that the points are counted from it.
     """
@@ -110,7 +110,7 @@ def points_question(axis: Axis, answer: object) -> Iterator[Fault]:
 
 
 def check_return(values: IncrementAxisValues, *, two: bool) -> None:
-    """Check that job and files (1006#5) agree on the direction of the reference return.
+    """Check that the job and the files (1006#5) state the same direction of the reference return.
 
     It decides the sign of 3627, so two sets are refused; one set differs by a constant only.
     """

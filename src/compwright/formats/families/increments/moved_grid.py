@@ -46,7 +46,8 @@ def moved_numbers(
 
 
 def check_sets(facts: IncrementFacts, *, two: bool) -> None:
-    """Raise NotHeld if functions depend on the table and it changes between one and two data sets.
+    """Raise NotHeld if other functions refer to the table and the new table has two data sets
+    instead of one, or one instead of two.
 
     Raises NotHeld with the first function: it is not known whether it is active with both kinds.
     """
@@ -82,8 +83,8 @@ def _stays(axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: floa
 
 
 def _check_kept(each: FunctionOnPoints, facts: IncrementFacts, magnification: int) -> None:
-    """Raise NotHeld if a function refers to an inactive table, or to one whose magnification
-    changes.
+    """Raise NotHeld if a function refers to points of a table that is not active or gets another
+    magnification.
 
     Its effect with the new table would be unknown.
     """

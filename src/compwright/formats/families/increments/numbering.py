@@ -87,7 +87,8 @@ def kept_place(
     two: bool,
     endless: bool,
 ) -> NumberPlace | None:
-    """Return the existing point numbers of an axis; None if they do not fit the new table exactly.
+    """Return the existing point numbers of an axis; None if the new table needs more, fewer or
+    other point numbers.
 
     Nodes ``low`` to ``high`` (whole spacings from the reference) has exactly its sections; None too
     if other axes use them.
@@ -114,8 +115,8 @@ def kept_place(
 
 
 def first_free(length: int, used: Sequence[range], start: int, highest: int) -> int | None:
-    """Return the first of ``length`` successive free point numbers, at least ``start``; None if
-    none.
+    """Return the lowest of ``length`` successive free point numbers from ``start`` to ``highest``;
+    None if there are not as many.
     """
     for begin in range(start, highest + 2 - length):
         if not any(begin < taken.stop and taken.start < begin + length for taken in used):

@@ -1,4 +1,4 @@
-"""Checks of the parameters of a FANUC axis that may change the meaning of its table.
+"""Checks of the parameters of a FANUC axis on which the meaning of its table depends.
 
 Functions that are active in addition to the table and stay are in `neighbour_functions`; functions
 of other axes only reserve their point numbers. Sources: `parameters` and docs/controllers/fanuc.md.

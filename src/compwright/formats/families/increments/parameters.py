@@ -120,7 +120,7 @@ class ParameterValue:
 
     @property
     def whose(self) -> tuple[str, int]:
-        """The kind (axis A, path L, machine) and the number of the value's owner."""
+        """The owner of the value: its kind (axis A, path L, machine) and its number."""
         return self.owner, self.index
 
     @property
@@ -332,8 +332,8 @@ class AxisParameters:
         return [paths[index] for index in sorted(paths)] if differ else []
 
     def named_by(self, value: ParameterValue) -> bool:
-        """Return whether the axis number in ``value`` means this axis, counted over the machine or
-        within its path.
+        """Return whether the axis number that is the value of a parameter means this axis, counted
+        over the machine or within a path.
 
         Only 981 states the path of further axes: without it a number of a path may mean any axis.
         """

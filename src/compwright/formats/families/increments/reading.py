@@ -229,7 +229,9 @@ class StateReader:
             self.compensations[address] = compensation
 
     def _leave_alone(self, address: str) -> None:
-        """Read an axis outside the job; its faults are reported but stop no other axis."""
+        """Read an axis that the job does not name; its faults become a warning, so that the job's
+        axes can be read all the same.
+        """
         notes = Notes()
         values = self._values(address, notes)
         facts = with_neighbours(facts_of(values), values.own, self.family.options)
@@ -244,7 +246,9 @@ class StateReader:
             self.notes.find("CW-S042", "warning", axis=address, reasons=dict.fromkeys(reasons))
 
     def _filled(self) -> frozenset[int]:
-        """Return the point numbers with a value other than zero, which are not free for tables."""
+        """Return the point numbers whose values are not zero; new tables must not use these
+        numbers.
+        """
         texts = {number: row.occurrence.tokens["value"].text for number, row in self.points.items()}
         return frozenset(number for number, text in texts.items() if text.strip("-0"))
 
@@ -370,7 +374,9 @@ class StateReader:
 def _paired(
     facts: AxisFacts, address: str, couplings: Sequence[Coupling], unread: frozenset[int]
 ) -> AxisFacts:
-    """Return the facts of an axis, with its coupled axes and point numbers of unknown contents."""
+    """Return the facts of an axis, to which the axes coupled with it and the point numbers that no
+    file contains are added.
+    """
     return replace(
         facts,
         of_family=replace(increments_of(facts), unread=unread),

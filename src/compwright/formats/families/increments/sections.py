@@ -107,8 +107,8 @@ def _note_switched_off(values: IncrementAxisValues) -> None:
 
 
 def order(values: IncrementAxisValues) -> str:
-    """Return the required order of point numbers by their parameters, such as "3621 <= 3620 <=
-    3622".
+    """Return as text the order that the control requires of the table's point numbers, as
+    parameters: "3621 <= 3620 <= 3622".
     """
     names = ("first_number", "reference_number", "last_number")
     return " <= ".join(values.name(name) for name in names)

@@ -54,7 +54,9 @@ class Pair:
     place: ParameterValue
 
     def at(self, numbers: FloatArray, reference: int) -> FloatArray:
-        """Return the correction at point ``numbers`` (k,), relative to that at the reference."""
+        """Return the correction at the point ``numbers`` (k,), minus the correction at the
+        reference.
+        """
         keep = np.concatenate([[True], np.diff(self.points) > 0])
         at, levels = np.compress(keep, self.points), np.compress(keep, self.amounts)
         lines = np.interp(np.append(numbers, reference), at, levels)
@@ -106,7 +108,9 @@ def straightness_pairs(
 def _own(
     parameters: Parameters, value: ParameterValue, numbers: range | list[int]
 ) -> list[ParameterValue]:
-    """Return the parameters ``numbers`` of the axis, path or machine to which ``value`` belongs."""
+    """Return those of the parameters ``numbers`` that have the same owner (axis, path or machine)
+    as ``value``.
+    """
     return [each for each in parameters.of(numbers) if each.whose == value.whose]
 
 

@@ -95,7 +95,9 @@ class _OwnFiles(Patches):
             self.rows.setdefault(point_number(row), []).append(row)
 
     def put(self, entry: Entries, faults: list[Fault]) -> Entries:
-        """Record the changes for one axis; return the values without a line in the user's files."""
+        """Record the changes for one axis; return the values for which the user's files have no
+        line.
+        """
         left = {
             name: value
             for name, value in entry.parameters.items()
@@ -164,8 +166,8 @@ class _OwnFiles(Patches):
         return bool(places)
 
     def _existing_length(self, place: FoundValue, entry: Entries, value: Decimal) -> str:
-        """Return a length in the unit that its letter in the file gives: M mm, I inch, P the
-        machine's.
+        """Return a length as text in the unit that the letter in its line states: M for mm, I for
+        inch, P for the machine's unit.
         """
         key = place.occurrence.tokens["key"].text.upper()
         inch = key == "I" or (key == "P" and bool(entry.inch))
@@ -313,7 +315,8 @@ _PULSE = (
 
 
 def increment_sheets(family: Family, own: Sequence[AxisTable]) -> tuple[ControlFile, ...]:
-    """Return an entry sheet per axis, and the G10 programs if an option requires them.
+    """Return an entry sheet for each axis and, if an option requires them, the G10 programs that
+    enter the values.
 
     ``own``: the tables of leading axes; those of gantry partners are derived from them.
     """

@@ -89,7 +89,9 @@ def _check_gears(of: AxisStatements, gears: Mapping[int, FoundValue]) -> None:
 
 
 def check_others(of: AxisStatements) -> None:
-    """Refuse compensations of the axis other than table, backlash and one cross-axis table."""
+    """Add faults for active compensations of the axis that compwright does not read, such as one by
+    the positions of two other axes.
+    """
     for found in of.lists.places(of.address, "other"):
         if not _is_zero(found.text):
             name = found.occurrence.tokens["name"].text

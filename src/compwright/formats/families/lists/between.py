@@ -151,7 +151,9 @@ def _sum(tables: Sequence[CrossCompensation], where: FloatArray) -> FloatArray:
 
 
 def _corners(positions: FloatArray, values: FloatArray) -> list[int]:
-    """Return the indices of the points where a curve bends; for a straight line only its ends."""
+    """Return the indices of a curve's first and last points and of the points between them at which
+    its slope changes.
+    """
     kept = [0]
     for index in range(1, positions.size - 1):
         around = np.array([kept[-1], index + 1])

@@ -97,7 +97,8 @@ def read_lists(definition: Definition, files: Sequence[ControlFile], notes: Note
 def file_values(
     definition: Definition, files: Sequence[ControlFile], _: Sequence[ControlFile] = ()
 ) -> dict[str, FileValue]:
-    """Return every value in the lists by the number of its axis, independent of file names.
+    """Return every value in the lists by a key that contains the axis number instead of the file
+    name.
 
     Raises InputError for a file that cannot be opened.
     """
@@ -138,7 +139,9 @@ class _Sorter:
         self._check_count()
 
     def _check_count(self) -> None:
-        """Refuse start-up list entries beyond its stated count, because they are not loaded."""
+        """Add a fault for each start-up list entry whose index is beyond the number of entries that
+        the list states.
+        """
         counts: Sequence[FoundValue] = self.lists.start_up.get(LISTED_COUNT, ())
         name = self.lists.name(LISTED_COUNT)
         for other in counts[1:]:

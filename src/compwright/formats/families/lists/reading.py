@@ -226,8 +226,8 @@ class ListStateReader:
             self._check_turn(axis, self.compensations[address])
 
     def _unasked(self, lists: ListsByAxis, address: str) -> None:
-        """Read the cross-axis table of an axis outside the job; one with faults is reported, not
-        read.
+        """Read the cross-axis table of an axis that the job does not name; a table with faults is
+        reported and left out.
         """
         own, notes = Notes(), Notes()
         activity = Activity(stated=self.activity.stated)
@@ -269,7 +269,9 @@ class ListStateReader:
         return known or AxisKind.LINEAR
 
     def _check_turn(self, axis: Axis, table: AxisCompensation) -> None:
-        """Report a table with ends on an endless axis, or a repeating one on an axis with ends."""
+        """Report a table that does not repeat on an endless axis, or a table that repeats on an
+        axis with ends.
+        """
         if table.positions.size == 0 or (axis.modulo is None) == (table.period is None):
             return
         self.notes.find("CW-S056", "warning", axis.address, axis=axis.address, period=table.period)

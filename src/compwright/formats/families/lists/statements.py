@@ -119,7 +119,9 @@ class AxisStatements:
         return found
 
     def word(self, quantity: str) -> str | None:
-        """Return the meaning of a choice in the lists, or its default if they do not contain it."""
+        """Return the meaning of a setting with a few possible values; the default if the lists do
+        not contain the setting.
+        """
         found = self.one(self.definition.bindings[quantity].statement)
         return self.values.word(quantity, found) if found else self.values.absent(quantity)
 
@@ -197,7 +199,9 @@ class AxisStatements:
         *,
         needed: bool = True,
     ) -> None:
-        """Check that a column has all entries from 0 up to ``count``, and none beyond."""
+        """Check that a column has all entries with indices from 0 to ``count`` - 1, and no further
+        entries.
+        """
         name = self.lists.name(column)
         missing = count - sum(index < count for index in rows) if needed else 0
         if missing:

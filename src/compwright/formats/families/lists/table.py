@@ -99,7 +99,9 @@ class TableReader:
         return None if len(of.notes.faults) > before else table
 
     def _note_limits(self) -> None:
-        """Record the list's unit and its number of entries, which also apply to an empty table."""
+        """Record the unit of the list and the number of entries that the control reserves, because
+        a new table has to keep to both.
+        """
         if self.of.one("unit") is not None and (word := self.of.word("table_form")) is not None:
             self.of.stated["table_form"] = word
         self.of.room("max_points", 0)
@@ -137,7 +139,8 @@ class TableReader:
         )
 
     def scale(self, word: str | None, place: FoundValue | None) -> NumberScale | None:
-        """Return unit, sign and resolution of a table's numbers, by the list's word for its unit.
+        """Return unit, sign and resolution of a table's numbers, by the meaning (``word``) of the
+        unit that the list states.
 
         None, with a question, if the size of an increment is unknown.
         """

@@ -170,7 +170,9 @@ class ListsWriter:
         columns: Mapping[str, Sequence[str]],
         known: Sequence[str],
     ) -> None:
-        """Write a table's single values and its entries, into the existing lines where they fit."""
+        """Write a table's single values and its entries; existing lines are kept if the new table
+        has the same entries.
+        """
         places = [f for column in known for f in self.lists.places(address, column)]
         new: dict[Entry, str] = {
             (column, index): texts[index]
@@ -227,7 +229,7 @@ class ListsWriter:
     def _anchor(
         self, address: str, names: Sequence[str], places: Sequence[FoundValue]
     ) -> FoundValue:
-        """Return the line at which a table's new entries are inserted."""
+        """Return the line next to which new lines of a table are inserted."""
         if places:
             return min(places, key=lambda found: (found.number, found.occurrence.line))
         statements = self.lists.statements[address]

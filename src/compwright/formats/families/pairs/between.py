@@ -236,7 +236,7 @@ def pairs_between(family: Family, request: BetweenRequest, *, small: bool) -> Be
 def _written(
     family: Family, request: BetweenRequest, before: ControlState
 ) -> tuple[ControlFile, ...]:
-    """Return the changed files, and new files whose names are not in use yet.
+    """Return the changed files, and new files with names that none of the control's files has.
 
     A new file may have the same name as one that a former round left in the control: it must not
     replace that one.

@@ -71,7 +71,9 @@ class ExistingTables:
         return self.places.get(index, {}).get(quantity, ())
 
     def unnamed(self, index: int, quantity: str) -> list[FoundValue]:
-        """Return a table's values from lines that have empty brackets, ``()``, for the axis."""
+        """Return the values of a table in lines that have empty brackets, ``()``, in place of an
+        axis name.
+        """
         statements, bindings = self.definition.statements, self.definition.bindings
         own = name_in_form(statements[bindings[quantity].statement].form)
         before = statements[bindings["cross_other"].statement].form.partition("{")[0]
@@ -133,7 +135,9 @@ class ExistingTables:
         )
 
     def first_values(self, indices: Collection[int]) -> dict[int, int]:
-        """Return the line number of the first value of these tables in each file, by file index."""
+        """Return, by file index, the number of the first line in that file that states a value of
+        one of these tables.
+        """
         first: dict[int, int] = {}
         for index in indices:
             for row in self.places_of(index, "cross_value"):
@@ -142,7 +146,9 @@ class ExistingTables:
         return first
 
     def check_protected(self, index: int, output: str, faults: list[Fault]) -> None:
-        """Refuse a file that activates a table before its values: the control would reject them."""
+        """Add a fault for a file that activates a table before the table's values, because the
+        control would reject these values.
+        """
         for switches in (
             self.places_of(index, "cross_table_enabled"),
             self.axis_places(output, "cross_axis_enabled"),

@@ -51,7 +51,9 @@ from compwright.words.sentences import control_text, unconfirmed
 
 
 def with_sign_unknown(state: ControlState) -> ControlState:
-    """Return the state; if it has cross-axis tables, with the note that their sign is assumed."""
+    """Return the state; if it has cross-axis tables, add the assumption that their values are
+    corrections, not errors.
+    """
     if not state.tables.used:
         return state
     assumption = Assumption(

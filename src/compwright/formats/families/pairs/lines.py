@@ -57,7 +57,7 @@ class SingleValues:
         self.notes = notes
 
     def values(self, label: str) -> Values:
-        """Return a reader of values whose messages name the table or axis as ``label``."""
+        """Return a reader of single values; its messages call the table or axis ``label``."""
         return Values(self.definition, label, self.notes)
 
     def word(
@@ -97,7 +97,8 @@ class _Switch:
 
 @dataclass(frozen=True, slots=True)
 class _Leadscrew:
-    """Whether the leadscrew error tables (ENC_COMP) of an axis are active by the files.
+    """Whether the leadscrew error tables (ENC_COMP) of an axis are active, as far as the files show
+    it.
 
     ``on``: one is switched on at the end. ``word``: last state of those that are not zero (``yes``,
     ``no``, ``unsaid``; empty: there is none).
@@ -140,7 +141,7 @@ class TableLines(SingleValues):
         return all(self._ends_on(quantity, last(quantity, places)) for quantity, places in ends)
 
     def known_on(self) -> bool:
-        """Return whether the table is active for certain, by the files or else by the job.
+        """Return whether the table is active without doubt: the files state it, else the job.
 
         If no answer is required, a missing switch counts as on.
         """
@@ -225,7 +226,9 @@ class TableLines(SingleValues):
         self.notes.find("CW-S034", severity, self.pair[1], label=label, switches=switches)
 
     def _was_active(self, ends: list[_Switch]) -> bool | None:
-        """Return whether a table by which an axis corrects itself was active; None if unknown."""
+        """Return whether a table by which an axis corrects itself was active during the test; None
+        if unknown.
+        """
         words = [end.word for end in ends]
         word = "no" if "no" in words else None if None in words else "yes"
         found = (end.found for end in ends if end.word == word and end.found is not None)

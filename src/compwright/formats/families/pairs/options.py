@@ -24,7 +24,9 @@ def available(options: Mapping[str, object]) -> bool:
 
 
 def holds_two_curves(options: Mapping[str, object], compensation: AxisCompensation) -> bool:
-    """Return whether a compensation needs two tables, because its directions differ."""
+    """Return whether a compensation needs one table for each direction, because the corrections for
+    + and - differ.
+    """
     return available(options) and not np.array_equal(compensation.positive, compensation.negative)
 
 
@@ -91,7 +93,9 @@ def tables_in_words(indices: Sequence[str]) -> str:
 
 
 def reserving(definition: Definition, points: int, which: str) -> str:
-    """Return the instruction to reserve memory for ``points`` in the tables ``which`` (text)."""
+    """Return the instruction to reserve memory for so many ``points`` in the tables that ``which``
+    names.
+    """
     fixed = definition.limit_number("cross_points")
     if fixed is None:
         return control_text(

@@ -66,7 +66,9 @@ def of_axis(gathered: Gathered, address: str) -> Places:
 
 
 def is_whole(places: Places) -> bool:
-    """Return whether a table is complete: all single values, and every point in sequence."""
+    """Return whether a table is complete: all its single values are stated, and no point number is
+    missing.
+    """
     points = {int(row.occurrence.tokens["index"].text) for row in places.get("cross_value", ())}
     return all(name in places for name in NEEDED) and points == set(range(len(points)))
 

@@ -57,7 +57,7 @@ class Found:
 
     @property
     def doubted(self) -> bool:
-        """Whether some values that the program assigns may not have been executed."""
+        """Whether some lines of the program that assign values were possibly not executed."""
         return bool(self.program.values) and (self.start is not None or bool(self.program.flow))
 
     @property
@@ -120,7 +120,9 @@ def _loaders(programs: Sequence[ProgramFlow]) -> frozenset[str]:
 def _start_doubts(
     programs: Sequence[tuple[str, ProgramFlow]], count: Mapping[str, int]
 ) -> dict[int, StartDoubt]:
-    """Return for each program the reasons why it may not be executed, such as no call of it."""
+    """Return, by the index of each program that may not be executed, the line that causes this
+    doubt.
+    """
     sites: dict[str, list[tuple[int, Call]]] = {}
     for place, (_, program) in enumerate(programs):
         for call in program.calls:

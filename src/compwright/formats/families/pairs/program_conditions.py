@@ -78,21 +78,27 @@ class Decision:
     no: frozenset[int]
 
     def continues(self, values: Mapping[str, float]) -> frozenset[int] | None:
-        """Return the next step with these values of variables; None if they do not decide it."""
+        """Return the step that follows if variables have these values; None if the values do not
+        decide it.
+        """
         value = value_of(self.condition.text, values)
         return None if value is None else self.yes if value else self.no
 
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """A CASE line: the next steps by the value of an expression, or else ``other``."""
+    """A CASE line: the step that follows for each value of an expression, and the step for all
+    other values (``other``).
+    """
 
     text: str
     by_number: Mapping[float, frozenset[int]]
     other: frozenset[int]
 
     def continues(self, values: Mapping[str, float]) -> frozenset[int] | None:
-        """Return the next step with these values of variables; None if they do not decide it."""
+        """Return the step that follows if variables have these values; None if the values do not
+        decide it.
+        """
         value = value_of(self.text, values)
         if value is None or value % 1.0 != 0.0:  # rounded, by a rule that is not confirmed
             return None
@@ -112,7 +118,9 @@ def expression_of(text: str) -> str | None:
 
 
 def condition_of(text: str) -> Condition | None:
-    """Return the condition in a text; None if its value may change by itself between lines."""
+    """Return the condition in a text; None if its value may change although no line of the program
+    sets a variable.
+    """
     expression = expression_of(text)
     if expression is None:
         return None
@@ -321,7 +329,9 @@ def _changes(
 
 
 def _values(conditions: Sequence[Condition]) -> list[float]:
-    """Return values of an expression that give every combination of its conditions' results."""
+    """Return test values for an expression, so that each possible combination of the conditions'
+    results occurs with one of these values.
+    """
     if any(one.truth for one in conditions):
         return [0.0, 1.0]
     numbers = sorted({one.value for one in conditions})

@@ -119,7 +119,9 @@ class ProgramRuns:
         return first
 
     def unreached(self) -> Iterator[tuple[int, int]]:
-        """Yield the lines with values that no run reaches, each with the line that bypasses it."""
+        """Yield the lines with values that no run executes, each with the line whose jump leads
+        past it.
+        """
         reached = self._reached()
         for place, step in enumerate(self.steps):
             if step.marked and place not in reached:
@@ -355,7 +357,7 @@ def _following(
 def _destinations(
     code: str, place: int, places: Mapping[str, Sequence[int]]
 ) -> Iterator[Sequence[int]]:
-    """Yield the lines to which each jump or repetition in a line may lead."""
+    """Yield, for each jump or repetition (REPEAT) in a line, the lines at which it may continue."""
     for go in _GO.finditer(code):
         yield _destinations_of(go, place, places)
     repeated = _REPEATED.match(code)
@@ -383,7 +385,8 @@ def _destinations_of(
 def _targets(
     go: re.Match[str], place: int, places: Mapping[str, Sequence[int]], stop: int
 ) -> set[int]:
-    """Return the lines to which a jump may lead: all labels if computed, the end if none exists.
+    """Return the lines at which a jump may continue: all labels if the target is computed, the
+    program end if the target does not exist.
 
     A stop if the control gives an alarm, because there is no such label in that direction.
     """

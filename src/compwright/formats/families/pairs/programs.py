@@ -24,8 +24,8 @@ _CORRECTING = frozenset({"value", "backlash", "cross_value"})
 def not_carried_out(
     definition: Definition, files: Sequence[ControlFile]
 ) -> tuple[tuple[ControlFile, ...], tuple[Finding, ...]]:
-    """Return ``files`` without programs that the job states were not executed, and findings on
-    these.
+    """Return ``files`` without the programs that, by the job, were not executed, and a finding for
+    each file left out.
 
     Raises InputError if that is impossible: a value that every run of the program executes, or a
     file that also holds other values, to which the answer does not apply.
@@ -279,7 +279,9 @@ def _twice(gathered: Gathered, file: str, program: ProgramFlow) -> Iterator[Faul
 def _called_late(
     gathered: Gathered, programs: Sequence[Found], concerns: Callable[[Occurrence], bool]
 ) -> Iterator[Fault]:
-    """Yield a fault for each variable whose last value depends on the order of program calls."""
+    """Yield a fault for each variable whose final value depends on the order in which programs are
+    called.
+    """
     if not any(one.program.calls for one in programs):
         return
 

@@ -50,7 +50,8 @@ _DIRECTIONS = {"0": tuple(Direction), "1": (Direction.POSITIVE,), "-1": (Directi
 
 @dataclass(frozen=True, slots=True)
 class Writable:
-    """The cross-axis tables that may be written, by the address of the corrected axis.
+    """Which cross-axis tables may be written: table indices by the address of the axis that they
+    correct.
 
     ``sign_known``: the meaning of a value is known. ``drafted``: those that may be written on any
     other axis; None if the files are only shown.
@@ -61,7 +62,8 @@ class Writable:
     drafted: Collection[int] | None = None
 
     def stays(self, one: TableLines) -> bool:
-        """Return whether table ``one``, by which an axis corrects itself, stays active unchanged.
+        """Return whether table ``one``, by which an axis corrects itself, is active and will not be
+        written.
 
         Its index is not among those to be written, and it is known to be on.
         """
@@ -169,8 +171,8 @@ class CecReader(SingleValues):
             self.notes.find("CW-S054", "info", tables=self.quiet)
 
     def _leave_alone(self, one: _CrossTableReader) -> None:
-        """Leave a table with faults unchanged if it does not affect the job's axes; else report its
-        faults.
+        """Record that a table with faults stays unchanged; if it is incomplete or corrects an axis
+        of the job, report its faults instead.
         """
         faults = one.notes.faults
         damaged = "cross_value" not in one.places or not is_whole(one.places) or one.damaged

@@ -45,7 +45,9 @@ _CHANNEL = re.compile(rb"^[ \t]*CHANDATA\([0-9]+\)", re.MULTILINE | re.IGNORECAS
 
 @dataclass(frozen=True, slots=True)
 class _FilesSide:
-    """The contents of the old or the new files: each variable's last line, and the axis names."""
+    """The values in the old or in the new files: the line that states each variable last, and the
+    names of the axes.
+    """
 
     entries: Mapping[Key, Occurrence]
     names: AxisNames
@@ -257,7 +259,7 @@ class SmallFiles:
                 return
 
     def _tables(self) -> dict[str, list[Key]]:
-        """Return the entries (variables with index) of each cross-axis table."""
+        """Return, by table index, the keys of all variables that belong to the cross-axis table."""
         tables: dict[str, list[Key]] = {}
         for key in self.new.entries:
             table = self._table(key)
@@ -318,7 +320,9 @@ class SmallFiles:
         return known and not (self._has(key, "axis") or self._has(key, "table"))
 
     def _naming(self, address: str, pairs: Iterable[tuple[str, str]]) -> Iterator[Key]:
-        """Yield the parameters that list the axis names which the file uses."""
+        """Yield the parameters in which the control's files state the axis names that the small
+        file contains.
+        """
         names = self.new.names
         involved = {address, *(axis for pair in pairs for axis in pair if axis)}
         channels = set()

@@ -119,7 +119,9 @@ def staying(cec: Cec, compensation: AxisCompensation) -> tuple[AxisCompensation,
 def _as_tables(
     compensation: AxisCompensation, tables: Sequence[CecTable]
 ) -> tuple[AxisCompensation, ...]:
-    """Return cross-axis tables by which an axis corrects itself, in the form of axis tables."""
+    """Return the sums of cross-axis tables by which an axis corrects itself, as tables of that
+    axis.
+    """
     return tuple(
         replace(
             compensation,

@@ -74,7 +74,8 @@ class Switches:
         indices: Collection[int],
         named: Mapping[str, str],
     ) -> None:
-        """Activate tables by setting the last line of their activation parameter in each file.
+        """Activate tables: set their activation parameter to 1 in the line that states it last in
+        each file.
 
         If that line comes before the tables' values it stays off, and a new line follows them.
         """
@@ -138,7 +139,9 @@ class Switches:
         return corrected == output or unlisted
 
     def _is_unread(self, index: int) -> bool:
-        """Return whether the files state a table's activation but none of its values."""
+        """Return whether the files state the activation parameter of a table, but no values of the
+        table.
+        """
         places = self.tables.places[index]
         return "cross_table_enabled" in places and not any(name in places for name in DATA)
 

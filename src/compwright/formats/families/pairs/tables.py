@@ -81,7 +81,7 @@ class Cec:
     prints: Mapping[int, str] = field(default_factory=dict)
 
     def left_alone(self, tables: Sequence[CecTable], why: str) -> Cec:
-        """Return a copy in which ``tables`` are among those that cannot be used, because of
+        """Return a copy in which ``tables`` count as tables that cannot be used, for the reason
         ``why``.
         """
         odd = [
@@ -120,7 +120,8 @@ class Cec:
         )
 
     def uncounted(self, address: str) -> str:
-        """Return as text the active tables on an axis that its compensation does not include.
+        """Return as text the active tables that correct an axis but are not part of its
+        compensation.
 
         The text changes with their values.
         """

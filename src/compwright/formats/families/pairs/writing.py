@@ -277,7 +277,9 @@ class CecWriter:
         return ControlFile(print_form(file.name, named), content)
 
     def missing_switches(self, entries: Iterable[PairEntry]) -> list[str]:
-        """Return the lines that activate new tables, if the control's own files have none."""
+        """Return lines that activate those new tables whose activation parameter is in none of the
+        control's files.
+        """
         on = self.definition.choice("cross_table_enabled").text("yes")
         return [
             self._line("cross_table_enabled", entry.index, on)

@@ -23,7 +23,7 @@ Kind = Literal["COMP", "BLCOMP", "TCOMP"]
 
 @dataclass(frozen=True, slots=True)
 class Word:
-    """A piece of a script with its text, its number (if it is one) and its place in the file.
+    """A piece of a script: its text, its file and line, and its numeric value if it is a number.
 
     ``start`` and ``end`` in bytes of the file that is the ``number``-th of those given. ``value``:
     its number, if it has one.
@@ -169,7 +169,9 @@ class Buffers:
         found -= {motor, 0}
 
     def refuses(self, kind: str, motor: int) -> str:
-        """Return why the control would refuse to define a table; empty if it would accept."""
+        """Return why the control would refuse to define a table; empty if it would define the
+        table.
+        """
         mine = self.motors.get(kind, set())
         if motor in mine:
             return f"#{motor} has a {kind} already; delete it first"
@@ -179,7 +181,9 @@ class Buffers:
         return f"{', '.join(there)} was defined before it" if there else ""
 
     def keeps(self, kind: str, motor: int) -> str:
-        """Return why the control would refuse to delete a table; empty if it would accept."""
+        """Return why the control would refuse to delete a table; empty if it would delete the
+        table.
+        """
         mine = self.motors.get(kind, set())
         if motor in mine and any(other < motor for other in mine):
             return f"#{min(mine)}, a lower motor, has a {kind}"
@@ -195,7 +199,8 @@ _NAMES = {"enabled": "I51", "take_up_rate": "I{}85", "backlash": "I{}86"}
 
 
 def order_dependent_values(script: Script) -> Iterator[Fault]:
-    """Yield a fault for each value that depends on the order of the scripts in a folder.
+    """Yield a fault for each value that depends on the order in which the scripts of a folder are
+    sent to the control.
 
     That order is by name, and scripts are not sent by name.
     """

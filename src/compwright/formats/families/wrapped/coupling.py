@@ -47,7 +47,7 @@ _SCALE = 96
 
 
 def couplings_of(files: Sequence[ControlFile]) -> tuple[Coupling, ...]:
-    """Return the motors that move together, by the last statement on each motor."""
+    """Return the motors that move together; of several statements on a motor the last counts."""
     plain = _without_macros(files)
     assigned = statements_in(plain, _ASSIGNED, _REMARK)
     motors = {int(found.match["motor"]) for found in assigned if found.match["motor"]}
@@ -150,7 +150,7 @@ def _assigned(files: Sequence[ControlFile]) -> Iterator[Coupling]:
 
 
 def _following(files: Sequence[ControlFile], motors: Iterable[int]) -> Iterator[Coupling]:
-    """Yield the motors that follow another motor (position following), or may do so.
+    """Yield the motors that follow the position of another motor, and motors that possibly do so.
 
     If no file explains the register, each of them may lead.
     """

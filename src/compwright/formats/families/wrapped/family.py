@@ -167,7 +167,8 @@ class WrappedFamily(Family):
         )
 
     def _existing_nodes(self, axis: Axis) -> tuple[tuple[float, ...], str]:
-        """Return the positions of the scripts' table points, and why a new table cannot use them.
+        """Return the positions of the table points in the scripts, and the reason why a new table
+        cannot use them (empty: it can).
 
         Over the travel and the reference of an axis with ends (the rest is in the gap where it
         repeats).

@@ -112,7 +112,9 @@ class Conditions:
             self.guarded[name] = self.open[0]
 
     def undecided(self, text: str) -> str:
-        """Return a macro used in ``text`` that a conditional block may have changed; else empty."""
+        """Return the first macro in ``text`` that a conditional block may have changed; empty if
+        there is none.
+        """
         return next((name for name in self._names_in(text) if name in self.chosen), "")
 
     def guard_of(self, text: str) -> ConditionalBlock | None:
@@ -134,7 +136,8 @@ class Conditions:
 def in_two_branches(
     one: tuple[tuple[ConditionalBlock, int], ...], other: tuple[tuple[ConditionalBlock, int], ...]
 ) -> bool:
-    """Return whether two places are in different branches of one block, so that only one is sent.
+    """Return whether two places of a script are in branches of conditional blocks that exclude each
+    other, so that only one of the places is sent.
 
     In different branches of one block, or in branches of two blocks for opposite answers to one
     question: they are not both sent.

@@ -161,7 +161,8 @@ class _ScriptReader:
     def _carried_out(
         self, key: tuple[str, int], word: Word, guard: ConditionalBlock | None = None
     ) -> bool:
-        """Record a compensation command with the conditional blocks in which it is.
+        """Record a compensation command with the conditional blocks that contain it; return whether
+        it counts.
 
         False, with a fault, if another branch of a block has the same: they are not both sent.
         """

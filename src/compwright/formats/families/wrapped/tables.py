@@ -223,7 +223,7 @@ def _beyond_shape(compensation: AxisCompensation, label: str) -> list[Fault]:
 
 
 def _entries_of(curve: FloatArray, nodes: _Nodes, counts: Counts) -> FloatArray:
-    """Return the correction (size,) at the table's entries 1 to size, mm or deg.
+    """Return the correction (size,), mm or deg, at the positions of the table entries 1 to size.
 
     The last one is at motor zero.
 

@@ -184,7 +184,9 @@ class _Patcher:
         return True
 
     def _define(self, kind: str, table: MotorTable) -> None:
-        """Insert the definition of a new table where the control's order of definitions permits."""
+        """Insert the definition of a new table at a place where the control accepts it, as it
+        requires definitions in a certain order.
+        """
         lines = definition_lines(self.definition, kind, table)
         behind = (kind, *BEHIND[kind])
         for name, motor, word in self.script.commands:
@@ -295,7 +297,9 @@ class _Patcher:
 
 
 def _read_otherwise(before: Script, after: Script, tables: Sequence[MotorTable]) -> list[Fault]:
-    """Return the differences between the intended tables and the changed scripts when read back."""
+    """Return a fault for each motor whose tables in the changed scripts, when read back, are not
+    the intended tables.
+    """
     if after.faults:
         help_ = "the tables of these motors defined once, deletions before definitions"
         return [
