@@ -116,8 +116,8 @@ class Basis:
         return harmonics * (2.0 * np.pi * self.half / self.turn)
 
     def _waves(self, u: FloatArray, count: int) -> FloatArray:
-        """Return the smooth functions (count, k) at normalised positions ``u`` (k,). They are sines
-        over the range, or the harmonics of a turn for an endless axis.
+        """Return the smooth functions (count, k) at normalised positions ``u`` (k,): sines over the
+        range or, for an endless axis, the harmonics of a turn.
         """
         if self.turn is None:
             return _sines(u, count)

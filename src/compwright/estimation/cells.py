@@ -307,8 +307,8 @@ def _stack_cells(
     noises: tuple[NoiseDraws | None, ...],
     other_noise: NoiseDraws | None,
 ) -> Cells:
-    """Return the mean readings of all tests in one array. They are sorted by target and divided by
-    one common scale.
+    """Return the mean readings of all tests in one array, sorted by target and divided by one
+    common scale.
     """
     lines = [line.at(part, index, float(targets[0])) for index, part in enumerate(parts)]
     left = [part.means - taken for part, taken in zip(parts, lines, strict=True)]

@@ -133,7 +133,7 @@ class CauseColumn:
 
 def circle_samples(test: CircularTest) -> CircleSamples:
     """Return the samples of all runs. Samples exactly at a reversal point are left out, because
-    they have no direction.
+    their direction of motion is undefined.
     """
     theta = np.radians(np.concatenate([run.angles for run in test.runs]))
     sense = np.concatenate(
@@ -238,8 +238,8 @@ def _odd(samples: CircleSamples) -> Iterator[_Named]:
 
 
 def _lost_motion(samples: CircleSamples, axis: str) -> Iterator[_Named]:
-    """Yield a column for the lost motion at each reversal point, or one column if the arc has only
-    one reversal point.
+    """Yield a model column for the lost motion at each reversal point, or only one column if the
+    arc has only one reversal point.
 
     Each end's value holds over its half of the travel, so that the deviation stays continuous where
     the axis is fastest. A nuisance allows for a change in proportion to the position instead.
@@ -261,8 +261,8 @@ def _lost_motion(samples: CircleSamples, axis: str) -> Iterator[_Named]:
 
 
 def _lateral_play(samples: CircleSamples, axis: str) -> Iterator[_Named]:
-    """Yield columns for the mean lateral play of an axis and, if the arc has both reversal points,
-    for its change along the axis.
+    """Yield a model column for the mean lateral play of an axis and, if the test has both
+    directions and both reversal points, another column for the change of the play along the axis.
     """
     cos, sin, zero = np.cos(samples.theta), np.sin(samples.theta), np.zeros_like(samples.theta)
     if axis == "first":
@@ -312,8 +312,8 @@ class TakeUp:
 def spike_columns(
     samples: CircleSamples, axis: str, end: str, shapes: Sequence[SpikeShape | TakeUp]
 ) -> list[CauseColumn]:
-    """Return the columns of an outward spike of 1 um in both directions, one for each shape, after
-    the reversals of an axis at one ``end`` (ISO 230-4:1996, B.3.1).
+    """Return model columns, one for each of the ``shapes``: an outward spike of 1 um in both
+    directions after the reversals of an axis at one ``end`` (ISO 230-4:1996, B.3.1).
     """
     arc = since_reversal(samples, axis)
     zero = np.zeros_like(arc)

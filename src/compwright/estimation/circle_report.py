@@ -460,8 +460,8 @@ def _symptoms(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause
 
 
 def _faded(samples: CircleSamples, frequency: float) -> float:
-    """Return the share of a vibration of ``frequency`` Hz that instrument and drive suppress, if
-    they are the slowest possible first-order filter.
+    """Return the share of a vibration of ``frequency`` Hz that the slowest possible instrument and
+    drive suppress, as a first-order filter.
     """
     slow = max(_RESPONSE, _FILTER * sample_spacing(samples) / samples.speed)
     return float(1.0 - 1.0 / np.hypot(1.0, 2.0 * np.pi * frequency * slow))

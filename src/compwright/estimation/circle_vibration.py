@@ -118,8 +118,8 @@ def _peak(frequencies: FloatArray, power: FloatArray, best: int) -> float:
 
 
 def vibration_columns(samples: CircleSamples, frequency: float) -> list[CauseColumn]:
-    """Return the cosine and sine columns of a radial vibration of ``frequency`` Hz, um, for every
-    run.
+    """Return two model columns for every run: cosine and sine of a radial vibration of
+    ``frequency`` Hz, um.
     """
     phase = 2.0 * np.pi * frequency * times(samples)
     cos, sin = np.cos(samples.theta), np.sin(samples.theta)

@@ -76,7 +76,7 @@ def further_targets(posterior: AxisPosterior) -> FurtherTargets | None:
 
 
 def _places(targets: FloatArray, periods: FloatArray) -> FloatArray:
-    """Return positions between the ``targets`` (m,) where further targets may be measured.
+    """Return positions between the ``targets`` (m,) that are candidates for further targets.
 
     They are rounded to decimals that are small against the shortest of the ``periods``.
     """

@@ -1,4 +1,4 @@
-"""Periods of the error that may exist although the readings cannot show them.
+"""Possible periods of the error that the readings cannot show.
 
 Reasons: the targets are too few for a search, meet the wave always at the same phase, or show it as
 a longer wave, which the smooth part follows.
@@ -123,8 +123,8 @@ class WaveDraw:
 
 @dataclass(frozen=True, slots=True)
 class WaveHypotheses:
-    """Equally likely possible periodic errors (``waves``). With ``probability`` one of them exists;
-    else the error consists only of the functions ``curve``.
+    """Equally likely possible periodic errors (``waves``). With the probability ``probability`` one
+    of these waves exists; else the error consists only of the functions ``curve``.
     """
 
     probability: float

@@ -66,7 +66,9 @@ class Periods:
 
     @classmethod
     def of(cls, cells: Cells, periods: tuple[float, ...]) -> Periods:
-        """Return the periods with those of their harmonics that do not look like longer waves."""
+        """Return the ``periods``, each with its harmonics except those that look like longer waves
+        at the targets.
+        """
         return cls(periods, tuple(visible_harmonics(cells.targets, each) for each in periods))
 
     def with_periods(

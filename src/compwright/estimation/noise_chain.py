@@ -1,5 +1,5 @@
-"""Random sampling of the noise of a test by a Gibbs sampler, which draws each part given all others
-(Geman and Geman, IEEE Trans. Pattern Anal. 6, 1984).
+"""Random sampling of the noise of a test by a Gibbs sampler, which draws each part of the noise
+given all other parts (Geman and Geman, IEEE Trans. Pattern Anal. 6, 1984).
 """
 
 from __future__ import annotations
@@ -265,8 +265,8 @@ class GibbsChain:
         return drawn[:, np.newaxis]
 
     def _about_means(self, left: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return weighted means (c,) of the readings ``left`` (c, n), sums of squares about them,
-        and sums of weights.
+        """Return weighted means (c,) of the readings ``left`` (c, n), the weighted sums of squares
+        about these means, and the sums of weights.
         """
         weights = self.readings.there * self.latent.weights
         total = np.maximum(weights.sum(axis=1), 1e-300)

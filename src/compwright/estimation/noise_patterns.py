@@ -1,4 +1,5 @@
-"""Patterns in which the traverses of a test may shift: offset, tilt, and drift over the runs.
+"""The possible patterns of shifts of the traverses of a test: offset, tilt, and drift over the
+runs.
 
 Effects of the traverses are normal with a covariance that is a sum of known patterns with unknown
 sizes (linear mixed model: Searle, Casella and McCulloch, Variance Components, 1992, chapter 6).
@@ -112,7 +113,7 @@ class Patterns:
         self, sizes: Sizes, effects: FloatArray, variance: float, share: float, made: BoolArray
     ) -> FloatArray:
         """Return the standard deviations (2,) of traverse offset and tilt, mm or deg: the drawn
-        ones, or the rms of the existing offsets and tilts if that is larger.
+        standard deviations, or the rms of the existing offsets and tilts if that is larger.
 
         One is the present ``sizes`` times the standard deviation of a reading (root of
         ``variance``). The other is the rms of the ``effects`` (k,) of the existing traverses

@@ -22,7 +22,7 @@ _ZERO: Final = int(np.argmin(_THERE))
 
 
 def spread_shapes(readings: CellReadings) -> FloatArray:
-    """Return the patterns (parts, c) in which log scatter may vary: between directions, or in waves
+    """Return the patterns (parts, c) by which log scatter can vary: between directions, or in waves
     along the travel.
     """
     m = readings.u.size // 2

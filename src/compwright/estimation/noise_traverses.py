@@ -92,7 +92,9 @@ class ReducedTraverses:
             sizes.size, sizes.form, sizes.rate = drifting.size, drifting.form, drifting.rate
 
     def draw_sizes(self, sizes: Sizes, rng: np.random.Generator) -> None:
-        """Draw the size, pattern and rate of each kind of traverse shift, given the other kinds."""
+        """Draw the size, pattern and rate of each kind of traverse shift, given the present state
+        of the other kinds of shifts.
+        """
         for kind in (OFFSET, TILT):
             sizes.form = self._draw(sizes, kind, FORM_SHARES[: self.known], rng)
             if kind == OFFSET:
@@ -211,7 +213,7 @@ class ReducedTraverses:
 
     def _climb(self, sizes: Sizes, kind: int) -> float:
         """Set size and pattern of one ``kind`` of traverse shift to their most probable values,
-        given the other kinds, and return the log evidence of that choice.
+        given the other kinds of shifts, and return the log evidence of these values.
         """
         grid = np.concatenate([[0.0], _GRID])
         logs = self._scan(self._spectrum(sizes, kind), grid)

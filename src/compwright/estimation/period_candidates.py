@@ -339,7 +339,7 @@ def _shared(
     log: float,
 ) -> PeriodCandidate:
     """Return a possible period with its aliases, the frequencies that look the same at the targets.
-    The readings alone divide the joint probability ``log`` among them.
+    The readings alone divide the joint probability ``log`` among these frequencies.
     """
     if not aliases.size:
         return candidate

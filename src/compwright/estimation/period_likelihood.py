@@ -315,8 +315,9 @@ class PeriodLikelihood:
         )
 
     def _waves(self, frequencies: FloatArray, count: int) -> _Waves:
-        """Return the first ``count`` of the four columns of each wave: cosine and sine, and half of
-        those of the second harmonic, because its prior is half as wide.
+        """Return the first ``count`` of the four columns of each wave: cosine and sine, then half
+        the cosine and half the sine of the second harmonic, because the prior of this harmonic is
+        half as wide.
         """
         angle = 2.0 * np.pi * np.outer(self.targets - self.targets[0], frequencies)
         cosine, sine = np.cos(angle), np.sin(angle)

@@ -103,8 +103,8 @@ NO_SEARCH: Final = PeriodSearch((PeriodModel((), (), 1.0),), (), (), None)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PeriodSet:
-    """A set of periods that may exist together, in the order of discovery. ``log`` is its log odds
-    against no period.
+    """A set of periods that possibly exist together, in the order of discovery. ``log``: the log
+    odds of the set against no period.
     """
 
     members: tuple[PeriodCandidate, ...]

@@ -73,8 +73,8 @@ def search_periods(
     known: Sequence[float] = (),
     suggested: Sequence[float] = (),
 ) -> PeriodSearch:
-    """Return the periods, mm or deg, that the mean readings show in addition to the ``known`` ones,
-    with their probabilities.
+    """Return the periods, mm or deg, that the mean readings show in addition to the ``known``
+    periods, each with its probability.
 
     ``basis``: functions of the smooth part (its periods are not used). Each of the ``suggested``
     periods (from the control's files: mm or deg) is as probable as all usual ones together. With

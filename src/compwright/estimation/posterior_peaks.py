@@ -43,8 +43,8 @@ class Peak:
 
 
 def find_peaks(evidence: Evidence, starts: Sequence[FloatArray]) -> tuple[Peak, ...]:
-    """Return the different maxima of the posterior probability reached from ``starts``, without
-    those of negligible weight.
+    """Return the different maxima of the posterior probability reached from ``starts``. Maxima of
+    negligible weight are left out.
 
     One climb begins at the best of each (k, h).
 

@@ -222,7 +222,7 @@ def _scatter(radial: FloatArray) -> float:
 
 
 def _zeros(path: ActualPath) -> list[Finding]:
-    """Return the finding CW-C013 if all deviations of a run are exactly zero: they were not
+    """Return the finding CW-C013 if all deviations of a run are exactly zero, so that they were not
     measured.
     """
     if np.any(path.run.deviations):

@@ -1,4 +1,4 @@
-"""Search for tests that may be copies of one measurement.
+"""Search for tests that are possibly copies of one measurement.
 
 Sorting avoids a comparison of every pair; `duplicate_measurements` decides. Two tests that agree
 except for a constant (the zero of the instrument) are found as equal numbers after one of their

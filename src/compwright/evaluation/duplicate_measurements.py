@@ -110,7 +110,7 @@ def share_a_run(one: PositioningTest, other: PositioningTest) -> bool:
 
 
 def _always_by_chance(ours: _Blocks, others: _Blocks) -> bool:
-    """Return whether two tests have so few targets that their runs may agree by chance.
+    """Return whether two tests have so few targets that their runs can agree by chance.
 
     One of m differences is the most frequent, so that p is at least 1/m. Only runs without a
     missing reading count.

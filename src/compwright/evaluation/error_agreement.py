@@ -96,7 +96,9 @@ def disagreeing_test(
 
 
 def _without(values: FloatArray, where: FloatArray, periods: Sequence[float]) -> FloatArray:
-    """Return the values minus the waves of the given ``periods`` that fit them best."""
+    """Return the values after waves of the given ``periods`` are subtracted, with the amplitudes
+    that fit the values best.
+    """
     if not periods or values.size <= 2 * len(periods) + 1:
         return values
     turns = 2.0 * np.pi * where[:, np.newaxis] / np.asarray(periods)

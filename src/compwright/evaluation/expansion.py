@@ -111,8 +111,8 @@ def expansion_finding(thermal: Thermal) -> Finding:
 
 def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> PositioningTest:
     """Return ``test`` without differential thermal expansion: e20 = e - (x - x_fix)[alpha_m (T_m -
-    20) - alpha_d (T_d - 20)]. It carries the finding CW-T024. If the temperature rose during the
-    test, CW-T025 states that the mean of start and end was used.
+    20) - alpha_d (T_d - 20)]. The returned test has the finding CW-T024. If the temperature rose
+    during the test, CW-T025 states that the mean of start and end was used.
 
     x in mm, alpha in µm/(m K), T in °C, deviations in mm. ``thermal.x_fix`` is the fixed point of
     the measurement and ``thermal.refer_to`` says whose expansion alpha_m and T_m are: the machine's

@@ -173,8 +173,8 @@ def reversal_above_zero(test: PositioningTest) -> float:
 
 
 def _turned(test: PositioningTest) -> list[Finding]:
-    """Return the finding CW-T032 if the mean reversal error is above zero, so that directions or
-    sign may be reversed.
+    """Return the finding CW-T032 if the mean reversal error is above zero: directions or sign are
+    possibly reversed.
     """
     mean = reversal_above_zero(test)
     if not mean:

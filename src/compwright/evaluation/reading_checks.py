@@ -294,7 +294,7 @@ def _chance(table: FloatArray, centred: FloatArray) -> float:
 
 @lru_cache(maxsize=8)
 def _orders(runs: int) -> FloatArray:
-    """Return orders of the runs, as offsets from the middle: all orders, or 20 000 random ones if
+    """Return orders of the runs, as offsets from the middle: all orders, or 20 000 random orders if
     there are many runs.
     """
     centred: FloatArray = np.arange(runs, dtype=np.float64) - 0.5 * (runs - 1)

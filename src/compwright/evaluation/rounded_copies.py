@@ -64,7 +64,7 @@ def is_rounded_copy(test: PositioningTest, original: PositioningTest) -> bool:
 
 
 def is_coarse(test: PositioningTest, original: PositioningTest) -> bool:
-    """Return whether readings are so coarse that ``test`` and ``original`` may agree by chance.
+    """Return whether readings are so coarse that ``test`` and ``original`` can agree by chance.
 
     Coarse: the runs, apart from a constant, scatter by less than a resolution step of ``test``, or
     no target was approached twice.

@@ -1,4 +1,4 @@
-"""Search for two axes that show the same error, because one axis may have been measured twice.
+"""Search for two axes that show the same error, because possibly one axis was measured twice.
 
 Compared are the mean readings at common targets. Those of one axis differ only by noise; those of
 two axes differ also by a smooth curve of the size of their errors. Marginal likelihoods (Rasmussen
@@ -55,7 +55,7 @@ def same_error_findings(tests: dict[str, list[PositioningTest]]) -> list[Finding
 
 
 def same_error_odds(one: PositioningTest, other: PositioningTest) -> float:
-    """Return the odds that two tests show one common error rather than two different ones, 0 with
+    """Return the odds that two tests show one common error rather than two different errors; 0 with
     too few common targets.
     """
     if one.kind is not other.kind:

@@ -374,7 +374,7 @@ def _why(
 def _located(
     test: PositioningTest, columns: TargetColumns, given: Mapping[str, float | None]
 ) -> dict[str, float]:
-    """Return the target at which each parameter has its extreme value (the first of equal ones)."""
+    """Return the target where each parameter has its extreme value (the first of equal targets)."""
     sources = {
         "R": columns.repeatability,
         "R_positive": columns.repeatability_positive,

@@ -166,8 +166,8 @@ class _Tests:
     def design(
         self, jumps: Sequence[int], certain: frozenset[int], size: float, *, season: bool
     ) -> tuple[FloatArray, FloatArray]:
-        """Return the columns (n, p) of level, rate, jumps and season, and their prior standard
-        deviations.
+        """Return the matrix columns (n, p) for level, rate, jumps and season, and the prior
+        standard deviation of each coefficient.
         """
         columns = [np.ones(self.count), self.years, *(self.steps[:, place] for place in jumps)]
         widths = [_LEVEL, _RATE, *(_CERTAIN if place in certain else size for place in jumps)]

@@ -85,8 +85,8 @@ def choose_candidate(
 
 
 def _others(capacity: Capacity) -> str:
-    """Return a hint for too few table points if other axes use points from a common store, else an
-    empty text.
+    """Return a hint that a wider spacing of other axes leaves more points, if the axes share one
+    store of points, else an empty text.
     """
     if capacity.shared_points is None:
         return ""
@@ -94,7 +94,7 @@ def _others(capacity: Capacity) -> str:
 
 
 def most_points(capacity: Capacity) -> int:
-    """Return the largest number of points that a table may have."""
+    """Return the largest number of points that the control allows in a table."""
     return capacity.max_points or max(AUTO_MOST, capacity.min_points)
 
 

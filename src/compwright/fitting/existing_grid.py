@@ -62,8 +62,8 @@ def existing_nodes(
 
 
 def close_node_findings(nodes: FloatArray, capacity: Capacity, unit: str) -> tuple[Finding, ...]:
-    """Return a warning if the existing points break a rule of the control. It is not an error,
-    because the control ran with them.
+    """Return a warning if the existing points break a rule of the control. This is not an error,
+    because the control ran with these points.
     """
     least = float(np.min(np.diff(nodes)))
     if least >= capacity.min_spacing * (1 - 1e-9):

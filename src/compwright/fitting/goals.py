@@ -266,7 +266,9 @@ def _of_the_mean(
 
 
 def _together(parts: Sequence[Deviations], size: int, *, middle: bool) -> Deviations:
-    """Return the deviations of both directions together, or their mean if ``middle``."""
+    """Return the deviations of both directions as one set, or with ``middle`` the mean of both
+    directions.
+    """
     first, last = parts[0], parts[-1]
     if middle and len(parts) > 1:
         return Deviations(

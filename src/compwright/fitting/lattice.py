@@ -119,7 +119,7 @@ def _tolerance(objective: float, unit: float) -> float:
 def _worth_a_look(
     magnification: int, bound: float, ceiling: float, best: LatticeSolution | None, unit: float
 ) -> bool:
-    """Return whether a magnification may give a better table than the best one so far.
+    """Return whether a magnification can possibly give a better table than the best table so far.
 
     A larger one must be better by more than `EQUAL`.
     """

@@ -67,8 +67,8 @@ class LatticePart:
         return ChainLimits(step=unit * magnification, increments=increments, low=low, high=high)
 
     def shifts(self, unit: float, magnification: int) -> FloatArray:
-        """Return the offsets (n,) to try, mm or deg, by which the values of the curve may differ
-        from whole multiples of their step.
+        """Return the offsets (n,) to try, mm or deg, by which all values of the curve differ from
+        whole multiples of their step.
         """
         if self.offsets is None or self.magnified:
             return np.zeros(1)
@@ -141,7 +141,7 @@ def binding(part: LatticePart, relaxation: Relaxation, limits: ChainLimits) -> b
 
 def counts_within(part: LatticePart, relaxation: Relaxation, room: float) -> IntArray:
     """Return the whole-number reversal values to try for an objective up to ``room``. If ``room``
-    is infinite, return those next to the best real value.
+    is infinite, return the whole numbers next to the best real value.
     """
     if part.constant is None:
         return np.zeros(1, dtype=np.int64)

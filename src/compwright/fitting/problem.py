@@ -131,8 +131,8 @@ def quadrature(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class UnknownsLayout:
-    """The order of the unknowns: the table values of the reference-return direction, then those of
-    the other direction or one constant difference.
+    """The order of the unknowns: the table values of the reference-return direction, then the table
+    values of the other direction or one constant difference.
 
     ``reversal``: what the single constant may be: ``free`` (two tables), ``backlash``, or ``none``.
     """

@@ -123,7 +123,9 @@ class SparseMatrix:
 def from_entries(
     shape: tuple[int, int], row: IntArray, column: IntArray, value: FloatArray
 ) -> SparseMatrix:
-    """Return the matrix with entries in any order, those at the same place added up."""
+    """Return the matrix with the given entries, which can be in any order. Entries at the same
+    place are added up.
+    """
     places = row * shape[1] + column
     order = np.argsort(places, kind="stable")
     places = places[order]

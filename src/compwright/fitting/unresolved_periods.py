@@ -135,7 +135,7 @@ def held_grid(
     finest: FloatArray | None = None,
 ) -> HeldGrid:
     """Return the table points with the correction that they can reproduce, and a finding about
-    short periods that they cannot.
+    short periods that they cannot reproduce.
 
     ``loss``: rms that more points would remove. ``finest``: the finest nodes that the control
     allows, if the nodes were chosen among them.

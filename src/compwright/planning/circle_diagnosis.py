@@ -28,8 +28,8 @@ def diagnose_circle(test: CircularTest, standard: str) -> CircularResult:
 
 
 def _diagnosed(test: CircularTest) -> Diagnosis:
-    """Return the causes of a circular test. Raises InputError where they cannot be found, as for
-    noise-free computed samples.
+    """Return the causes of the deviations of a circular test. Raises InputError if the causes
+    cannot be found, as for noise-free computed samples.
     """
     # a variance below zero is found by its root
     with np.errstate(invalid="ignore"), suppress(np.linalg.LinAlgError):

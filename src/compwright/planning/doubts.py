@@ -1,5 +1,5 @@
-"""Doubts about measurements and the state of the control. They make every decision about an axis
-undecided until the job acknowledges them.
+"""Doubts about measurements and the state of the control. A doubt makes every decision about an
+axis undecided until the job acknowledges the doubt.
 """
 
 from __future__ import annotations

@@ -128,8 +128,8 @@ def _with_fewest_points(
 def _fewest(
     grids: Sequence[FloatArray], enough: Callable[[FloatArray], _Found | None]
 ) -> _Found | None:
-    """Return a good table on one of the coarsest ``grids``, or None without one. ``enough`` returns
-    the table on a grid if it is good enough, else None.
+    """Return a good table on one of the coarsest ``grids``, or None if there is none. ``enough``
+    returns the table on a grid if this table is good enough, else None.
 
     Search by halving, then among the next coarser grids: usually, more points are better.
     """

@@ -34,7 +34,7 @@ def predict(
     fresh: FreshTests | None = None,
 ) -> TestPrediction:
     """Return the prediction of a repeated test after a ``change`` of the correction, at the same
-    targets and at new ones.
+    targets and at new targets.
 
     ``fresh``: tests at new ones, where they are drawn already.
     """

@@ -105,8 +105,8 @@ def _left(
 def _wave(
     wanted: WantedCorrection, rest: FloatArray, plain: FittedTable, period: float, limits: Wave
 ) -> AxisCompensation | None:
-    """Return the table of one period, starting at the reference, or None if the control cannot hold
-    it or all its values are zero.
+    """Return the table of one period, starting at the reference. None if the control cannot hold
+    this table, or if all its values are zero.
     """
     sections = next((n for n in _SECTIONS if limits.holds(period / n)), None)
     if sections is None or sections + 1 > limits.room:

@@ -37,7 +37,7 @@ _ROUNDS: Final = 30
 
 def second_test_findings(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Finding]:
     """Yield the finding CW-P165 for each property of the noise that only a second test can show,
-    with the predicted parameter in both cases.
+    with the parameter predicted with and without this property.
     """
     name, result = judged_parameter(work.results[0]), work.results[0].test
     if name is None or len(work.posterior.alike) != 1:
@@ -111,8 +111,8 @@ def _only(noise: NoiseDraws, chosen: BoolArray) -> NoiseDraws:
 
 
 def unequal_scatter(test: PositioningTest) -> FloatArray | None:
-    """Return the standard deviation of a reading in each run (n,), mm or deg, if it differs between
-    the runs; else None.
+    """Return the standard deviation of a reading in each run (n,), mm or deg, or None if the runs
+    do not clearly differ.
 
     Absolute residuals are compared within their target (Brown and Forsythe, J. Am. Stat. Assoc. 69,
     1974), where equal runs may be exchanged (Friedman, J. Am. Stat. Assoc. 32, 1937): the sums over

@@ -72,7 +72,7 @@ def unheld_period(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest
 ) -> tuple[Shortfall, Finding] | None:
     """Return the part of the wanted correction with periods too short for the requested table
-    points, and its finding, or None if there is no such part.
+    points, and the finding about this part, or None if there is no such part.
     """
     if capacity.line is not None or not wanted.periods:
         return None

@@ -182,7 +182,7 @@ def new_grid_offer(
     written: bool,
 ) -> Finding | None:
     """Return the finding that the ``chosen`` table, with new points, is better than a table at the
-    existing points ``there`` (mm or deg), or None if it is not.
+    existing points ``there`` (mm or deg), or None if it is not better.
 
     ``kept``, ``offered``: the first test's predictions with both; ``written``: False where no table
     on the existing grid improves the axis, and ``kept`` is the prediction without one. A gain

@@ -15,7 +15,7 @@ from compwright.records.correction import AxisCompensation
 
 def unapplied_step_findings(axis: Axis, table: AxisCompensation) -> Iterator[Finding]:
     """Yield the finding CW-P156 if the control does not apply some reversal steps of an axis'
-    table. The finding states the axis accelerations with which it applies them.
+    table. The finding states at which axis accelerations the control would apply these steps.
     """
     found = unapplied_range(table, axis)
     if found is None or axis.unapplied_steps is None:

@@ -74,7 +74,7 @@ class MeasuredError:
 
     @property
     def hidden(self) -> HiddenPeriods:
-        """The periods that the error may have although the readings do not show them."""
+        """The possible periods of the error that the readings do not show."""
         return self.own.hidden
 
     @property
@@ -149,7 +149,7 @@ def measured_error(
     axis: Axis,
     active: AxisCompensation | None,
 ) -> MeasuredError:
-    """Return the error of ``axis``, estimated from those tests that are in use.
+    """Return the error of ``axis``, estimated from the tests that are in use.
 
     These are tests with a known active correction (``acted``), or the first test if none has it.
 
