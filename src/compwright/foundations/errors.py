@@ -34,7 +34,9 @@ _LISTED = 3
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fault:
-    """One fault of an input: message, file, place, expected and found value, and next step."""
+    """One fault of an input: its message, its file and place, what was expected, what was found,
+    and the next step.
+    """
 
     message: str
     file: str = ""
@@ -69,7 +71,7 @@ class Fault:
         return self if self.file else replace(self, file=file)
 
     def within(self, place: str) -> Fault:
-        """Return the fault with ``place`` in front of its own place."""
+        """Return the fault with ``place`` put in front of the place that the fault already has."""
         return replace(self, place=f"{place}, {self.place}" if self.place else place)
 
 
@@ -122,7 +124,8 @@ class InputError(CompwrightError):
 
 
 class CapacityError(CompwrightError):
-    """The correction exceeds the control's limits, or no solution can be certified (exit code 4).
+    """The correction exceeds the control's limits, or it cannot be proved that a table is the best
+    one (exit code 4).
 
     The fault says which limit is broken, by how much, and what would help.
     """

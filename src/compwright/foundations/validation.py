@@ -73,7 +73,9 @@ def unknown_key(known: list[str]) -> cs.CoreSchema:
 
 
 def checked(validator: SchemaValidator, data: Any) -> tuple[Any, list[KeyFault]]:
-    """Return the value that a schema makes from ``data`` (None with faults), and the faults."""
+    """Return two values: what the schema makes from ``data`` (None if there are faults), and the
+    faults.
+    """
     try:
         return validator.validate_python(data), []
     except ValidationError as error:

@@ -182,7 +182,8 @@ def read_yaml(content: bytes, file: str) -> YamlDocument:
 
 
 def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tuple[Fault, ...]]:
-    """Read YAML as `read_yaml` does, but return faults of single keys with the data.
+    """Read YAML as `read_yaml` does, but do not raise faults of single keys: return them together
+    with the data.
 
     A schema can then list its own faults together with these. Of a key given twice the first value
     stands; a value that cannot be read is None. Raises InputError when there is no document at all.

@@ -22,7 +22,8 @@ _MOST_ONE_SIDED = 0.25
 
 @dataclass(frozen=True, slots=True)
 class ReadingGrid:
-    """The readings of a positioning test as one array per direction: targets by runs.
+    """The readings of a positioning test, one array per direction with a row per target and a
+    column per run.
 
     ``targets`` (m,) ascending; per direction ``deviations`` (m, n), NaN for none, and ``runs``
     (n,).

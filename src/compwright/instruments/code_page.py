@@ -20,7 +20,8 @@ _NAMES = {"cp1252": "Windows-1252", "cp1251": "Windows-1251", "gbk": "GBK"}
 
 
 def read_plain_lines(content: bytes, file: str) -> tuple[list[str], Finding | None]:
-    """Return the lines of a plain CSV file, and the assumption about its encoding.
+    """Return the lines of a plain CSV file, and the finding that its code page was assumed; None in
+    place of the finding for UTF-8.
 
     Raises InputError as `read_lines` does, also if a row of readings is not ASCII in a file that is
     not UTF-8: its contents may matter.

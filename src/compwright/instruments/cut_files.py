@@ -23,7 +23,9 @@ _RUNS: Final = frozenset({"runs", "n runs", "number of runs", "cycles", "number 
 
 
 def cut_findings(readings: Readings, kind: AxisKind, header: Mapping[str, str]) -> list[Finding]:
-    """Return the findings about a cut file. ``readings`` are in the order of the file."""
+    """Return the findings that a file was probably cut off. ``readings`` are in the order of the
+    file.
+    """
     why = (_unfinished(readings, kind), *_promises(readings, header))
     return [cut_finding(sentence) for sentence in why if sentence is not None]
 

@@ -134,7 +134,9 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
 def _refuse_contradictions(
     before: Sequence[str], axis: str, profile: Profile, faults: FaultList
 ) -> None:
-    """Add a fault where the text above a table contradicts the profile."""
+    """Add a fault if the text above a table contradicts the profile, such as by another unit or
+    another sign.
+    """
     named = any(map(unit_of, (profile.value, *profile.traverses)))  # the column says it itself
     unit = "" if named else next(filter(None, map(stated_unit, before)), "")
     sign = next(filter(None, map(difference_of, before)), "")

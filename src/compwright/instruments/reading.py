@@ -260,7 +260,8 @@ def stem(file: str) -> str:
 
 
 def _text_and_form(content: bytes, file: str) -> tuple[list[str], MeasurementForm, Finding | None]:
-    """Return the lines of a file, their form, and the assumed encoding.
+    """Return the lines of a file, the file format that they have, and the encoding of the file if
+    it is assumed.
 
     Encodings other than UTF-8 and UTF-16 only if the form has them, or no number depends on it.
     """

@@ -25,7 +25,9 @@ def no_correction(positions: FloatArray, _direction: Direction) -> FloatArray:
 
 
 def difference(new: Correction, old: Correction) -> Correction:
-    """Return the change of the correction when ``new`` replaces ``old``."""
+    """Return the change of the correction when the correction ``new`` replaces the correction
+    ``old``.
+    """
     return partial(_together, new, old, -1.0)
 
 
@@ -51,7 +53,7 @@ class ActiveCorrections:
     across: Mapping[tuple[str, str], Correction]
 
     def on(self, axis: str) -> Correction:
-        """Return the correction of an axis as a function of its own position."""
+        """Return the correction of ``axis`` as a function of the position of that axis."""
         return self.along.get(axis, no_correction)
 
     def between(self, given: str, bent: str) -> Correction:
@@ -61,8 +63,8 @@ class ActiveCorrections:
         return self.across.get((given, bent), no_correction)
 
     def displacement(self, axes: tuple[str, str]) -> Displacement:
-        """Return a function that gives the displacement (n, 2) mm of the tool by all corrections,
-        in the plane of two axes (names of the job).
+        """Return a function that gives the displacement (n, 2) mm of the tool, in the plane of two
+        axes (names of the job), that all active corrections cause together.
 
         An axis outside the plane stands still; what it does to the two is the same everywhere on
         the circle.

@@ -144,7 +144,7 @@ def _causes(diagnosis: Diagnosis) -> Iterator[tuple[str, Quantiles]]:
 
 
 def _smoothed(run: CircularRun) -> FloatArray:
-    """Return the smoothed deviations (n,) mm: parabolas over `_WINDOW` samples.
+    """Return the deviations (n,) mm of a run, smoothed by parabolas over `_WINDOW` samples.
 
     The windows stop at the reversal points (multiples of 90°), where the path may step.
     """
@@ -155,8 +155,8 @@ def _smoothed(run: CircularRun) -> FloatArray:
 
 
 def _parabolas(values: FloatArray) -> FloatArray:
-    """Return each of (n,) equally spaced values smoothed by a parabola through its `_WINDOW`
-    neighbours. Fewer values stay unchanged.
+    """Smooth n equally spaced values: each is replaced by the value of a parabola fitted to its
+    `_WINDOW` neighbours. With fewer values nothing is changed.
     """
     if values.size < _WINDOW:
         return values

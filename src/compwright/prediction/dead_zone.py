@@ -80,7 +80,8 @@ def unapplied_range(compensation: AxisCompensation, axis: Axis) -> tuple[float, 
 def _traversed(
     nodes: FloatArray, table: FloatArray, before: float, axis: Axis
 ) -> tuple[FloatArray, FloatArray]:
-    """Return positions in the order of a traverse, and the compensation applied at each.
+    """Return the positions of one traverse in the order of motion, and the compensation that the
+    control applies at each.
 
     ``before``: what was applied at the turn. The nodes alone: the table is applied at once.
     """

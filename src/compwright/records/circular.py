@@ -143,7 +143,8 @@ class FittedRun:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Diagnosis:
-    """The causes in a circular test by JSON name, with correlations and inseparable causes.
+    """The causes of the deviations in a circular test by JSON name, their correlations, and causes
+    that the test cannot separate.
 
     ``correlation`` is in the order of ``names``.
 

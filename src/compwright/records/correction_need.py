@@ -16,7 +16,9 @@ Need = Literal["correct", "negligible", "undetermined"]
 
 
 def correction_need(value: float, std_error: float) -> Need:
-    """Decide on correcting an error (µm/m): ``correct``, ``negligible`` or ``undetermined``."""
+    """Decide whether an error (µm/m) must be corrected: ``correct``, ``negligible`` (too small), or
+    ``undetermined`` (too uncertain).
+    """
     uncertainty = _BOTH_SIDES * std_error
     if uncertainty < most_uncertain(value):
         return "correct"
@@ -24,7 +26,9 @@ def correction_need(value: float, std_error: float) -> Need:
 
 
 def most_uncertain(value: float) -> float:
-    """Return the uncertainty (two standard errors) below which a ``value`` (µm/m) is corrected."""
+    """Return the bound for the uncertainty (two standard errors): an error of this ``value`` (µm/m)
+    is corrected if its uncertainty is below.
+    """
     return min(0.5 * abs(value), MOST_UNCERTAIN)
 
 

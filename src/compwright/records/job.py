@@ -49,7 +49,9 @@ class TestRequest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Acceptance:
-    """Limits by parameter in µm or arcsec. ``test``: the test they apply to (None: the first)."""
+    """Limits by parameter in µm or arcsec. ``test``: the test to which the limits apply (None: the
+    first test).
+    """
 
     limits: Mapping[str, float]
     test: str | None = None

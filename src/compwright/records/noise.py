@@ -115,7 +115,9 @@ _ARRAYS: Final = tuple(
 
 
 def normal_noise(sigma: FloatArray, centre: float = 0.0, half: float = 1.0) -> NoiseDraws:
-    """Return normal noise with standard deviation ``sigma`` (count,) over the whole travel."""
+    """Return draws of normal noise: its standard deviation ``sigma`` (count,) is the same over the
+    whole travel.
+    """
     nothing = np.zeros(sigma.shape)
     return NoiseDraws(
         centre=centre,

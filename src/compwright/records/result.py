@@ -56,7 +56,8 @@ class Extreme:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TargetColumns:
-    """The values at each target, as arrays (m,) in mm or deg; NaN where undefined.
+    """The values of a positioning test at each target, as arrays (m,) in mm or deg; NaN where
+    undefined.
 
     ``repeatability_*`` are R_i; ``reversal`` is B_i = mean(+) - mean(-); ``mean`` is the mean of
     both directions.

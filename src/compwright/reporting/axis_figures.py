@@ -1,4 +1,5 @@
-"""Figures in reports: a test, its residuals, before and after, the table, the estimated error.
+"""Figures in reports: a test and its residuals, tests before and after loading, the table, and the
+estimated error.
 
 Each takes plain documents (deviations in µm or arcsec, positions in mm or deg) and returns what a
 page draws in its language, the same for the same input.

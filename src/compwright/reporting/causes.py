@@ -1,4 +1,6 @@
-"""The causes in a circular result as text, ranked by effect, for terminal, figures and report."""
+"""The causes of the deviations in a circular test as text, ranked by effect, for terminal, figures
+and report.
+"""
 
 from __future__ import annotations
 
@@ -49,7 +51,8 @@ _PARTS: Final = (
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleCause:
-    """One cause in a circular test: value, standard error, effect (µm), share of all effects.
+    """One cause of the deviations in a circular test: its value, the standard error, its effect
+    (µm), and its share of all effects.
 
     ``effect`` in µm, ``share`` of all effects from 0 to 1. ``parts`` are its details (each end of a
     lost motion, the scale errors next to their mismatch), which count in it. ``plain`` and
@@ -101,7 +104,9 @@ class CircleCause:
 
     @property
     def significant(self) -> bool:
-        """Whether the value, or that of a part such as one end, exceeds two standard errors."""
+        """Whether the value of the cause, or that of one of its parts (such as one end of the
+        axis), exceeds twice its standard error.
+        """
         return self.known or any(part.known for part in self.parts)
 
     @property
@@ -130,7 +135,8 @@ def machine_title(machine: Mapping[str, Any]) -> Sentence:
 
 
 def ranked_causes(result: Mapping[str, Any]) -> list[CircleCause]:
-    """Return the causes in a circular result by falling effect; none if it was not diagnosed.
+    """Return the causes in a circular result, the largest effect first; no causes if the test was
+    not diagnosed.
 
     Of the evaluation document. A cause without a value is left out: ``not_applicable`` says why.
     """
@@ -186,7 +192,9 @@ def _finite(value: object, otherwise: float = 0.0) -> float:
 
 
 def _split(name: str) -> tuple[str, str, str]:
-    """Return the parts of a cause's JSON name: kind, axis ("first", "second" or "") and detail."""
+    """Return the three parts of a cause's JSON name: the kind, the axis ("first", "second" or ""),
+    and the part of the cause ("" for the whole cause).
+    """
     part = next((part for part in _PARTS if name.endswith(f"_{part}")), "")
     rest = name.removesuffix(f"_{part}") if part else name
     for which in ("first", "second"):

@@ -58,7 +58,9 @@ def evaluation_list(
 
 
 def _apart(results: Iterable[_Result]) -> dict[tuple[str, str], list[_Result]]:
-    """Return the results grouped by kind of test and standard, positioning tests first."""
+    """Group the results by kind of test and by standard; the groups of positioning tests come
+    first.
+    """
     parts: dict[tuple[str, str], list[_Result]] = {}
     for result in sorted(results, key=lambda result: bool(result["kind"] == "circular")):
         parts.setdefault((result["kind"], result["standard"]), []).append(result)
@@ -158,7 +160,9 @@ def _files(results: Sequence[_Result], folder: str) -> _ListColumn:
 
 
 def _named(result: _Result, folder: str) -> str:
-    """Return the file name of a test, with the number of further files, such as "x.csv +1"."""
+    """Return the file name of a test. If the test has further files, their number is added, such as
+    "x.csv +1".
+    """
     first, *more = [source["file"] for source in result["sources"]] or [result["name"]]
     return f"{_shown(first, folder)}{f' +{len(more)}' if more else ''}"
 

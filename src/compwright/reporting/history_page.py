@@ -99,7 +99,7 @@ def _shown(one: Mapping[str, Any]) -> str:
 
 
 def _course(tests: Sequence[Mapping[str, Any]], name: str) -> Any:
-    """Return a small figure of a parameter over the dates of its tests."""
+    """Return a small figure that shows the values of a parameter over the dates of its tests."""
     found = [
         (datetime.fromisoformat(test["day"]).timestamp(), float(test[name]))
         for test in tests

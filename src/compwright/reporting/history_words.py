@@ -47,7 +47,9 @@ def trend_lines(one: Mapping[str, Any]) -> Iterator[str]:
 
 
 def limit_lines(one: Mapping[str, Any]) -> Iterator[str]:
-    """Yield as text when an axis or plane will reach a limit, if its values change."""
+    """Yield sentences on when a parameter of an axis or plane will probably reach its limit, for
+    each parameter with a trend towards its limit.
+    """
     for parameter, trend in one["trends"].items():
         if trend["crosses"] is not None:
             limit = f"{number(trend['limit'])} {unit_text(trend['unit'])}"

@@ -327,7 +327,9 @@ def _zones(
     place: _Place,
     language: Language,
 ) -> None:
-    """Draw the two circles of the minimum zone, for both directions together or for each."""
+    """Draw the circles of the minimum zone: one pair for both directions together, or a pair for
+    each direction.
+    """
     zones, values = result.get("minimum_zone") or {}, result["parameters"]
     both = "both" in zones and values.get("G_bidirectional") is not None
     arc = result["arc"]

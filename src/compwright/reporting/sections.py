@@ -104,7 +104,9 @@ def findings(*groups: Iterable[Document] | None) -> list[dict[str, Any]]:
 
 
 def _sentence(message: str) -> str:
-    """Return a message with a capital letter first, unless it begins with a name from a file."""
+    """Return a message that begins with a capital letter, except if its first word is a name from a
+    file.
+    """
     if isinstance(message, SentenceText) and _WORDED.match(catalogue("en")[message.sentence.name]):
         return SentenceText(say("card.capital", text=message))
     return message
@@ -482,7 +484,9 @@ def unreadable(*evaluations: Document | None) -> list[dict[str, str]]:
 
 
 def result_of(evaluation: Document | None, axis: str, name: str | None = None) -> Document | None:
-    """Return the positioning result of an axis, preferably of the test ``name``."""
+    """Return the result of a positioning test of an axis: that of the test ``name`` if there is
+    one, else of another test.
+    """
     found = [
         result
         for result in (evaluation or {}).get("results", [])

@@ -99,13 +99,13 @@ class CirclePlan:
 
     @property
     def samples(self) -> int:
-        """The number of samples on the arc in one run, a whole number."""
+        """The number of samples in one run on the arc, without overshoot."""
         per_turn = _SAMPLES_PER_TURN if self.sample_rate is None else self.sample_rate * self._turn
         return round(per_turn * self.arc[1] / 360.0)
 
     @property
     def rate(self) -> float:
-        """The samples per second that give a whole number of samples on the arc."""
+        """The sample rate (1/s), chosen so that the arc has a whole number of samples."""
         return self.samples / (self._turn * self.arc[1] / 360.0)
 
     @property

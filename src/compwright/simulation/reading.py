@@ -63,7 +63,9 @@ _SHORTEST, _LONGEST = (
 
 @dataclass(frozen=True, slots=True)
 class _Units:
-    """The names of units in the keys of an axis, and the factor from a deviation to mm or deg."""
+    """The names of the units in the keys of an axis (such as mm and um), and the factor from a
+    deviation in the file to mm or deg.
+    """
 
     position: str
     deviation: str
@@ -338,7 +340,9 @@ def _random(axis: Axis, amplitude: str) -> Keys:
 def _random_curve(
     axis: Axis, stream: int, amplitude: float = 0.0, length: float | None = None, seed: int = 0
 ) -> RandomCurve:
-    """Return the random curve of an axis. Its name is part of the seed, so that axes differ."""
+    """Return the random error curve of an axis. The axis name is part of the seed, so that axes
+    have different curves.
+    """
     return RandomCurve(
         amplitude=amplitude,
         length=0.25 * (axis.travel[1] - axis.travel[0]) if length is None else length,
@@ -385,8 +389,8 @@ def _test(axis: Axis) -> cs.CoreSchema:
 
 
 def _least_targets(axis: Axis) -> int:
-    """Return the smallest number of targets in ISO 230-2:1997: 4.3.2, 4.3.3 (linear axes), table 1
-    and 4.3.5 (rotary axes).
+    """Return the smallest number of targets that ISO 230-2:1997 requires: by 4.3.2 and 4.3.3 for
+    linear axes, by table 1 and 4.3.5 for rotary axes.
     """
     span = axis.travel[1] - axis.travel[0]
     if axis.kind is AxisKind.LINEAR:

@@ -1,1 +1,1 @@
-"""Decision whether the loaded table is active, and whether the axis keeps its limits now."""
+"""Decision whether the loaded table is active, and whether the axis is now within its limits."""

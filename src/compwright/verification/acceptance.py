@@ -1,4 +1,6 @@
-"""Total verdict of a verification, from the decisions about limits and the loading verdicts."""
+"""Overall verdict of a verification, from the decisions about limits and the verdicts on how the
+tables were loaded.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +16,8 @@ OverallVerdict = Literal["good", "bad", "undecided"]
 def overall_verdict(
     decisions: Iterable[Decision], loadings: Iterable[LoadingName], *, still_open: bool = False
 ) -> OverallVerdict:
-    """Return the total verdict from the decisions about limits and the loading verdicts of axes.
+    """Return the overall verdict from the decisions about limits and from the verdicts on how the
+    table of each axis was loaded.
 
     ``good``: every limit is met, every table is loaded and no proof is missing (``still_open``).
     ``bad``: a limit is exceeded, or a table is known to be active in another way than planned (not

@@ -39,7 +39,9 @@ class ExistingTableVerdict:
 
     @property
     def contradicted(self) -> bool:
-        """Whether the active correction differs from that in the files, with odds above 99 to 1."""
+        """Whether the tests show, with odds above 99 to 1, that the active correction was not the
+        one in the files.
+        """
         if self.verdict.verdict != "undecided":
             return self.verdict.verdict not in ACTIVE
         fits = not any(finding.code == "CW-V001" for finding in self.verdict.findings)

@@ -46,7 +46,7 @@ class HypothesisBuilder:
         return np.stack([one.at(self.targets, direction) for direction in Direction])
 
     def jump(self, one: AxisCompensation) -> Curve:
-        """Return the part of the correction that comes from the backlash value."""
+        """Return the part of a compensation's correction that comes from its backlash value."""
         return np.stack(
             [np.full(self.targets.size, one.backlash_at(direction)) for direction in Direction]
         )
@@ -91,7 +91,9 @@ class HypothesisBuilder:
         detail: Sentence | None = None,
         **more: Any,
     ) -> Iterator[Hypothesis]:
-        """Yield two hypotheses of a faulty table: with the new and with the old backlash value."""
+        """Yield two hypotheses of a faulty table ``curve``: one with the new and one with the old
+        backlash value.
+        """
         yield self.made(name, self.total(curve), weight, detail, **more)
         if np.any(self.backlash != self.old_backlash):
             old = say("loading.variant", detail=detail, backlash="old")

@@ -88,7 +88,8 @@ def rate_hypotheses(
 def _rated_by(
     after: AfterMeans, view: MeasurementCase, fits: Fits, index: int, way: Hypothesis
 ) -> RatedHypothesis:
-    """Return a hypothesis with its expected test and likelihood. ``index``: its row in ``fits``.
+    """Return the hypothesis ``way`` with the test that it predicts and its likelihood. ``index``:
+    its row in ``fits``.
 
     The probability is 0 until all hypotheses are rated.
     """

@@ -120,7 +120,7 @@ class AfterMeans:
 
     @property
     def count(self) -> int:
-        """The number of targets and directions with a mean reading."""
+        """The number of mean readings, counting each target in each measured direction."""
         return int(np.sum(np.isfinite(self.plain)))
 
     @property
@@ -156,8 +156,8 @@ def after_means(test: PositioningTest, fallback: NoiseDraws) -> AfterMeans:
 
 
 def _evenly(count: int, targets: int) -> NDArray[np.intp]:
-    """Return the indices of evenly spaced draws out of ``count``. The number of ``targets`` limits
-    how many.
+    """Return the indices of evenly spaced draws out of ``count`` draws; with more ``targets`` fewer
+    draws are used.
     """
     most = _FEW if 2 * targets > _MANY_CELLS else _DRAWS
     return np.unique(np.linspace(0, count - 1, min(most, count)).astype(np.intp))

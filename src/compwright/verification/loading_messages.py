@@ -116,7 +116,9 @@ class ShownTest:
 
     @property
     def effect_text(self) -> Sentence | None:
-        """The measured share of the planned effect as text, None if no effect is planned."""
+        """The fraction of the planned effect that the test shows, as text; None if no effect is
+        planned.
+        """
         part, error = self.effect
         return say("loading.effect", part=part, error=error) if math.isfinite(error) else None
 

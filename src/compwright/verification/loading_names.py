@@ -158,7 +158,8 @@ def _equivalent(
 
 
 def _near(far: FloatArray, rated: Sequence[RatedHypothesis]) -> tuple[LoadingName, ...]:
-    """Return the names of verdicts that this test hardly distinguishes from the most probable one.
+    """Return the names of those verdicts that this test hardly distinguishes from the most probable
+    verdict.
 
     Left out: variants that can come arbitrarily close (a cut near an end, an unknown factor or
     slope), and faults of measurement.

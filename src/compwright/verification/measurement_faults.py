@@ -310,7 +310,9 @@ def file_disagreement(parts: Sequence[PositioningTest]) -> tuple[PositioningTest
 
 
 def _apart(one: PositioningTest, other: PositioningTest) -> float:
-    """Return the rms difference of the means of two tests at common targets, mm or deg."""
+    """Return the rms difference between the mean deviations of two tests at the targets that both
+    have, mm or deg.
+    """
     _, mine, theirs = np.intersect1d(
         _places(one.targets), _places(other.targets), return_indices=True
     )

@@ -44,8 +44,8 @@ _OF_UNCERTAINTY: Final = frozenset({"CW-T023"})
 
 @dataclass(frozen=True, slots=True)
 class AfterTest:
-    """A test after loading: its axis, the name of the repeated test, its files, and their mapping
-    profile.
+    """A test after loading: its axis, the name of the earlier test that it repeats, its files, and
+    the mapping profile of the files.
     """
 
     axis: str
@@ -174,7 +174,9 @@ def _circles_missing(plan: Plan, circles: Mapping[str, CircularTest]) -> Iterato
 
 
 def _limited_test(job: Job, axis: str) -> str | None:
-    """Return the name of the test to which the limits of an axis apply, or None without limits."""
+    """Return the name of the test to which the limits of an axis apply, or None if the axis has no
+    limits.
+    """
     entry = job.axes.get(axis)
     if entry is None or entry.accept is None:
         return None

@@ -70,8 +70,8 @@ def proven_axis(
 def sign_odds(
     curves: Sequence[tuple[FloatArray, FloatArray, FloatArray]], scatter: FloatArray
 ) -> float:
-    """Return the log odds of the planned table against the same table with opposite sign, from the
-    tests before and after loading.
+    """Return the logarithm of the odds that the planned sign of the table is right, from the tests
+    before and after loading.
 
     ``curves``: for each measured direction, (m,) each, the means expected with the table, those
     with the correction before, and those found after loading; ``scatter`` (m,): standard deviation

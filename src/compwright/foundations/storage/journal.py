@@ -32,7 +32,8 @@ class DamagedError(Exception):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class JournalEntry:
-    """A file that is written, or removed if it has no ``digest`` (SHA-256 of the new bytes).
+    """A file that the change writes (``digest``: SHA-256 of the new bytes), or removes if it has no
+    ``digest``.
 
     ``name``: below the folder, with ``/``; ``there``: whether something stood there before, and
     ``earlier`` the sha256 of its bytes, empty where it was no file or could not be read.

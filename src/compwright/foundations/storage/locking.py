@@ -105,7 +105,9 @@ def _attempt(staging: Path, *, make: bool) -> Lock | None:
 
 
 def _is_still(handle: int, file: Path) -> bool:
-    """Return whether the open lock file is still in the folder, not removed by another process."""
+    """Return whether the lock file that this process has opened is still the one in the folder, so
+    that no other process removed it.
+    """
     try:
         return os.path.samestat(os.fstat(handle), file.lstat())
     except FileNotFoundError:

@@ -212,7 +212,8 @@ def _take_back_part(session: Session, folder: Path, journal: Journal) -> None:
 
 
 def _take_back_undone(session: Session, first: Path, folder: Path, journal: Journal) -> None:
-    """Undo an incomplete change of several folders. ``first``: the folder of its main journal.
+    """Undo an incomplete change of files in several folders. ``first``: the folder with the main
+    journal of the change.
 
     A copy of a part, of which it knows nothing, before that by itself.
     """
@@ -362,7 +363,9 @@ def _lost(what: str, target: Path, folder: Path) -> Fault:
 
 
 def _is_placed(folder: Path, number: int, journal: Journal) -> bool:
-    """Return whether the new file of an entry was moved from the temporary folder to its place."""
+    """Return whether the new file of the journal entry ``number`` was already moved from the
+    temporary folder to its place.
+    """
     return bool(journal.entries[number].digest) and not os.path.lexists(new_file(folder, number))
 
 

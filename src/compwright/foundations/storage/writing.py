@@ -169,7 +169,9 @@ def _users_files(
     known: Mapping[Path, bool],
     targets: Mapping[Path, bytes],
 ) -> Iterator[Fault]:
-    """Yield a fault for each file to be replaced that no run wrote or that was changed since."""
+    """Yield a fault for each file to be replaced that belongs to the user: no run wrote it, or
+    somebody changed it since.
+    """
     for path in below:
         if not known.get(path, True) and earlier_bytes(session, path) != targets[path]:
             yield Fault(

@@ -65,7 +65,7 @@ _COUNTED: Final[frozenset[Meaning]] = frozenset(
 
 
 def redacted_lines(lines: Sequence[str], spans_of: SpansOf, cuts: Cuts) -> list[str]:
-    """Return the lines of a file without private data. Their number stays the same."""
+    """Return the lines of a file without private data. The copy has as many lines as the file."""
     return [_line(line, spans, cuts) for line, spans in zip(lines, spans_of(lines), strict=True)]
 
 

@@ -127,7 +127,9 @@ class _Words:
         ]
 
     def is_reading(self, cells: Mapping[str, str]) -> bool:
-        """Return whether a row has a target and a value, as the reader requires."""
+        """Return whether a row has a target and a value, so that the reader would take it as a
+        reading.
+        """
         target = cells.get(self.profile.target, "")
         values = (self.profile.value, *self.profile.traverses)
         return any(map(str.isdigit, target)) and any(cells.get(name) for name in values)

@@ -285,7 +285,7 @@ _WITH_PAGES: Final = ("positioning", "circular")
 
 
 def _with_pages(document: Mapping[str, Any]) -> Mapping[str, Any]:
-    """Return the document with only those tests that have a report page and a figure.
+    """Return the document with only those tests that get a report page and a figure.
 
     A drift test and lost motion over distance or speed have neither.
     """

@@ -131,7 +131,7 @@ def _forget_gone(tops: Sequence[Path], folders: Sequence[Path], database: Histor
 
 
 def _series(entries: Iterable[HistoryEntry], tops: Sequence[Path]) -> list[TestSeries]:
-    """Return the tests by machine and axis, in the order of time."""
+    """Return the tests grouped by machine and axis, in each group in the order of time."""
     groups: dict[tuple[str, bool, str], list[HistoryEntry]] = {}
     for entry in entries:
         group_key = (_machine(entry, tops), entry.kind == "circular", entry.what)

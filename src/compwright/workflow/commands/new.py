@@ -28,7 +28,9 @@ _SHOWN = ("CW-S072",)
 
 @dataclass(frozen=True, slots=True)
 class NewOutcome:
-    """The result of ``new``: the job file, keys the user must fill in, and axes left out."""
+    """The result of ``new``: the job file, the keys that the user must fill in, and the axes that
+    are not in the job.
+    """
 
     path: Path
     open: tuple[str, ...]

@@ -15,7 +15,9 @@ from compwright.workflow.results.single_files import refuse_other_kinds
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ProfileOutcome:
-    """The result of ``profile``: the file, example readings as text, notes, and keys to fill in."""
+    """The result of ``profile``: the written file, some readings as sentences, notes, and the keys
+    that the user must fill in.
+    """
 
     path: Path
     worked: tuple[str, ...]

@@ -176,7 +176,8 @@ def _inner_folders(paths: Sequence[Path], out: Path) -> tuple[Path, ...]:
 def _read(
     session: Session, paths: Sequence[Path], names: Names, faults: list[Fault]
 ) -> list[_FileToCopy]:
-    """Return the files to copy. An archive gives the text files in it; equal names are a fault.
+    """Return the files to copy, and in place of an archive the text files in it. Two files with the
+    same name are a fault.
 
     A file that is given twice is copied once.
     """

@@ -59,7 +59,8 @@ class RunOutcome:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedJob:
-    """A job after all stages of ``run``, with the contents of its result files, not yet written.
+    """A job after all stages of ``run``, with the contents of its result files, which are not
+    written yet.
 
     ``folder``: what the job's paths are relative to; ``stated``: what the command line says of a
     job without a file, which then is among the results.

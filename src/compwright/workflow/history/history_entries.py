@@ -63,7 +63,7 @@ def _entries(folder: ResultFolder) -> Iterator[HistoryEntry]:
 
 
 def _round(test: Mapping[str, Any]) -> tuple[bool, int]:
-    """Return a sort key that puts tests of earlier rounds of compensation first, in their order."""
+    """Return a sort key that orders tests by their round of compensation, earlier rounds first."""
     state = str(test.get("measured_in", ""))
     over = number_of_round(state) if test["taken"] == "before" else None
     return over is None, over or 0
@@ -75,7 +75,9 @@ def _named(value: object) -> str:
 
 
 def _text(value: object) -> str:
-    """Return a value as text that can be written as UTF-8, as an edited record may be invalid."""
+    """Return a value as text that can be written as UTF-8, because a record edited by hand can
+    contain invalid characters.
+    """
     return encoded(str(value)).decode()
 
 
@@ -93,7 +95,7 @@ def _numbers(test: Mapping[str, Any], key: str) -> tuple[float, ...]:
 
 
 def _limits(record: Mapping[str, Any], test: Mapping[str, Any]) -> dict[str, float]:
-    """Return the limits of the job for the axis or the circle of a test, by parameter."""
+    """Return, by parameter, the limits that the job states for the axis or the circle of a test."""
     kind, name = ("circles", "name") if test["kind"] == "circular" else ("axes", "axis")
     decided = record.get("decisions", {}).get(kind, {}).get(test[name], {})
     return {

@@ -293,7 +293,9 @@ def _axis_of(job: Job, measured: str, spec: str, names: Iterable[str]) -> str:
 
 
 def _axis_in(session: Session, path: str, profiles: Sequence[Path]) -> str:
-    """Return the axis named in a measurement file, which may need one of the ``profiles``."""
+    """Return the axis that a measurement file names. To read the file, one of the ``profiles`` can
+    be necessary.
+    """
     try:
         return read_measurement(session, Path(path)).axis
     except InputError:
@@ -324,7 +326,9 @@ def _profiles(job: Job) -> list[Path]:
 def _axis_of_name(
     session: Session, job: Job, name: str, path: str, profiles: Sequence[Path]
 ) -> str:
-    """Return the axis of a test name. If several axes use the name, the file decides."""
+    """Return the axis whose test in the job has this ``name``. If several axes have such a test,
+    the axis named in the file decides.
+    """
     axes = [
         axis
         for axis, entry in job.axes.items()

@@ -41,7 +41,9 @@ _CAUSES: Final = {
 
 
 def read_if_circular(content: bytes, file: str) -> CircularTest | None:
-    """Return the circular test in a file, or None for another file. Raises InputError."""
+    """Return the circular test in a file, or None if the file is not that of a circular test.
+    Raises InputError.
+    """
     return read_circular(content, file) if is_circular(content, file) else None
 
 

@@ -200,7 +200,9 @@ def kept(
 
 
 def _inside(path: Path | None, out: Path, written: Collection[str]) -> str | None:
-    """Return the path relative to the result folder, if a file is in it and is not replaced."""
+    """Return the path of an input file relative to the result folder if the file is already there
+    and will not be replaced, else None.
+    """
     if path is None:
         return None
     whole, root = storage.resolved(path), storage.resolved(out)
@@ -211,7 +213,9 @@ def _inside(path: Path | None, out: Path, written: Collection[str]) -> str | Non
 
 
 def _place(name: str, by: str) -> str:
-    """Return where in the result folder a file is copied, so that a copied job finds the file."""
+    """Return the place in the result folder to which a file is copied. It is chosen so that the
+    copied job finds the copied file.
+    """
     parts = PurePosixPath(name).parts
     if by == BY_VERIFY:
         return f"{INPUTS}/{BY_VERIFY}/{parts[-1]}"
@@ -222,7 +226,9 @@ def _place(name: str, by: str) -> str:
 
 
 def _unused(name: str, taken: Mapping[str, bytes]) -> str:
-    """Return ``name`` with a number added if it is taken, in upper or lower case."""
+    """Return ``name``, or ``name`` with a number added if it is already taken (even in upper or
+    lower case).
+    """
     names = {other.casefold() for other in taken}
     path, number, chosen = PurePosixPath(name), 1, name
     while chosen.casefold() in names:

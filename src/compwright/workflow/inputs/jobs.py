@@ -80,7 +80,9 @@ def _with_logo(session: Session, job: Job, folder: Path) -> Job:
 
 
 def _with_drifts(session: Session, job: Job, folder: Path) -> Job:
-    """Return the job with the environmental variation E_VE evaluated from its drift tests."""
+    """Return the job with the environmental variation error E_VE, evaluated from the drift tests
+    that the job names.
+    """
     errors: list[CompwrightError] = []
     for kind, request in job.drifts.items():
         file = storage.named_from(folder, request.file)

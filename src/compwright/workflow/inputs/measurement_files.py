@@ -22,7 +22,9 @@ OTHER_ENDINGS = frozenset(
 
 @dataclass(frozen=True, slots=True)
 class FoundMeasurements:
-    """The measurement files of a path, the skipped other files, and the inner ``folders``."""
+    """The measurement files found at a path, the files skipped there, and the inner ``folders``,
+    which were not searched.
+    """
 
     files: tuple[Path, ...]
     skipped: tuple[Path, ...] = ()

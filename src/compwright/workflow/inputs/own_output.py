@@ -52,7 +52,9 @@ _MOST_SISTERS = 30
 
 @dataclass(frozen=True, slots=True)
 class _Earlier:
-    """A plan of an earlier run, its path, and the hashes of the files made for the control."""
+    """A plan of an earlier run, the path of the plan, and the SHA-256 of the control files that
+    this run made.
+    """
 
     plan: Plan
     path: Path
@@ -206,7 +208,8 @@ def _counted_twice(
 
 
 def _same(test: PositioningTest, old: PositioningTest) -> bool:
-    """Return whether two tests are one measurement: equal files, or nearly all readings equal.
+    """Return whether two tests are the same measurement, because their files or nearly all of their
+    readings are equal.
 
     Rows that were deleted or added make no new measurement. A test with the new table loaded shows
     other readings.

@@ -105,7 +105,9 @@ def recorded_run(
 def _own_job(
     given: Sequence[GivenFile], out: Path, earlier: Mapping[str, Any] | None
 ) -> dict[str, bytes]:
-    """Return the job file in the result folder if an earlier run wrote it and it is unchanged."""
+    """Return the job file in the result folder if an earlier run wrote this file and nobody has
+    changed it since.
+    """
     listed = {} if earlier is None else {each["file"]: each["sha256"] for each in earlier["files"]}
     return {
         file.path.name: file.content
@@ -195,7 +197,7 @@ def recorded_verification(
 
 @dataclass(frozen=True, slots=True)
 class RunResult:
-    """A plan that is verified, its control, and the path of the plan."""
+    """A plan that is being verified, the control of the plan, and the path of the plan."""
 
     plan: Plan
     control: Control
@@ -205,7 +207,9 @@ class RunResult:
 def _still_there(
     session: Session, record: Mapping[str, Any], out: Path, written: Mapping[str, bytes]
 ) -> dict[str, bytes]:
-    """Return the files of the run that are unchanged in the folder and are not replaced."""
+    """Return those files of the run that are still unchanged in the folder and that this command
+    does not replace.
+    """
     found = {
         str(entry["file"]): (
             str(entry["sha256"]),

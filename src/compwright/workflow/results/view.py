@@ -82,7 +82,9 @@ def _paper(job: Job, command: Sequence[str], options: Sequence[str] = ()) -> dic
 
 
 def axis_view(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
-    """Return the report data of one axis: estimated error, wanted totals, fit, and prediction."""
+    """Return the report data of one axis: its estimated error, its wanted total correction, its
+    fitted table, and its prediction.
+    """
     planned = work.planned
     estimate, wanted, fitted = planned.estimate, planned.wanted, planned.fitted
     factor = outside_factor(planned.axis.kind.unit)

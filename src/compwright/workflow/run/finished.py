@@ -68,7 +68,7 @@ class Finished:
 
     @property
     def doubts(self) -> Doubts:
-        """The doubts that block decisions, each with the axes it concerns."""
+        """The doubts that block decisions, each with the axes that the doubt concerns."""
         return find_doubts(
             [*self._noticed(), *self._of_tests(), *self._of_circles()],
             self.measured.job.acknowledged,

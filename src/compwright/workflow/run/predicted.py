@@ -83,7 +83,9 @@ def after_loading(work: AxisWork, loaded: DecodedState | None) -> Correction:
 
 
 def _circle(work: CircleWork, measured: Measured, then: ActiveCorrections) -> CirclePrediction:
-    """Predict a circular test after loading, from the test before and the change of correction."""
+    """Predict a circular test after loading, from the test before loading and the change of the
+    active corrections.
+    """
     during = measured.active.get(work.planned.measured_in, NO_CORRECTIONS)
     prediction = predicted_circle(work.result, work.planned, during, then)
     rule = measured.job.decision_rule
@@ -91,7 +93,7 @@ def _circle(work: CircleWork, measured: Measured, then: ActiveCorrections) -> Ci
 
 
 def _active_after(measured: Measured, fitted: Fitted, written: Written) -> ActiveCorrections:
-    """Return the active corrections after loading, on axes and between them."""
+    """Return the corrections that are active after loading, along axes and between axes."""
     now, after = measured.active.get(AS_FOUND, NO_CORRECTIONS), written.cross.after
     along = {
         axis.name: applied_correction(written.loaded, axis)

@@ -135,7 +135,8 @@ def _improving(
 def write_fitted(
     control: Control, fitted: FittedAxes, as_found: DecodedState
 ) -> tuple[tuple[ControlFile, ...], DecodedState | None]:
-    """Write fitted tables as the control's files, and return files and corrections read back.
+    """Write fitted tables as the control's files. Returns these files and the corrections that are
+    read back from them.
 
     The present files (``as_found``) are patched. Raises CapacityError where a value cannot be held,
     and CompwrightError (a fault of compwright itself) when the table of another axis reads

@@ -152,7 +152,9 @@ def _axis(
     paths: Mapping[str, str],
     copies: _Copies,
 ) -> NextAxis:
-    """Return an axis for the next job; its test after loading becomes the test before."""
+    """Return the keys of an axis for the next job, in which its test after loading is the new test
+    before loading.
+    """
     sections = test_sections(section)
     names = [str(each["name"]) for each in sections]
     old = f"{after.repeats}_{was}"
@@ -188,8 +190,8 @@ def _measured(session: Session, paths: Iterable[Path], folder: str, copies: _Cop
 
 
 def _temperatures(test: PositioningTest) -> dict[str, tuple[float, float]]:
-    """Return the temperatures, °C, at start and end, with which expansion was removed from a
-    test.
+    """Return the temperatures (°C) at the start and at the end of a test that were used to remove
+    thermal expansion from it.
     """
     thermal = test.thermal
     if thermal is None:

@@ -208,7 +208,9 @@ def _doubted(axis: VerifiedAxis) -> str:
 
 
 def _differs(name: str, compared: Mapping[str, Any] | str) -> str:
-    """Return how the files that were read back differ from the plan for an axis."""
+    """Return, as text, how the files read back differ from the plan for the axis ``name``; "" if
+    they do not differ or were not compared.
+    """
     if isinstance(compared, str):
         return ""
     axis = compared["axes"][name]
@@ -292,7 +294,9 @@ def _squareness(found: Verified, measured: Collection[str], axes: Collection[str
 def _worked(
     session: Session, inputs: Mapping[str, bytes], folder: Path, each: Each
 ) -> tuple[Finished, Mapping[str, bytes], tuple[str, ...]]:
-    """Return the results of the next job after all stages of ``run``, its files, and notes."""
+    """Return the results of the next job after all stages of ``run``, the files made from these
+    results, and notes for the user.
+    """
     next_session = session.with_pending(folder, inputs)
     job = read_job_file(next_session, folder / JOB)
     finished = run_stages(next_session, job, folder, folder, each=each)
@@ -303,7 +307,7 @@ def _worked(
 
 
 def _updated_axis(finished: Finished, name: str) -> UpdatedAxis:
-    """Return whether an axis gets a new table in the next round, and the reason."""
+    """Return whether an axis gets a new table in the next round, and why it does or does not."""
     work, prediction = finished.works[name], finished.predicted.axes[name]
     if work.planned.fitted is not None:
         return UpdatedAxis(

@@ -133,7 +133,8 @@ def _judged(
     fault: NamedFault | None,
     files: Sequence[Finding],
 ) -> tuple[dict[str, AcceptDecision], tuple[Finding, ...], tuple[Acknowledged, ...]]:
-    """Return the decisions on limits of an axis, and its open and acknowledged doubts.
+    """Return the decisions on the limits of an axis, the doubts that are open, and the doubts that
+    the job acknowledges.
 
     For a test that is certainly no measurement (``fault``) only that. ``files``: doubts about the
     files read back.

@@ -210,7 +210,8 @@ def _loaded(plan: Plan, axes: Sequence[str]) -> list[str]:
 def _judged(
     job: Job, before: CircularResult, result: CircularResult, *, corrected: bool
 ) -> tuple[dict[str, AcceptDecision], tuple[Finding, ...], tuple[Acknowledged, ...]]:
-    """Return the decisions on limits of a circle, and its open and acknowledged doubts.
+    """Return the decisions on the limits of a circle, the doubts that are open, and the doubts that
+    the job acknowledges.
 
     Nothing of a circle without limits whose squareness was not ``corrected``.
     """
