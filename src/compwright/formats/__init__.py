@@ -1,3 +1,3 @@
-"""Convert corrections to and from the text that a control loads, by the definitions in
-``controller_formats``.
+"""Convert corrections to the text that a control loads, and such text to corrections; the files in
+``controller_formats`` define the text of each control.
 """

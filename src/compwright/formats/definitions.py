@@ -49,7 +49,8 @@ def load_definition(
 
 @cache  # by content: a job is checked before it is done, and reading a definition takes a while
 def definition_of(texts: Texts, *, own: bool = False) -> Definition:
-    """Return the definition made of ``texts``: its own YAML text first, then those that it extends.
+    """Return the definition made of ``texts``: first its own YAML text, then the texts that it
+    extends.
 
     Raises as `load_definition`.
     """

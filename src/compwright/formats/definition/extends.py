@@ -1,4 +1,5 @@
-"""Merge a definition that states only its differences from another definition, before any check.
+"""Merge a definition that states only its differences from another definition with that definition;
+the result is checked later.
 
 The rules are in docs/formats.md: mappings are merged key by key, everything else (lists too) is
 replaced whole; ``without`` removes keys of the extended text before the merge.

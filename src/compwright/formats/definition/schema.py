@@ -419,21 +419,25 @@ class Definition:
         return "" if file == self.text.file else PurePath(file).name
 
     def measure(self, quantity: str) -> Measure:
-        """Return the rule of a quantity that is a length or angle. Raises KeyError without one."""
+        """Return the rule of a quantity that is a length or angle. Raises KeyError if the
+        definition has no such rule.
+        """
         binding = self.bindings[quantity]
         if not isinstance(binding, Measure):
             raise KeyError(quantity)
         return binding
 
     def choice(self, quantity: str) -> Choice:
-        """Return the rule of a quantity that is a choice. Raises KeyError without one."""
+        """Return the rule of a quantity with a few possible values. Raises KeyError if the
+        definition has no such rule.
+        """
         binding = self.bindings[quantity]
         if not isinstance(binding, Choice):
             raise KeyError(quantity)
         return binding
 
     def limit(self, predicate: Predicate) -> LimitRule | None:
-        """Return the rule of the limit named ``predicate``; None if the control has none."""
+        """Return the rule of the limit named ``predicate``; None if there is no such limit."""
         return next((rule for rule in self.limits if rule.predicate == predicate), None)
 
     @property

@@ -123,7 +123,9 @@ class Matcher:
 
 
 def line_number(text: str) -> str | None:
-    """Return the number in a line's first word, such as ``7`` of ``N00007Q1``; None without one."""
+    """Return the number in a line's first word, such as ``7`` of ``N00007Q1``; None if it has no
+    number.
+    """
     match = _LINE_NUMBER.match(text)
     return match[1] if match else None
 

@@ -108,7 +108,9 @@ def followers(couplings: Sequence[Coupling], address: str) -> tuple[str, ...]:
 
 
 def leader(couplings: Sequence[Coupling], address: str) -> str | None:
-    """Return the address of the axis that the axis at ``address`` follows; None without one."""
+    """Return the address of the axis that the axis at ``address`` follows; None if it follows no
+    axis.
+    """
     found = (one.leads for one in couplings if one.follows == address and not one.unlike)
     return next((leads[0] for leads in found if leads), None)
 

@@ -91,8 +91,8 @@ def curves(capacity: Capacity, compensation: AxisCompensation, label: str) -> li
 
 
 def turn(capacity: Capacity, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """Return the faults of a table that repeats: the axis is not endless, the table is not one
-    turn long, or its two ends differ.
+    """Return faults if a table repeats on an axis with ends; or if, on an endless axis, it does not
+    repeat once per turn, or its two ends differ.
     """
     period = capacity.period
     if period is None:

@@ -50,7 +50,8 @@ class ResolvedDefinition:
         return normal_address(self.definition, axis)
 
     def options_of(self, axis: Axis | None, *, unit_needed: bool = True) -> Mapping[str, object]:
-        """Return the options of an axis, which override the controller's. Raises UsageError.
+        """Return the options of an axis, which have priority over the controller's. Raises
+        UsageError for wrong or missing options.
 
         The controller's alone count for an axis without a job. ``unit_needed`` as in
         `axis_options`.

@@ -101,7 +101,9 @@ class AxisNames:
         return self.requested.get(place, place)
 
     def known(self, name: str) -> bool:
-        """Return whether a name is that of a machine axis; True for any if no file lists axes."""
+        """Return whether a name is that of a machine axis; True for every name if no file lists the
+        axes.
+        """
         return not self.places or name in self.places or self._is_place(name)
 
     def forms(self, address: str) -> set[str]:

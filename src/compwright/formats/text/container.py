@@ -122,7 +122,9 @@ def programs_setting(file: ControlFile, words: tuple[str, ...]) -> tuple[str, ..
 
 @lru_cache(maxsize=_KEPT)
 def opened(file: ControlFile) -> tuple[Container | None, tuple[Fault, ...]]:
-    """Return the contents of an archive; None, with a fault, if it is damaged, cut or ambiguous."""
+    """Return the contents of an archive; None, with a fault, if it is damaged, incomplete or
+    ambiguous.
+    """
     faults: list[Fault] = []
     members = list(_members(file, faults))
     if not faults:

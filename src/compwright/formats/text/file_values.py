@@ -85,8 +85,8 @@ def same_text(first: str, second: str) -> bool:
 
 
 def texts_of(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
-    """Return the texts in files, archives replaced by their texts. Raises InputError for one that
-    cannot be opened.
+    """Return the texts in files, with each archive replaced by its texts. Raises InputError for an
+    archive that cannot be opened.
     """
     faults: list[Fault] = []
     texts = unpacked(files, faults)

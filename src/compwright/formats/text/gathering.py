@@ -138,7 +138,7 @@ def _key(gathered: Gathered, occurrence: Occurrence) -> Key:
 
 
 def first_set(places: Sequence[FoundValue]) -> list[FoundValue]:
-    """Return the values that belong to the first parameter set (0), if a quantity has several."""
+    """Return the values of the first parameter set (0), and values on lines that name no set."""
     return [
         place
         for place in places

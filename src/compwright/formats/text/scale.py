@@ -31,7 +31,9 @@ EXACTNESS = 1e-3
 
 
 class NotHeld(ValueError):  # noqa: N818 - it says what is the matter, and never leaves the room
-    """Raised if a control cannot store a value exactly, or has no place for it."""
+    """Raised if a control cannot store a value exactly, or if its files have no line or column for
+    the value.
+    """
 
 
 @dataclass(frozen=True, slots=True)

@@ -142,7 +142,9 @@ class TextReader:
         return re.compile("|".join(map(re.escape, sorted(words))) or "(?!)", flags)
 
     def read(self, file: ControlFile, faults: list[Fault], number: int = 0) -> ReadText | None:
-        """Return the statements of a file; None, with ``faults``, if it cannot be read."""
+        """Return the statements of a file; None if it cannot be read (the reasons are added to
+        ``faults``).
+        """
         text, found = _read(self, file)
         faults.extend(found)
         return None if text is None else replace(text, number=number)

@@ -76,7 +76,9 @@ class Values:
         return first
 
     def _same(self, quantity: str, one: str, other: str) -> bool:
-        """Return whether two texts of a quantity are equal as numbers, or as words of a choice."""
+        """Return whether two texts of a quantity are equal as numbers, or have the same meaning for
+        a setting with a few possible values.
+        """
         binding = self.definition.bindings[quantity]
         if isinstance(binding, Choice) and (word := self.known_word(binding, one)) is not None:
             return word == self.known_word(binding, other)
@@ -104,7 +106,8 @@ class Values:
         return word
 
     def known_word(self, binding: Choice, text: str) -> str | None:
-        """Return the meaning of a choice's text, ignoring case; None if the definition has none.
+        """Return the meaning of a text for a setting with a few possible values, upper or lower
+        case; None if the definition does not list the text.
 
         A number that represents a word may be rounded.
         """

@@ -147,7 +147,9 @@ def _assigned(sources: Sources, values: Sequence[UserTable], faults: list[Fault]
 def _named_axis(
     sources: Sources, table: UserTable, axes: Sequence[Axis], faults: list[Fault]
 ) -> str | None:
-    """Return the moving axis that a table's file name and first line name, which must agree."""
+    """Return the axis whose motion a table follows, by the table's file name and by the name in its
+    first line; None, with a fault, if these do not name exactly one axis.
+    """
     definition = sources.definition
     names = [
         name for name in (table.name, table.file.rpartition(".")[0]) if field_matches("name", name)

@@ -46,7 +46,7 @@ class TableDescription:
     lines: int | None = 0
 
     def of(self, name: str) -> Described | None:
-        """Return the description of a column, None without one."""
+        """Return the description of a column; None if the table does not describe it."""
         return self.columns.get(name.upper())
 
     def fits(self, titles: Sequence[tuple[str, int]]) -> bool:

@@ -63,8 +63,8 @@ class AxisNumbers:
         return f"AX{number}" if assumed and letter in "ABC" and letter not in known else letter
 
     def number(self, address: str) -> int | None:
-        """Return the axis number, from 1, of an address, which may be that number as text; None if
-        unknown.
+        """Return the number, from 1, of the axis at an address; the address itself if it is a
+        number, None if the axis is unknown.
         """
         own = int(address) if address.isdigit() else None
         return next((number for number, known in self.by_number.items() if known == address), own)
@@ -131,7 +131,9 @@ class Sources:
         return self.numbers.address(int(match[1])) if match else column
 
     def own_column(self, address: str) -> str | None:
-        """Return the name of an axis' column in the table that follows that axis; None if none."""
+        """Return the name of an axis' column in the table that follows the same axis; None if there
+        is no such table or column.
+        """
         table = self.tables.get(address)
         name = self.column_of(address)
         return name if table is not None and table.column(name) is not None else None

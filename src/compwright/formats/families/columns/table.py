@@ -124,7 +124,7 @@ class UserTable:
         return self.head["name"].text
 
     def column(self, name: str) -> TableColumn | None:
-        """Return a column by name, None where the table has none."""
+        """Return the column with this name; None if the table has no such column."""
         return next((column for column in self.columns if column.name == name), None)
 
     def others(self, *names: str) -> tuple[str, ...]:

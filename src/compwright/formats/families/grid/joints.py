@@ -1,4 +1,6 @@
-"""Joints of a LinuxCNC machine: axis letters, homing, and correction steps never applied."""
+"""Joints of a LinuxCNC machine: their axis letters, their homing, and the steps of the correction
+that the control never applies.
+"""
 
 from __future__ import annotations
 

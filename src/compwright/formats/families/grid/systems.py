@@ -1,4 +1,6 @@
-"""Choose the measuring system of an axis that is in use: by the job, the files, or a question."""
+"""Choose which measuring system of an axis is in use: by the job, else by the files, else by a
+question to the user.
+"""
 
 from __future__ import annotations
 

@@ -277,7 +277,7 @@ class GridWriter:
         return AxisText(work.address, named, table.rows, singles)
 
     def files_for(self, when: When) -> list[WrittenFile]:
-        """Return the files that the definition writes always or in the case ``when``."""
+        """Return the file templates that the definition uses always or in the case ``when``."""
         return [
             file
             for file in self.definition.writing

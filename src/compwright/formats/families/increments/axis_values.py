@@ -108,7 +108,9 @@ class IncrementAxisValues(Values):
         return bool((self.integer("magnification") and first != last) or self.integer("backlash"))
 
     def kind(self, *, quiet: bool = False) -> AxisKind:
-        """Return linear or rotary by job, files or options; unless ``quiet``, report a guess."""
+        """Return the kind of the axis (linear, rotary) by the job, else the files, else an option,
+        else a guess; the guess is reported unless ``quiet``.
+        """
         place = self.found("rotary")
         word = self.word("rotary", place)
         if self.axis is not None:

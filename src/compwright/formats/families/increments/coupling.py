@@ -32,7 +32,7 @@ _UNLIKE = {
 
 
 def couplings_of(parameters: Parameters, addresses: Sequence[str]) -> tuple[Coupling, ...]:
-    """Return the axes of a control that move together.
+    """Return the couplings of the axes that move together, as the parameters state them.
 
     ``addresses``: the axes in its files.
 

@@ -185,8 +185,8 @@ class InclinationAndCyclic:
 
 
 def line_parameters(numbers: Sequence[int], amounts: Sequence[int]) -> dict[int, str]:
-    """Return the inclination parameters for a line through two points. Raises NotHeld beyond
-    limits.
+    """Return the inclination parameters for a line through two points. Raises NotHeld if an amount
+    is too large for the control.
     """
     low, high = AMOUNTS
     if not all(low <= amount <= high for amount in amounts):

@@ -16,7 +16,9 @@ class NoRoom(ValueError):  # noqa: N818 - it says what is the matter, and never 
 
 @dataclass(frozen=True, slots=True)
 class NumberPlace:
-    """The point numbers of one axis: reference, first and last section."""
+    """The point numbers of one axis: numbers of the reference, of the first section and of the last
+    section.
+    """
 
     reference: int
     first: int

@@ -58,8 +58,8 @@ class IncrementSections:
 
 
 def read_sections(values: IncrementAxisValues, kind: AxisKind) -> IncrementSections | None:
-    """Return the sections of the axis' table; None without a table or with faults in its
-    parameters.
+    """Return the sections of the axis' table; None if the files contain no table, or if its
+    parameters have faults.
     """
     if values.yes("compensation_off"):
         _note_switched_off(values)

@@ -1,4 +1,4 @@
-"""Find the axes of an ISG kernel that move together, from its lists.
+"""Find the axes of an ISG kernel that move together, as its lists state it.
 
 kenngr.gantry_ax_nr in the list of the slave names its master (P-AXIS-00070), kenngr.multi_link a
 leading axis with a factor (P-AXIS-00383), synchro_data of a channel pairs of master and slave
@@ -35,7 +35,7 @@ _REMARK = re.compile(r"(?!)")  # without_remarks has taken them
 def couplings_of(
     files: Sequence[ControlFile], owners: Mapping[str, int], wanted: Sequence[str]
 ) -> tuple[Coupling, ...]:
-    """Return the axes that follow another axis by the lists.
+    """Return the axes that follow another axis, as the lists state it.
 
     ``owners``: axis number by file name.
 

@@ -66,7 +66,9 @@ class TableReader:
         self.of = of
 
     def read(self) -> ListTable | None:
-        """Return the table in the list, active or not; None without a readable table."""
+        """Return the table in the list, active or not; None if the list contains no table that can
+        be read.
+        """
         of, before = self.of, len(self.of.notes.faults)
         rows = {column: of.rows(column) for column in COLUMNS}
         names = ("count", "unit", "interval", "start", "bilateral", "modulo", "manual")

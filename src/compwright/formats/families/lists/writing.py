@@ -244,7 +244,7 @@ class ListsWriter:
         return print_form(self.definition.statements[statement].form, fields)
 
     def _put(self, places: Sequence[FoundValue], text: str) -> bool:
-        """Set a value in all lines that state it; return False if there is none."""
+        """Set a value in all lines that state it; return False if no line does."""
         for place in places:
             if not same_value(place.text, text):
                 self.patches.replace(place.number, *set_field(place.occurrence, "value", text))

@@ -45,7 +45,7 @@ _TRANSFORMATIONS = {256: "TRANSMIT", 257: "TRANSMIT", 1 << 10: "TRAANG"} | dict.
 def couplings_of(
     files: Sequence[ControlFile], address: Callable[[str], str], wanted: Sequence[str]
 ) -> tuple[Coupling, ...]:
-    """Return the axes that move together.
+    """Return the couplings of the axes that move together, as the files state them.
 
     ``address``: function from any name of an axis to its address.
     """

@@ -239,7 +239,9 @@ class PairsFamily(GridFamily):
         return _BLANK if blank else ""
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
-        """Return the limits of an axis' table or tables by direction; see `Family.capacity`."""
+        """Return the limits of an axis' single table, or of its two tables by direction; see
+        `Family.capacity`.
+        """
         if one_curve or not available(self.options_of(axis)):
             return super().capacity(axis)
         return PairLimits(self, axis).capacity()

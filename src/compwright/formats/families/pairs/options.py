@@ -57,7 +57,9 @@ def sign_question(why: str) -> Fault:
 
 
 def allowed_tables(definition: Definition, options: Mapping[str, object]) -> tuple[int, ...]:
-    """Return the table indices in the option ``cec_tables``. Raises UsageError for wrong ones."""
+    """Return the table indices in the option ``cec_tables``. Raises UsageError for indices that the
+    control does not have.
+    """
     given = options.get("cec_tables", ())
     if not isinstance(given, (tuple, list)) or not all(isinstance(index, int) for index in given):
         raise UsageError(

@@ -69,7 +69,9 @@ class Found:
 
 
 def programs_of(definition: Definition, files: Sequence[ControlFile]) -> tuple[Found, ...]:
-    """Return the programs in ``files`` that assign values, themselves or by calls."""
+    """Return the programs in ``files`` that assign values, or that call programs which assign
+    values.
+    """
     names, returning = frozenset[str](), frozenset[str]()
     while True:
         read = [(file.name, _scanned(definition, file, names, returning)) for file in files]

@@ -1,4 +1,4 @@
-"""Find statements in a SINUMERIK file that can prevent the execution of its values.
+"""Find statements in a SINUMERIK file that can skip lines of the file that assign values.
 
 The list of harmless statements is closed; everything else counts as program flow, so that no kind
 of jump, loop, call or synchronised action is missed. Statements after the last value do not count.
@@ -222,7 +222,7 @@ class Scanned:
 
     @property
     def leaves_out(self) -> bool:
-        """Whether a statement of the programs can prevent the execution of a value."""
+        """Whether a statement of the programs can skip a line that assigns a value."""
         return any(one.values and (one.called or one.flow) for one in self.programs)
 
 

@@ -1,4 +1,5 @@
-"""Possible runs through a SINUMERIK program: which values a run can execute, and which it must.
+"""Possible runs through a SINUMERIK program: which lines with values one run can execute, and which
+lines every run executes.
 
 A condition may be true or false, but the same for others of the same variable; an unknown statement
 may end the program. Values play no part here.

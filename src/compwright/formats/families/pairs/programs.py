@@ -310,7 +310,9 @@ def _called_late(
 
 
 def _never(found: Found, unit: str) -> Iterator[Fault]:
-    """Yield a fault for each statement that prevents or changes values in every run."""
+    """Yield a fault for each statement because of which every run skips values, or gives them
+    another meaning.
+    """
     file, program = found.file, found.program
     if program.behind and program.ended is not None:
         yield Fault(

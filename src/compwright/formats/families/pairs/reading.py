@@ -255,7 +255,9 @@ class _CrossTableReader(TableLines):
 
     @property
     def times(self) -> int | None:
-        """The index of the table by which the control multiplies this one; None without one."""
+        """The index of the table by which the control multiplies this one; None if it multiplies by
+        none.
+        """
         found = last("cross_multiplier", self.places)
         return None if found is None or int(found.text) == 0 else int(found.text) - 1
 

@@ -12,7 +12,9 @@ from compwright.foundations.errors import Fault
 
 
 class Switches:
-    """The activation parameters of ``tables``: of each table (SD41300), of each axis (MD32710)."""
+    """The parameters that activate ``tables``: one for each table (SD41300), and one for all tables
+    of an axis (MD32710).
+    """
 
     def __init__(self, tables: ExistingTables) -> None:
         self.tables = tables

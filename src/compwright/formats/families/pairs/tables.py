@@ -137,7 +137,8 @@ class Cec:
         return ", ".join(self.prints.get(index, "-") for index in parts if index is not None)
 
     def _uncounted_tables(self, address: str, *, sign_known: bool) -> str:
-        """Return as text the active tables by which other axes correct this one, if unusable.
+        """Return as text the active tables by which other axes correct this axis and which cannot
+        be read as corrections.
 
         The text changes with their values.
         """

@@ -123,7 +123,7 @@ class Script:
         return [table for (name, _), table in sorted(self.tables.items()) if name == kind]
 
     def setting(self, quantity: str, motor: int = 0) -> Word | None:
-        """Return the last assignment of a setting of a motor; None without one."""
+        """Return the last assignment of a setting of a motor; None if no script assigns it."""
         found = self.settings.get((quantity, motor))
         return found[-1] if found else None
 
