@@ -43,8 +43,8 @@ class Lag:
 
 
 def common_lag(samples: CircleSamples) -> Lag | None:
-    """Return the common delay of both axes, rad, if the samples near the reversal points show one
-    clearly, else None.
+    """Return the common delay of both axes, rad, or None if the samples near the reversal points do
+    not clearly show a delay.
 
     Angles whose weighted squares differ by less than 9 (three standard errors) count as equal
     (Seber and Wild 1989, chapter 9).

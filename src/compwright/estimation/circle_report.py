@@ -292,8 +292,8 @@ def _scale_errors(solution: Solution, mismatch: _ReportedCause) -> Iterator[_Rep
 
 
 def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
-    """Yield the mean reversal spike of an axis, then the spike at each end. The spikes of each
-    direction follow if they probably differ.
+    """Yield the mean reversal spike of an axis, then the spike at each end, followed by the spike
+    of each direction if the directions probably differ.
     """
     found = [
         spike

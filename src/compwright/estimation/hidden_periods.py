@@ -101,7 +101,7 @@ class CurveColumns:
 
 @dataclass(frozen=True, slots=True)
 class WaveDraw:
-    """One possible periodic error, and the long wave with the same values at the targets.
+    """One possible periodic error, and the longer wave that has the same values at the targets.
 
     Both are normal with ``mean`` (2,) and covariance ``root`` ``root``' (2, 2). The wave of
     ``period`` (mm or deg) is a ``share`` of it, plus an independent part of standard deviation

@@ -179,8 +179,8 @@ def _starts(cells: Cells, prior: Prior) -> list[FloatArray]:
 
 
 def with_other_periods(fit: FittedModel, cells: Cells, periods: Periods) -> FittedModel:
-    """Return a fitted model with ``periods`` in place of its own periods, which are the same
-    number. The draws of its parameters are kept.
+    """Return a fitted model in which the same number of other ``periods`` replaces the periods of
+    ``fit``. The draws of the model's parameters are kept.
     """
     evidence = fit.evidence
     if periods.periods == evidence.basis.periods:

@@ -69,8 +69,8 @@ def over_days(
 
 
 def _drawn_sizes(drifts: FloatArray, stds: FloatArray) -> tuple[float, FloatArray, FloatArray]:
-    """Return the log odds that the drift differs from test to test rather than being common to all,
-    and possible sizes of the drift with probabilities.
+    """Return the log odds that the drift differs from test to test, against a drift common to all
+    tests, and possible sizes of the drift with their probabilities.
 
     Also possible standard deviations (s,) of the drift between tests, with their probabilities.
     ``drifts`` (k,): by test, with standard errors ``stds`` (k,).

@@ -50,7 +50,9 @@ def _leads() -> list[UsualPeriod]:
 
 
 def _other_causes() -> list[UsualPeriod]:
-    """Return rarer usual periods of linear axes: half a screw lead, magnets of a motor, racks."""
+    """Return the rarer usual periods of linear axes: half a screw lead, the magnet pitch of a
+    motor, the pitch of racks.
+    """
     return [
         UsualPeriod(7.5, "half_lead", 15.0, _SELDOM),
         UsualPeriod(12.5, "half_lead", 25.0, _SELDOM),

@@ -228,8 +228,8 @@ def _further(solution: _Solution, size: float) -> tuple[FloatArray, FloatArray]:
 def _variants(
     tests: _Tests, jumps: Sequence[int], certain: frozenset[int]
 ) -> list[tuple[float, float, _Solution]]:
-    """Return the models with these ``jumps``: for each, the prior size of uncertain jumps, the log
-    prior of the model, and its solution.
+    """Return the models with the ``jumps``. Each model is given by the prior size of uncertain
+    jumps, the log prior of the model, and the solution of the model.
     """
     found = []
     free = [place for place in jumps if place not in certain]

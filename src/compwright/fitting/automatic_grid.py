@@ -162,8 +162,8 @@ def _coarsest(
     wanted: WantedCorrection,
     capacity: Capacity,
 ) -> FloatArray | None:
-    """Return the table points of the coarsest grid that is good enough, or None if no grid is.
-    Grids with a point at the reference are preferred.
+    """Return the table points of the coarsest grid with a small enough interpolation error
+    (`good_enough`), or None if no grid has one. Grids with a point at the reference are preferred.
     """
     on, off = _first_good(pool, wanted, capacity), _first_good(others, wanted, capacity)
     if on is None or (off is not None and off.count * 3 < on.count):
@@ -174,7 +174,9 @@ def _coarsest(
 def _first_good(
     candidates: list[GridCandidate], wanted: WantedCorrection, capacity: Capacity
 ) -> GridCandidate | None:
-    """Return the coarsest grid that is good enough, or one a little finer with a round interval."""
+    """Return the coarsest grid with a small enough interpolation error (`good_enough`), or a
+    slightly finer grid with a round interval.
+    """
     quantum = capacity.position_quantum
     best: GridCandidate | None = None
     first = 0

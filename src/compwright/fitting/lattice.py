@@ -220,7 +220,7 @@ class _LatticeSearch:
 
     def sharpen(self, magnification: int) -> bool:
         """Search better multipliers at ``magnification`` once. Return whether any curve reaches a
-        limit there.
+        limit at this magnification.
         """
         if magnification in self.sharpened:
             return False

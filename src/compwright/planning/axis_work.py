@@ -343,7 +343,7 @@ def _offered(
 
 def why_no_gain(work: AxisWork, new: Correction) -> Sentence | None:
     """Return the reason why the correction ``new``, read back from the written files, would not
-    improve the axis enough, or None if it would.
+    improve the axis enough, or None if the improvement is large enough.
 
     It is compared with the present correction of the control and with the gain that the job
     requires. Outlying readings, which no table changes, and traverses that were not made do not

@@ -96,7 +96,7 @@ def why_not_better(
     old: Mapping[str, Quantiles],
     new: Mapping[str, Quantiles],
 ) -> Sentence | None:
-    """Return the reason why a table would not improve the axis, or None if it would.
+    """Return the reason why a table would not improve the axis, or None if the table improves it.
 
     ``before``, ``after``: the measured test evaluated with the present correction and with that of
     the new files; ``old``, ``new``: quantiles of tests at new random targets, from the same draws.

@@ -177,8 +177,8 @@ def measured_error(
 
 
 def _taken_alike(tests: Sequence[PlannedTest], observed: Sequence[ObservedTest]) -> tuple[int, ...]:
-    """Return the indices of the tests in use that were measured in the same way as the first test,
-    with known noise.
+    """Return the indices of those tests in use that were measured in the same way as the first
+    test, and whose noise is known.
 
     Same motion, numbers of targets and of readings, so that they lasted as long. Where the scatter
     differs by more than `_ANOTHER_DAY`, it is not the day that differs.
