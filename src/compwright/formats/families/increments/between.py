@@ -151,8 +151,8 @@ def _rows(
 
 def _sheet(entry: PlannedCross, rows: list[tuple[str, str, str]]) -> ControlFile:
     head = (
-        "# straightness compensation: numbers and signs UNCONFIRMED, from memory; check each in"
-        " the manual of the control\nparameter,value,meaning\n"
+        "# straightness compensation: numbers and signs UNCONFIRMED, from general knowledge; check"
+        " each in the manual of the control\nparameter,value,meaning\n"
     )
     body = "".join(f"{number},{value},{what}\n" for number, value, what in rows)
     return ControlFile(f"straightness_{entry.input}_{entry.output}.csv", f"{head}{body}".encode())

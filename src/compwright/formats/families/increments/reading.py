@@ -170,7 +170,7 @@ class StateReader:
             self.notes.assume(
                 f"straightness of axis {pair.bent} by axis {pair.moving}",
                 f"counted by {pair.place.label}",
-                "unconfirmed: parameters and sign from memory, detection units",
+                "unconfirmed: parameters and sign from general knowledge, detection units",
             )
             yield CrossCompensation(
                 input=pair.moving,

@@ -81,7 +81,9 @@ class PairLimits(GridLimits):
                         name=self.axis.name,
                     ),
                     value=control_text("not reached (default 1 {unit})", unit=self.axis.kind.unit),
-                    evidence=unconfirmed(control_text("in no file, its default from memory")),
+                    evidence=unconfirmed(
+                        control_text("in no file, its default from general knowledge")
+                    ),
                 )
             )
         return assumed

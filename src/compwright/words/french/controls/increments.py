@@ -384,10 +384,10 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "B-63522EN/02 page 222: numbers of pitch points, amounts in detection units, added at"
     " the pitch intervals; sign of the pitch data, and that 3623 does not multiply it:"
-    " memory": (
+    " general knowledge": (
         "B-63522EN/02 page 222 : numéros des points de pas, valeurs en unités de détection,"
         " ajoutées aux intervalles du pas ; signe comme celui des données de pas, et que 3623"
-        " ne multiplie pas : de mémoire"
+        " ne multiplie pas : de connaissance générale"
     ),
     "F1, the sentence is cut": "F1, la phrase est coupée",
     "F1: the reference position has a point number; no manual states that the sections"
@@ -400,16 +400,19 @@ TEXTS: Final[dict[str, str]] = {
         "déduit d'une note imprimée près de F16 et de F20 ; aucune phrase du fabricant : le"
         " vérifier sur la machine comme l'indique la fiche"
     ),
-    "memory, that of the later series": "de mémoire, valeur des séries ultérieures",
-    "memory: 7 on 0i-A to C, 16i, 18i, 21i and 15i": (
-        "de mémoire : 7 sur 0i-A à C, 16i, 18i, 21i et 15i"
+    "general knowledge, that of the later series": (
+        "de connaissance générale, valeur des séries ultérieures"
     ),
-    "memory: 7, as on the 0i-D": "de mémoire : 7, comme sur 0i-D",
-    "memory: parameters 5711, 5721, 5731 to 5734, 5761 to 5764": (
-        "de mémoire : paramètres 5711, 5721, 5731 à 5734, 5761 à 5764"
+    "general knowledge: 7 on 0i-A to C, 16i, 18i, 21i and 15i": (
+        "de connaissance générale : 7 sur 0i-A à C, 16i, 18i, 21i et 15i"
     ),
-    "memory: the interval must be at least the largest feed / 7500": (
-        "de mémoire : l'intervalle doit être au moins égal à la plus grande avance / 7500"
+    "general knowledge: 7, as on the 0i-D": "de connaissance générale : 7, comme sur 0i-D",
+    "general knowledge: parameters 5711, 5721, 5731 to 5734, 5761 to 5764": (
+        "de connaissance générale : paramètres 5711, 5721, 5731 à 5734, 5761 à 5764"
+    ),
+    "general knowledge: the interval must be at least the largest feed / 7500": (
+        "de connaissance générale : l'intervalle doit être au moins égal à la plus grande"
+        " avance / 7500"
     ),
     "{first} to {last} ({count} numbers)": "{first} à {last} ({count} numéros)",
     "not in the files that were given": "absent des fichiers fournis",

@@ -379,7 +379,9 @@ TEXTS: Final[dict[str, str]] = {
     "the control's files do not say it, or reserve none yet": (
         "les fichiers de la commande ne le disent pas, ou n'en réservent pas encore"
     ),
-    "in no file, its default from memory": "dans aucun fichier, sa valeur par défaut de mémoire",
+    "in no file, its default from general knowledge": (
+        "dans aucun fichier, sa valeur par défaut de connaissance générale"
+    ),
     "one manual of Siemens says error; no readings depend on it here": (
         "un manuel de Siemens dit error ; aucune lecture n'en dépend ici"
     ),

@@ -146,7 +146,7 @@ TEXTS: Final[dict[str, str]] = {
     "off": "désactivée",
     "axis {name}: kind": "axe {name} : type",
     "{plan} above the files": "{plan} au-dessus des fichiers",
-    "memory": "de mémoire",
+    "general knowledge": "de connaissance générale",
     "a table that was given counts as active": "une table fournie est considérée comme active",
     "absent": "inexistant (absent)",
     "auto": "automatique (auto)",

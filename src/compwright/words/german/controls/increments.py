@@ -392,10 +392,10 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "B-63522EN/02 page 222: numbers of pitch points, amounts in detection units, added at"
     " the pitch intervals; sign of the pitch data, and that 3623 does not multiply it:"
-    " memory": (
+    " general knowledge": (
         "B-63522EN/02 Seite 222: Nummern der Steigungspunkte, Beträge in Erfassungseinheiten,"
         " an den Punktabständen addiert; Vorzeichen wie bei den Steigungsdaten, und dass 3623"
-        " nicht vervielfacht: aus dem Gedächtnis"
+        " nicht vervielfacht: aus allgemeiner Kenntnis"
     ),
     "F1, the sentence is cut": "F1, der Satz ist abgeschnitten",
     "F1: the reference position has a point number; no manual states that the sections"
@@ -408,16 +408,18 @@ TEXTS: Final[dict[str, str]] = {
         "geschlossen aus einer gedruckten Notiz neben F16 und aus F20; kein Satz des"
         " Herstellers: an der Maschine prüfen, wie auf der Karte beschrieben"
     ),
-    "memory, that of the later series": "aus dem Gedächtnis, Wert der späteren Baureihen",
-    "memory: 7 on 0i-A to C, 16i, 18i, 21i and 15i": (
-        "aus dem Gedächtnis: 7 bei 0i-A bis C, 16i, 18i, 21i und 15i"
+    "general knowledge, that of the later series": (
+        "aus allgemeiner Kenntnis, Wert der späteren Baureihen"
     ),
-    "memory: 7, as on the 0i-D": "aus dem Gedächtnis: 7, wie bei 0i-D",
-    "memory: parameters 5711, 5721, 5731 to 5734, 5761 to 5764": (
-        "aus dem Gedächtnis: Parameter 5711, 5721, 5731 bis 5734, 5761 bis 5764"
+    "general knowledge: 7 on 0i-A to C, 16i, 18i, 21i and 15i": (
+        "aus allgemeiner Kenntnis: 7 bei 0i-A bis C, 16i, 18i, 21i und 15i"
     ),
-    "memory: the interval must be at least the largest feed / 7500": (
-        "aus dem Gedächtnis: Der Punktabstand muss mindestens der größte Vorschub / 7500 sein"
+    "general knowledge: 7, as on the 0i-D": "aus allgemeiner Kenntnis: 7, wie bei 0i-D",
+    "general knowledge: parameters 5711, 5721, 5731 to 5734, 5761 to 5764": (
+        "aus allgemeiner Kenntnis: Parameter 5711, 5721, 5731 bis 5734, 5761 bis 5764"
+    ),
+    "general knowledge: the interval must be at least the largest feed / 7500": (
+        "aus allgemeiner Kenntnis: Der Punktabstand muss mindestens der größte Vorschub / 7500 sein"
     ),
     "{first} to {last} ({count} numbers)": "{first} bis {last} ({count} Nummern)",
     "not in the files that were given": "nicht in den gegebenen Dateien",

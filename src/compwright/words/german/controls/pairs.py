@@ -380,7 +380,9 @@ TEXTS: Final[dict[str, str]] = {
     "the control's files do not say it, or reserve none yet": (
         "die Dateien der Steuerung sagen es nicht oder reservieren noch keine"
     ),
-    "in no file, its default from memory": "in keiner Datei, die Vorgabe aus dem Gedächtnis",
+    "in no file, its default from general knowledge": (
+        "in keiner Datei, die Vorgabe aus allgemeiner Kenntnis"
+    ),
     "one manual of Siemens says error; no readings depend on it here": (
         "ein Handbuch von Siemens sagt error; hier hängen keine Messwerte davon ab"
     ),

@@ -146,7 +146,7 @@ TEXTS: Final[dict[str, str]] = {
     "off": "aus",
     "axis {name}: kind": "Achse {name}: Art",
     "{plan} above the files": "{plan} über den Dateien",
-    "memory": "aus dem Gedächtnis",
+    "general knowledge": "aus allgemeiner Kenntnis",
     "a table that was given counts as active": "eine gegebene Tabelle gilt als aktiv",
     "absent": "nicht vorhanden (absent)",
     "auto": "selbsttätig (auto)",

@@ -368,9 +368,9 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "B-63522EN/02 page 222: numbers of pitch points, amounts in detection units, added at"
     " the pitch intervals; sign of the pitch data, and that 3623 does not multiply it:"
-    " memory": (
+    " general knowledge": (
         "B-63522EN/02, с. 222: номера точек шага, величины в единицах датчика, прибавляются на"
-        " интервалах шага; знак как у данных шага и то, что 3623 их не умножает: по памяти"
+        " интервалах шага; знак как у данных шага и то, что 3623 их не умножает: по общим сведениям"
     ),
     "F1, the sentence is cut": "F1, фраза обрезана",
     "F1: the reference position has a point number; no manual states that the sections"
@@ -383,16 +383,16 @@ TEXTS: Final[dict[str, str]] = {
         "выведено из примечания рядом с F16 и из F20; фразы изготовителя нет: проверить на"
         " станке, как указано в карте"
     ),
-    "memory, that of the later series": "по памяти, как у более поздних серий",
-    "memory: 7 on 0i-A to C, 16i, 18i, 21i and 15i": (
-        "по памяти: 7 у 0i-A до C, 16i, 18i, 21i и 15i"
+    "general knowledge, that of the later series": "по общим сведениям, как у более поздних серий",
+    "general knowledge: 7 on 0i-A to C, 16i, 18i, 21i and 15i": (
+        "по общим сведениям: 7 у 0i-A до C, 16i, 18i, 21i и 15i"
     ),
-    "memory: 7, as on the 0i-D": "по памяти: 7, как у 0i-D",
-    "memory: parameters 5711, 5721, 5731 to 5734, 5761 to 5764": (
-        "по памяти: параметры 5711, 5721, 5731–5734, 5761–5764"
+    "general knowledge: 7, as on the 0i-D": "по общим сведениям: 7, как у 0i-D",
+    "general knowledge: parameters 5711, 5721, 5731 to 5734, 5761 to 5764": (
+        "по общим сведениям: параметры 5711, 5721, 5731–5734, 5761–5764"
     ),
-    "memory: the interval must be at least the largest feed / 7500": (
-        "по памяти: интервал не меньше наибольшей подачи / 7500"
+    "general knowledge: the interval must be at least the largest feed / 7500": (
+        "по общим сведениям: интервал не меньше наибольшей подачи / 7500"
     ),
     "{first} to {last} ({count} numbers)": "{first}–{last} (номеров: {count})",
     "not in the files that were given": "нет в переданных файлах",

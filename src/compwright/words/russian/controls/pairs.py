@@ -366,7 +366,9 @@ TEXTS: Final[dict[str, str]] = {
     "the control's files do not say it, or reserve none yet": (
         "файлы УЧПУ этого не говорят или ещё ничего не резервируют"
     ),
-    "in no file, its default from memory": "ни в одном файле, значение по умолчанию по памяти",
+    "in no file, its default from general knowledge": (
+        "ни в одном файле, значение по умолчанию по общим сведениям"
+    ),
     "one manual of Siemens says error; no readings depend on it here": (
         "одно руководство Siemens говорит error; здесь отсчёты от этого не зависят"
     ),

@@ -143,7 +143,7 @@ TEXTS: Final[dict[str, str]] = {
     "off": "выключена",
     "axis {name}: kind": "ось {name}: вид",
     "{plan} above the files": "{plan} выше файлов",
-    "memory": "по памяти",
+    "general knowledge": "по общим сведениям",
     "a table that was given counts as active": "переданная таблица считается активной",
     "absent": "отсутствует (absent)",
     "auto": "автоматически (auto)",
