@@ -28,8 +28,8 @@ AGREEMENT = 1e-6
 
 
 def check_definition(definition: Definition) -> tuple[Fault, ...]:
-    """Return the faults of a definition: sample not readable, wrong corrections, limits not
-    checked.
+    """Return the faults of a definition, such as a sample that cannot be read, corrections other
+    than the hand-worked ones, or a limit that writing ignores.
 
     Its keys were checked when it was loaded. Checked here: there are hand-worked expectations that
     show more than zeros at nodes, and each holds; the sample can be read; its tables can be

@@ -46,8 +46,8 @@ class DefinitionText:
         place: str = "",
         hint: str = "",
     ) -> Fault:
-        """Return a fault at a key path, with file and line of the key or its nearest existing
-        parent.
+        """Return a fault at a key of the definition, with the file and line of this key or, if it
+        is missing, of the nearest existing key that should contain it.
 
         ``place``: shown instead of the path.
         """

@@ -55,8 +55,8 @@ class EvidenceNote:
 
 @dataclass(frozen=True, slots=True)
 class OptionValue:
-    """A value that is taken from the option of this name, instead of a fixed text in the
-    definition.
+    """A value that is taken from the option with the name ``option``, instead of a fixed text in
+    the definition.
     """
 
     option: str
@@ -177,15 +177,17 @@ class Measure(Binding):
 
 @dataclass(frozen=True, slots=True)
 class Choice(Binding):
-    """A quantity with a few possible values: text in the file and its meaning. ``writes``: the text
-    to write.
+    """A quantity with a few possible values (a choice). ``values``: the meaning of each text in the
+    files; ``writes``: the text to write.
     """
 
     values: Mapping[str, str]
     writes: str | OptionValue
 
     def written(self, options: Mapping[str, object]) -> str:
-        """Return the text to write for this choice: fixed, or the value of an option."""
+        """Return the text that is written for this quantity: a fixed text, or the value of an
+        option.
+        """
         writes = self.writes
         return str(options[writes.option]) if isinstance(writes, OptionValue) else writes
 

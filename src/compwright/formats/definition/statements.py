@@ -172,7 +172,7 @@ def field_matches(kind: FieldType, text: str) -> bool:
 
 
 def plain_number(kind: FieldType, text: str) -> str:
-    """Return the number in a field with its power of ten (``1.5EX-2``) evaluated.
+    """Return the text of a field as a plain decimal number, such as ``0.015`` for ``1.5EX-2``.
 
     TRUE and FALSE are 1 and 0; ``'H1'`` and ``'B1'`` are numbers of base 16 and 2.
     """

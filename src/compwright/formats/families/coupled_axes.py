@@ -197,8 +197,8 @@ class CouplingParameter:
 
 @dataclass(frozen=True, slots=True)
 class CouplingStatement(CouplingParameter):
-    """A parameter that may couple axes, with the match of the pattern that found it; its text has
-    no blanks.
+    """A parameter that may couple axes, with the match of the pattern that found its statement in
+    the file; the stored text has no blanks.
     """
 
     match: re.Match[str]

@@ -41,7 +41,7 @@ class EntryChange:
 
 @dataclass(frozen=True, slots=True)
 class FileDiff:
-    """All entries that differ between two sets of files.
+    """All entries that differ between two sets of files, and the number of unchanged lines.
 
     ``changes`` in the order of the new files, then removed entries; ``untouched``: unchanged lines
     of the old files.

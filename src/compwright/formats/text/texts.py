@@ -76,7 +76,8 @@ class ReadText:
 
 
 def no_text(content: bytes) -> str:
-    """Return why a file cannot be a control's text: two bytes per character, or binary.
+    """Return for a file that is no text of a control what it is instead: two bytes per character,
+    or binary.
 
     By its byte order mark, or if every second byte of its beginning is 0.
     """

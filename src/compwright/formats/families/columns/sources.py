@@ -109,7 +109,9 @@ class Sources:
 
     @property
     def numbered(self) -> bool:
-        """Whether tables name columns by axis number (with equal spacing), not by axis name."""
+        """Whether the tables of this control name their columns by axis number (and have equal
+        spacing), not by axis name.
+        """
         return "datum" in self.definition.statements[VALUES].fields
 
     @property

@@ -1,4 +1,6 @@
-"""Write an axis' tables into the control's own files, or into new files of the definition."""
+"""Write an axis' tables into the control's own files, or into new files made from the definition's
+templates.
+"""
 
 from __future__ import annotations
 
@@ -303,7 +305,9 @@ class GridWriter:
         return [file for file in made if file is not None]
 
     def put_backlash(self, text: AxisText) -> set[str]:
-        """Write the backlash, and 1 as its factor, into the files; return what was written."""
+        """Write the backlash, and 1 as its factor, into existing lines; return the quantity
+        "backlash" if it has a line, else nothing.
+        """
         if self.own is None or "backlash" not in text.singles:
             return set()
         own_values, whole = self.own_values(text), self.own_values(text, whole=True)

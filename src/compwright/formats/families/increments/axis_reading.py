@@ -208,8 +208,8 @@ class IncrementReader:
         return float(more * self._unit(self.values.kind(quiet=True))) if separate else 0.0
 
     def _increments(self, numbers: range) -> FloatArray | None:
-        """Return the increments (k,) at point ``numbers``; None (with a fault) for missing or too
-        large ones.
+        """Return the increments (k,) at the point ``numbers``; None, with a fault, if one of them
+        is missing or too large.
         """
         notes, label = self.values.notes, self.values.label
         missing = [number for number in numbers if number not in self.points]

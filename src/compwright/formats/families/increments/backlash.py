@@ -72,7 +72,8 @@ def covers(backlash: int | None, stage: int) -> bool:
 
 
 def active_backlash(values: IncrementAxisValues, feed: int) -> int:
-    """Return the backlash, in detection units, at the motion (feed or rapid) of the axis' test.
+    """Return the backlash, in detection units, that is active at the kind of motion (feed or rapid)
+    in the axis' test.
 
     ``feed``: the value of 1851.
 

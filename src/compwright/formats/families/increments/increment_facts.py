@@ -89,8 +89,8 @@ class IncrementFacts:
 
 
 def increments_of(facts: AxisFacts) -> IncrementFacts:
-    """Return what the files state about an axis' table sections; empty if they do not name the
-    axis.
+    """Return what the files state about an axis' table sections; a record without values if they do
+    not name the axis.
     """
     own = facts.of_family
     return own if isinstance(own, IncrementFacts) else IncrementFacts()

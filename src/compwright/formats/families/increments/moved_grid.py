@@ -121,8 +121,8 @@ def _point_in_place(
     place: NumberPlace,
     interval: float,
 ) -> int:
-    """Return the new number of a point whose position the new table keeps. Raises NotHeld
-    otherwise.
+    """Return the new number of a point that another function refers to. Raises NotHeld if the new
+    table has no point at the same position.
     """
     old, first, last = (
         int(number or 0)

@@ -288,7 +288,9 @@ class AxisParameters:
 
     @property
     def system(self) -> ParameterValue | None:
-        """The axis' increment system: value of 1013, on older series of 1004 (machine)."""
+        """The parameter value that states the axis' increment system: of 1013, or on older series
+        of 1004, which applies to the whole machine.
+        """
         return self.get(SYSTEM) or self.get(SYSTEM_OF_MACHINE)
 
     def get(self, number: int) -> ParameterValue | None:

@@ -47,8 +47,8 @@ def point_rows(
 
 
 def _unmarked(file: ControlFile, *, with_parameters: bool) -> bool:
-    """Return whether a file without Q addresses contains pitch error data: at least one such line,
-    and no line that cannot be one.
+    """Return whether a file without Q addresses contains pitch error data: it has numbered lines
+    for points, and none that cannot be one.
 
     ``with_parameters``: it may also contain parameters.
     """

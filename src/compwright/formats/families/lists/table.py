@@ -141,8 +141,8 @@ class TableReader:
         )
 
     def scale(self, word: str | None, place: FoundValue | None) -> NumberScale | None:
-        """Return unit, sign and resolution of a table's numbers, by the meaning (``word``) of the
-        unit that the list states.
+        """Return unit, sign and resolution of a table's numbers; ``word`` is the unit that the list
+        states.
 
         None, with a question, if the size of an increment is unknown.
         """

@@ -171,7 +171,9 @@ def check_programs(
 
 
 def _unlisted(gathered: Gathered, programs: Sequence[Found]) -> Iterator[Fault]:
-    """Yield a fault for each axis name that the files do not list, as it may be a variable."""
+    """Yield a fault for each axis name in programs that no list of names contains, because such a
+    name may be a variable.
+    """
     names, seen = gathered.names, set[str]()
     for found in programs:
         for value in found.program.values if names.places else ():

@@ -106,7 +106,9 @@ class Cec:
         return [table for table in self.tables if table.pair == pair and table.active]
 
     def facts(self, address: str, *, sign_known: bool) -> PairFacts:
-        """Return facts on the cross-axis tables that correct an axis, such as their sum's limit."""
+        """Return facts on the cross-axis tables that correct an axis, such as the limit of the sum
+        of these tables.
+        """
         mine = (table for table in self.active((address, address)) if not table.stays)
         own = {table.directions: table.index for table in mine}
         up, down = (own.get((direction,)) for direction in Direction)

@@ -45,7 +45,9 @@ class Counts:
 
     @property
     def forward(self) -> Direction:
-        """The axis direction in which the motor counts up; backlash is added in the other one."""
+        """The axis direction in which the motor counts up; the control adds the backlash in the
+        opposite direction.
+        """
         return Direction.POSITIVE if self.per_unit > 0 else Direction.NEGATIVE
 
     def added(self, quantity: str, numbers: FloatArray) -> FloatArray:

@@ -400,7 +400,9 @@ class _ScriptReader:
         return end.end()
 
     def _in_program(self, place: int, end: int) -> None:
-        """Report the compensation quantities that a program sets, with its macros expanded."""
+        """Report the compensation quantities that a program in a script sets; the program's macros
+        are expanded first.
+        """
         for line in re.compile(r"[^\r\n]+").finditer(self.text, place, end):
             directive = DIRECTIVE.match(line[0].lstrip(" \t"))
             if directive is not None:
