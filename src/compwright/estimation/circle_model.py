@@ -54,6 +54,7 @@ PRIORS: Final = {
     "_radius": 100.0,
     "_spiral_change": 1.0,
     "_lost_profile": 2.0,
+    "_lost_change": 1.0,
     "_lateral_change": 3.0,
     "_spike": 10.0,
     "_cyclic": 10.0,
@@ -117,6 +118,11 @@ class CircleSamples:
             for point in at
         ]
         return inside[0], inside[1]
+
+    def only_end(self, axis: str) -> float | None:
+        """Return the end of an axis, +1 or -1, if the arc contains the reversal point of one."""
+        positive, negative = self.reversals(axis)
+        return None if positive == negative else float(positive) - float(negative)
 
 
 @dataclass(frozen=True, slots=True)
@@ -242,7 +248,8 @@ def _lost_motion(samples: CircleSamples, axis: str) -> Iterator[_Named]:
     arc has only one reversal point.
 
     Each end's value holds over its half of the travel, so that the deviation stays continuous where
-    the axis is fastest. A nuisance allows for a change in proportion to the position instead.
+    the axis is fastest. A nuisance allows for a change in proportion to the position instead. With
+    one reversal point that change, half the difference of the ends, is always an unknown.
     """
     cos, sin, zero = np.cos(samples.theta), np.sin(samples.theta), np.zeros_like(samples.theta)
     own, lag = (
@@ -258,6 +265,9 @@ def _lost_motion(samples: CircleSamples, axis: str) -> Iterator[_Named]:
     if whole and samples.both_senses:
         moved = 0.5 * UM * lag * (own - np.sign(own))
         yield f"_lost_profile_{axis}", *((moved, zero) if axis == "first" else (zero, moved))
+    elif (end := samples.only_end(axis)) is not None:
+        moved = 0.5 * UM * lag * (own - end)
+        yield f"_lost_change_{axis}", *((moved, zero) if axis == "first" else (zero, moved))
 
 
 def _lateral_play(samples: CircleSamples, axis: str) -> Iterator[_Named]:

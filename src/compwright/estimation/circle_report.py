@@ -46,8 +46,6 @@ _ONE_SIDED: Final = 1.645  # standard errors to the lower end of a one-sided 95 
 #: A standard error above this share of the prior's standard deviation: the prior weighs more than
 #: the data.
 _MOSTLY_PRIOR: Final = np.sqrt(0.5)
-#: Standard deviation of the lost motion of one end about the mean of both, um.
-_ENDS_DIFFER: Final = 1.0
 #: Standard errors of a spike beyond its height and this, um, from which it is not given.
 _NO_SPIKE: Final = 5.0
 #: How slow instrument and drive may be, s: a spike is higher than it shows by this over its decay.
@@ -179,18 +177,16 @@ def _causes(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause]:
     yield mismatch
     if test.calibrated:
         yield from _scale_errors(solution, mismatch)
-    lost = {axis: _lost_motion_parts(solution, axis) for axis in AXES}
+    lost = {axis: _lost_motion_parts(samples, axis) for axis in AXES}
     for axis in AXES:
-        cause = linear(f"backlash_{axis}", lost[axis])
-        yield replace(cause, variance=_unseen_end(samples, axis))
-        if len(lost[axis]) > 1:
-            yield from (linear(end, {end: 1.0}, detail=True) for end in lost[axis])
-        elif any(samples.reversals(axis)):
-            end = ENDS[samples.reversals(axis).index(True)]
-            yield replace(cause, name=f"{cause.name}_at_{end}", detail=True)
+        yield linear(f"backlash_{axis}", lost[axis])
+        for end, inside in zip(ENDS, samples.reversals(axis), strict=True):
+            name = f"backlash_{axis}_at_{end}"
+            if inside:
+                part = name if name in lost[axis] else f"backlash_{axis}"
+                yield linear(name, {part: 1.0}, detail=True)
     minus = {name: -weight for name, weight in lost["second"].items()}
-    mismatch = linear("backlash_mismatch", {**lost["first"], **minus}, detail=True)
-    yield replace(mismatch, variance=sum(_unseen_end(samples, axis) for axis in AXES))
+    yield linear("backlash_mismatch", {**lost["first"], **minus}, detail=True)
     yield linear("servo_mismatch", {"servo_mismatch": 1.0})
     for axis in AXES:
         yield linear(f"lateral_play_{axis}", {f"lateral_play_{axis}": 1.0})
@@ -226,15 +222,13 @@ def _linear(
     )
 
 
-def _unseen_end(samples: CircleSamples, axis: str) -> float:
-    """Return the extra variance, um², of mean lost motion if the arc lacks a reversal (else 0)."""
-    return 0.0 if all(samples.reversals(axis)) else _ENDS_DIFFER**2
-
-
-def _lost_motion_parts(solution: Solution, axis: str) -> dict[str, float]:
-    ends = [f"backlash_{axis}_at_{end}" for end in ENDS]
-    if ends[0] in solution.problem.names:
-        return dict.fromkeys(ends, 0.5)
+def _lost_motion_parts(samples: CircleSamples, axis: str) -> dict[str, float]:
+    """Return the columns whose weighted sum is the mean lost motion of both ends of an axis."""
+    end = samples.only_end(axis)
+    if end is not None:
+        return {f"backlash_{axis}": 1.0, f"_lost_change_{axis}": -end}
+    if all(samples.reversals(axis)):
+        return {f"backlash_{axis}_at_{end}": 0.5 for end in ENDS}
     return {f"backlash_{axis}": 1.0}
 
 
