@@ -153,6 +153,7 @@ def test_with_a_diagnosis() -> None:
             "unit": "um/m",
             "effect": 3.15,
             "share": 0.6,
+            "correction": "correct",
         },
         "cyclic_first": {
             "value": 0.7,

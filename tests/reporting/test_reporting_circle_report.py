@@ -16,9 +16,15 @@ import yaml
 
 from compwright.cli import run as compwright
 from compwright.documents.evaluation import in_short
-from compwright.reporting.causes import _KINDS, CircleCause, named_in_words, ranked_causes
-from compwright.reporting.circle_report import _causes, _words
-from compwright.reporting.circle_steps import job_lines, next_step, steps_for
+from compwright.reporting.causes import (
+    _KINDS,
+    CircleCause,
+    named_in_words,
+    ranked_causes,
+    summed_causes,
+)
+from compwright.reporting.circle_report import _causes, _sums, _words
+from compwright.reporting.circle_steps import job_lines, machine_job, next_step, steps_for
 from compwright.reporting.circular_parameters import parameter_words, printed_parameters
 from compwright.reporting.circular_tables import circular_tables
 from compwright.words.sentences import say
@@ -65,6 +71,58 @@ def test_what_the_software_printed_is_next_to_it() -> None:
     assert row(4.5) == ["4.50", "agrees"]  # 5.0 ± 0.3
     assert row(4.3) == ["4.30", "differs"]
     assert row(5.0, valid=False) == ["(5.00)", "not valid"]
+
+
+@pytest.mark.parametrize(
+    ("plain", "says"),
+    [(4.4, "the spikes make 80 % of the difference"), (5.1, "they are not the reason")],
+)
+def test_a_difference_has_the_reason_that_a_fit_without_spikes_shows(
+    plain: float, says: str
+) -> None:
+    vendor = {"RENISHAW_DIAGNOSTICS": {"AF_BACKLASH_B_POS": {"value": 4.25}}}
+    given = {**RESULT, "plain": {"backlash_second_at_positive": plain}, "vendor": vendor}
+    words = str(_causes(ranked_causes(given))["rows"][1][-1])
+    assert words.startswith(f"differs. Without reversal spikes our value is {plain:.2f} µm")
+    assert says in words
+
+
+def test_values_that_sum_up_causes_are_on_the_page() -> None:
+    given = {
+        **RESULT,
+        "diagnosis": {
+            **RESULT["diagnosis"],
+            "lobes_2": entry(1.6, 0.1, 0.0, 0.0),
+            "lobes_3": entry(0.4, 0.1, 0.0, 0.0),
+            "positional_tolerance": entry(6.7, 0.3, 0.0, 0.0),
+        },
+        "vendor": {"RENISHAW_DIAGNOSTICS": {"AF_POSITIONAL_TOLERANCE": {"value": 35.3}}},
+    }
+    rows = [list(map(str, row)) for row in _sums(summed_causes(given), printed=True)["rows"]]
+    assert [row[:3] for row in rows] == [
+        ["Two lobes", "1.60 ± 0.10", "µm"],
+        ["Three lobes", "0.40 ± 0.10", "µm"],
+        ["Positional tolerance", "6.70 ± 0.30", "µm"],
+    ]
+    assert rows[2][3] == "35.30"
+    assert "not published" in rows[2][4]  # ours is not theirs: neither agrees nor differs
+
+
+@pytest.mark.parametrize(
+    ("need", "offered"), [("correct", True), ("undetermined", False), ("negligible", False)]
+)
+def test_the_page_offers_only_a_correction_that_run_writes(need: str, *, offered: bool) -> None:
+    """10 ± 3 µm/m is more than two standard errors, and `run` does not correct it."""
+    angle = {**entry(10.0, 3.0, 1.0, 0.5), "unit": "um/m", "correction": need}
+    (cause,) = ranked_causes({**RESULT, "diagnosis": {"squareness": angle}})
+    assert cause.known
+    assert cause.corrected == offered
+    machine = {
+        "causes": {"squareness": {"XZ": angle}, "backlash": {}, "scale_error": {}},
+        "contradictions": [],
+    }
+    result = {**RESULT, "sources": [{"file": "zx.b5r"}]}
+    assert bool(machine_job(machine, [result])) == offered
 
 
 #: Details of another cause, and values that sum causes up.

@@ -13,6 +13,7 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularEffect, CircularResult, CircularRun, Diagnosis
+from compwright.records.correction_need import correction_need
 from compwright.records.rounding import OUTSIDE
 from compwright.words.sentences import SentenceText
 
@@ -98,6 +99,7 @@ def machine_document(
                     "value": _number(value),
                     "std_error": _number(error),
                     "unit": _UNITS.get(cause, "ms"),
+                    **_correction(cause, value, error),
                 }
                 for of, (value, error) in found.items()
             }
@@ -121,6 +123,11 @@ def machine_document(
         ],
         "findings": finding_documents(findings),
     }
+
+
+def _correction(cause: str, value: float, error: float) -> dict[str, str]:
+    """Return what `run` does about the squareness of a plane: the rule of `correction_need`."""
+    return {"correction": correction_need(value, error)} if cause == "squareness" else {}
 
 
 def _number(value: float, factor: float = 1.0) -> float | None:
@@ -157,7 +164,9 @@ def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
     not_given = diagnosis.not_given
     return {
         "diagnosis": {
-            name: _effect(effect, given=name not in not_given)
+            name: _effect(effect, given=True) | _correction(name, effect.value, effect.std_error)
+            if name not in not_given
+            else _effect(effect, given=False)
             for name, effect in diagnosis.effects.items()
         }
         | {name: _absent(name) for name in not_given if name not in diagnosis.effects},

@@ -42,6 +42,7 @@ _PRINTED: Final = {
     "lateral_play": "AF_LATERAL_PLAY_{letter}_GLOBAL",
     "straightness": "AF_STRAIGHTNESS_{letter}",
     "scale_error": "AF_SCALE_ERROR_{letter}",
+    "positional_tolerance": "AF_POSITIONAL_TOLERANCE",
 }
 _PARTS: Final = (
     "at_positive", "at_negative",
@@ -57,7 +58,8 @@ class CircleCause:
     ``effect`` in µm, ``share`` of all effects from 0 to 1. ``parts`` are its details (each end of a
     lost motion, the scale errors next to their mismatch), which count in it. ``plain`` and
     ``printed`` are the same quantity by the plain regression and by the instrument's software; None
-    where there is none. ``doubtful``: the instrument's software itself says that it is not valid.
+    where there is none. ``correction``: what `run` does about a squareness.
+    ``doubtful``: the instrument's software itself says that it is not valid.
     """
 
     name: str
@@ -71,6 +73,7 @@ class CircleCause:
     plain: float | None = None
     printed: float | None = None
     doubtful: bool = False
+    correction: str | None = None
     parts: tuple[CircleCause, ...] = ()
 
     @property
@@ -101,6 +104,11 @@ class CircleCause:
     def known(self) -> bool:
         """Whether the value is larger than twice its standard error."""
         return abs(self.value) > 2.0 * self.error
+
+    @property
+    def corrected(self) -> bool:
+        """Whether `run` corrects the cause where the control can: a squareness by its own rule."""
+        return self.shown and self.known and self.correction in {None, "correct"}
 
     @property
     def significant(self) -> bool:
@@ -149,6 +157,11 @@ def ranked_causes(result: Mapping[str, Any]) -> list[CircleCause]:
     )  # stable: equals stay in the order of the document
 
 
+def summed_causes(result: Mapping[str, Any]) -> list[CircleCause]:
+    """Return the values of a circular result that sum up its causes."""
+    return [_cause(name, result) for name in _SUMMARIES if name in _given(result)]
+
+
 def _given(result: Mapping[str, Any]) -> Mapping[str, Any]:
     entries = result.get("diagnosis") or {}
     return {name: entry for name, entry in entries.items() if entry["value"] is not None}
@@ -179,6 +192,7 @@ def _cause(name: str, result: Mapping[str, Any]) -> CircleCause:
         plain=(result.get("plain") or {}).get(name),
         printed=printed,
         doubtful=doubtful,
+        correction=entry.get("correction"),
         parts=tuple(
             _cause(other, result)
             for other in _given(result)

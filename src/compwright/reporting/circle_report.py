@@ -13,6 +13,7 @@ from compwright.reporting.causes import (
     full_cause_words,
     machine_title,
     ranked_causes,
+    summed_causes,
 )
 from compwright.reporting.circle_steps import job_lines, machine_job, steps_for
 from compwright.reporting.circles import CircleFigure
@@ -34,7 +35,7 @@ def circle_page(result: Document, index: int, job: Sequence[str] | None = None) 
     into a job file; None means that they are made from this test alone.
     """
     name = plain(result.get("name") or "")
-    causes = ranked_causes(result)
+    causes, sums = ranked_causes(result), summed_causes(result)
     axes = result.get("axes") or ("first", "second")
     residual = residual_figure(result, name)
     return {
@@ -43,11 +44,12 @@ def circle_page(result: Document, index: int, job: Sequence[str] | None = None) 
         "residual_words": say("circle.unexplained", rms=number(result.get("residual"))),
         "parameters": _parameters(result),
         "causes": _causes(causes) if causes else None,
+        "sums": _sums(sums, printed=_any_printed(causes)) if sums else None,
         "pictures": cause_pictures(causes),
         "comparison": say("circle.comparison") if _any_printed(causes) else "",
         "steps": steps_for(causes, axes),
         "job": (
-            job_lines([cause.name for cause in causes if cause.known and cause.shown], result)
+            job_lines([cause.name for cause in causes if cause.corrected], result)
             if job is None
             else job
         ),
@@ -148,20 +150,20 @@ def _causes(causes: Sequence[CircleCause]) -> TextTable:
             [say("circle.detail", part=part.words), "", "", *_values(part, printed=printed)]
             for part in cause.parts
         ]
-    software: list[tuple[Sentence, str] | Sentence] = (
-        [(say("circle.software"), ""), say("circle.compared")] if printed else []
-    )
-    return {
-        "heads": sections.heads(
-            say("head.cause"),
-            (say("circle.effect"), "µm"),
-            (say("circle.share"), "%"),
-            (say("circle.value_error"), ""),
-            say("head.unit"),
-            *software,
-        ),
-        "rows": rows,
-    }
+    effect = (say("circle.effect"), "µm"), (say("circle.share"), "%")
+    return {"heads": _heads(say("head.cause"), *effect, printed=printed), "rows": rows}
+
+
+def _sums(sums: Sequence[CircleCause], *, printed: bool) -> TextTable:
+    """Return the table of the values that sum up causes."""
+    rows = [[cause.words, *_values(cause, printed=printed)] for cause in sums]
+    return {"heads": _heads(say("head.quantity"), printed=printed), "rows": rows}
+
+
+def _heads(*first: tuple[Sentence, str] | Sentence, printed: bool) -> Any:
+    software = (say("circle.software"), ""), say("circle.compared")
+    value = (say("circle.value_error"), ""), say("head.unit")
+    return sections.heads(*first, *value, *(software if printed else ()))
 
 
 def _any_printed(causes: Sequence[CircleCause]) -> bool:
@@ -178,13 +180,26 @@ def _values(cause: CircleCause, *, printed: bool) -> list[str | Sentence]:
 
 
 def _comparison(cause: CircleCause) -> str | Sentence:
-    """Return whether compwright's value of a cause agrees with the vendor's: "agrees", "differs" or
-    "not valid"; "" if the vendor printed no value.
+    """Return "agrees", "differs" with the reason, or "not valid" for a cause, "" if none is printed.
+
+    The plain regression of the same readings, without spikes, is the experiment: it shows how much
+    of the difference the spikes make.
     """
     if cause.printed is None:
         return ""
-    agrees = abs(cause.value - cause.printed) <= _AGREES * cause.error
+    apart, plain = abs(cause.value - cause.printed), cause.plain
+    how = (
+        "not_valid" if cause.doubtful else "agrees" if apart <= _AGREES * cause.error else "differs"
+    )
+    if cause.name == "positional_tolerance":
+        how = "definition"
+    if how != "differs" or plain is None:
+        return say("circle.agreement", how=how)
+    share = 1.0 - abs(plain - cause.printed) / apart
     return say(
-        "circle.agreement",
-        how="not_valid" if cause.doubtful else "agrees" if agrees else "differs",
+        "circle.difference",
+        spikes=share > 0.5,
+        share=100.0 * share,
+        plain=cause.text(plain),
+        unit=cause.unit_text,
     )

@@ -89,7 +89,9 @@ def machine_job(machine: Mapping[str, Any], results: Sequence[Mapping[str, Any]]
         cause: {
             of
             for of, each in found.items()
-            if abs(each["value"]) > 2.0 * each["std_error"] and (cause, of) not in contradicted
+            if (cause, of) not in contradicted
+            and each.get("correction", "correct") == "correct"
+            and abs(each["value"]) > 2.0 * each["std_error"]
         }
         for cause, found in machine["causes"].items()
     }

@@ -6,7 +6,10 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "circle.about": "{centre:choose|set_up= (set-up centre)|own= (own centre)}",
-    "circle.agreement": "{how:choose|agrees=agrees|differs=differs|not_valid=not valid}",
+    "circle.agreement": (
+        "{how:choose|agrees=agrees|differs=differs|not_valid=not valid|definition=its definition is"
+        " not published; ours: docs/evaluation.md}"
+    ),
     "circle.cause": "{cause}  {value} {unit}",
     "circle.cause_share": "{cause} ({share:.0f} % of all effects)",
     "circle.centre": (
@@ -16,13 +19,17 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "circle.compared": "Comparison",
     "circle.comparison": (
-        'Comparison with the software of the instrument. "Agrees": the two values differ by at'
-        ' most two standard errors of our value. "Differs": by more. The model of that software'
-        " is not published; ours fits all causes at once, with a separate step and spike at each"
-        ' reversal point. "Not valid", value in brackets: that software itself reports its value'
+        'Comparison with the software of the instrument, whose model is not published. "Agrees":'
+        ' the two values differ by at most two standard errors of our value. "Differs": by more; a'
+        " plain regression of the same readings (harmonics and steps) shows our value without"
+        ' reversal spikes. "Not valid", value in brackets: that software itself reports its value'
         " as not valid."
     ),
     "circle.detail": "– {part}",
+    "circle.difference": (
+        "differs. Without reversal spikes our value is {plain} {unit}{spikes:if|: the spikes make"
+        " {share:.0f} % of the difference|, so that they are not the reason}"
+    ),
     "circle.effect": "Effect on the radius",
     "circle.effects": "Effect, peak to peak, in µm; whiskers 95 %",
     "circle.fit": "fit: path of each run, calculated from all causes of deviation",
@@ -69,7 +76,8 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.start": "start of {sense}",
     "circle.step": (
         "{kind:choose|squareness=Mechanic: check level and alignment of the guideways. Table: a"
-        " job with `apply` corrects it where the control can.|scale_mismatch=Check the"
+        " job with `apply` corrects it where the control can, if the standard error is below a"
+        " quarter of the value and 15 µm/m.|scale_mismatch=Check the"
         " temperature of both axes. Table: measure {first} and {second} with a laser and run a"
         " job with both tests.|servo_mismatch=Servo: give {first} and {second} the same position"
         " loop gain (Kv) and feedforward.|radius_change=Measurement: repeat both directions with"
@@ -88,6 +96,7 @@ SENTENCES: Final[dict[str, str]] = {
         " {axis} guideway.|master_slave=Servo: check the interpolation parameters of {first} and"
         " {second}.}"
     ),
+    "circle.sums": "Values that sum up causes",
     "circle.symbol": (
         "{letter}{sense:if| {sense:choose|ccw=ccw|cw=cw|bidirectional=both}|}{centre:if|,"
         " {centre:choose|G=least-squares circle|F=least-squares centre}|}"

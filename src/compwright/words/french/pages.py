@@ -6,7 +6,10 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "circle.about": "{centre:choose|set_up= (centre de montage)|own= (centre propre)}",
-    "circle.agreement": "{how:choose|agrees=concorde|differs=diffère|not_valid=non valable}",
+    "circle.agreement": (
+        "{how:choose|agrees=concorde|differs=diffère|not_valid=non valable|definition=sa définition"
+        " n'est pas publiée ; la nôtre : docs/evaluation.md}"
+    ),
     "circle.cause": "{cause}  {value} {unit}",
     "circle.cause_share": "{cause} ({share:.0f} % de tous les effets)",
     "circle.centre": (
@@ -16,13 +19,17 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "circle.compared": "Comparaison",
     "circle.comparison": (
-        "Comparaison avec le logiciel de l'instrument. « Concorde » : les deux valeurs diffèrent"
-        " d'au plus deux erreurs types de notre valeur. « Diffère » : de plus. Le modèle de ce"
-        " logiciel n'est pas publié ; le nôtre ajuste toutes les causes à la fois, avec un saut et"
-        " un pic propres à chaque point d'inversion. « Non valable », valeur entre parenthèses : ce"
+        "Comparaison avec le logiciel de l'instrument, dont le modèle n'est pas publié."
+        " « Concorde » : les deux valeurs diffèrent d'au plus deux erreurs types de notre valeur."
+        " « Diffère » : de plus ; une régression simple des mêmes lectures (harmoniques et sauts)"
+        " donne notre valeur sans pics d'inversion. « Non valable », valeur entre parenthèses : ce"
         " logiciel déclare lui-même sa valeur non valable."
     ),
     "circle.detail": "– {part}",
+    "circle.difference": (
+        "diffère. Sans pics d'inversion notre valeur est {plain} {unit}{spikes:if| : les pics font"
+        " {share:.0f} % de l'écart|, ils n'en sont donc pas la raison}"
+    ),
     "circle.effect": "Effet sur le rayon",
     "circle.effects": "Effet, crête à crête, en µm ; traits : 95 %",
     "circle.fit": "ajustement : effet de toutes les causes ensemble",
@@ -68,8 +75,9 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.start": "départ {sense}",
     "circle.step": (
         "{kind:choose|squareness=Mécanique : vérifier le nivellement et l'alignement des guidages."
-        " Table : un dossier de travail avec `apply` la corrige là où la commande le"
-        " peut.|scale_mismatch=Vérifier la température des deux axes. Table : mesurer {first} et"
+        " Table : un dossier de travail avec `apply` la corrige là où la commande le peut, si"
+        " l'erreur type est inférieure au quart de la valeur et à 15 µm/m.|scale_mismatch=Vérifier"
+        " la température des deux axes. Table : mesurer {first} et"
         " {second} au laser et exécuter un dossier de travail avec les deux"
         " essais.|servo_mismatch=Asservissement : donner à {first} et {second} le même gain de"
         " boucle de position (Kv) et la même anticipation.|radius_change=Mesure : répéter les deux"
@@ -90,6 +98,7 @@ SENTENCES: Final[dict[str, str]] = {
         " du guidage {axis}.|master_slave=Asservissement : vérifier les paramètres d'interpolation"
         " de {first} et {second}.}"
     ),
+    "circle.sums": "Valeurs qui résument des causes",
     "circle.symbol": (
         "{letter}{sense:if| {sense:choose|ccw=↺|cw=↻|bidirectional=les deux}|}{centre:if|,"
         " {centre:choose|G=cercle des moindres carrés|F=centre des moindres carrés}|}"

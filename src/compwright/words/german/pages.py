@@ -7,7 +7,8 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "circle.about": "{centre:choose|set_up= (Aufbaumittelpunkt)|own= (eigener Mittelpunkt)}",
     "circle.agreement": (
-        "{how:choose|agrees=stimmt überein|differs=weicht ab|not_valid=nicht gültig}"
+        "{how:choose|agrees=stimmt überein|differs=weicht ab|not_valid=nicht gültig|definition=ihre"
+        " Definition ist nicht veröffentlicht; unsere: docs/evaluation.md}"
     ),
     "circle.cause": "{cause}  {value} {unit}",
     "circle.cause_share": "{cause} ({share:.0f} % aller Wirkungen)",
@@ -18,13 +19,17 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "circle.compared": "Vergleich",
     "circle.comparison": (
-        "Vergleich mit der Software des Messgeräts. „Stimmt überein“: Die Werte unterscheiden sich"
-        " um höchstens zwei Standardfehler unseres Werts. „Weicht ab“: um mehr. Das Modell dieser"
-        " Software ist nicht veröffentlicht; unseres gleicht alle Ursachen zugleich aus, mit"
-        " eigener Stufe und Spitze an jedem Umkehrpunkt. „Nicht gültig“, Wert in Klammern: Diese"
+        "Vergleich mit der Software des Messgeräts, deren Modell nicht veröffentlicht ist. „Stimmt"
+        " überein“: Die Werte unterscheiden sich um höchstens zwei Standardfehler unseres Werts."
+        " „Weicht ab“: um mehr; eine einfache Regression derselben Messwerte (Harmonische und"
+        " Stufen) ergibt unseren Wert ohne Umkehrspitzen. „Nicht gültig“, Wert in Klammern: Diese"
         " Software selbst meldet ihren Wert als nicht gültig."
     ),
     "circle.detail": "– {part}",
+    "circle.difference": (
+        "weicht ab. Ohne Umkehrspitzen ist unser Wert {plain} {unit}{spikes:if|: Die Spitzen machen"
+        " {share:.0f} % der Abweichung aus|, sie sind also nicht der Grund}"
+    ),
     "circle.effect": "Wirkung auf den Radius",
     "circle.effects": "Wirkung, Spitze zu Spitze, in µm; Striche: 95 %",
     "circle.fit": "Ausgleich: was alle Ursachen zusammen ergeben",
@@ -75,7 +80,8 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.step": (
         "{kind:choose|squareness=Mechanik: Ausrichtung und Fluchtung der Führungen prüfen. Tabelle:"
         " Ein Auftrag mit `apply` korrigiert sie, wo die Steuerung es"
-        " kann.|scale_mismatch=Temperatur beider Achsen prüfen. Tabelle: {first} und {second} mit"
+        " kann, wenn der Standardfehler unter einem Viertel des Werts und 15 µm/m liegt."
+        "|scale_mismatch=Temperatur beider Achsen prüfen. Tabelle: {first} und {second} mit"
         " dem Laser messen und einen Auftrag mit beiden Prüfungen rechnen.|servo_mismatch=Regelung:"
         " {first} und {second} dieselbe Kreisverstärkung der Lageregelung (Kv) und Vorsteuerung"
         " geben.|radius_change=Messung: beide Richtungen mit demselben Vorschub wiederholen; den"
@@ -94,6 +100,7 @@ SENTENCES: Final[dict[str, str]] = {
         " Abstreifer und Vorspannung der Führung {axis} prüfen.|master_slave=Regelung:"
         " Interpolationsparameter von {first} und {second} prüfen.}"
     ),
+    "circle.sums": "Werte, die Ursachen zusammenfassen",
     "circle.symbol": (
         "{letter}{sense:if| {sense:choose|ccw=↺|cw=↻|bidirectional=beide}|}{centre:if|,"
         " {centre:choose|G=Ausgleichskreis|F=Ausgleichsmittelpunkt}|}"
