@@ -21,7 +21,7 @@ from compwright.estimation.circle_fit import (
     fit_causes,
     white_problems,
 )
-from compwright.estimation.circle_lag import Lag, at_actual_angles
+from compwright.estimation.circle_lag import Lag, at_actual_angles, shrink_uncertainty
 from compwright.estimation.circle_model import (
     CircleSamples,
     SpikeShape,
@@ -33,7 +33,6 @@ from compwright.estimation.circle_model import (
     spike_columns,
 )
 from compwright.estimation.circle_noise import angle_grid
-from compwright.estimation.circle_report import shrink_uncertainty
 from compwright.estimation.circle_reversal import of_the_spike
 from compwright.estimation.hyperparameters import _log_student, draw_hyperparameters
 from compwright.estimation.posterior_peaks import find_peaks

@@ -56,3 +56,13 @@ def second_order(theta: FloatArray, centre: tuple[float, float], radius: float) 
     x, y = centre
     beyond: FloatArray = np.hypot(radius * cos + x, radius * sin + y) - radius - (x * cos + y * sin)
     return beyond
+
+
+def radial_ranges(theta: FloatArray, curves: FloatArray) -> FloatArray:
+    """Return the peak-to-peak value of each curve of radial deviations (c, n) over both runs, after
+    its least-squares circle is removed.
+    """
+    rows = np.column_stack([np.cos(theta), np.sin(theta), np.ones_like(theta)])
+    solved = np.linalg.solve(rows.T @ rows, rows.T @ curves.T)
+    spread: FloatArray = np.ptp(curves - (rows @ solved).T, axis=1)
+    return spread

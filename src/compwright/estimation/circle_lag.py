@@ -97,6 +97,17 @@ def with_undetected_lag(samples: CircleSamples) -> CircleSamples:
     return replace(samples, lag_std=max(most / np.sqrt(3.0), 0.5 * spacing))
 
 
+def shrink_uncertainty(samples: CircleSamples) -> float:
+    """Return the standard uncertainty, mm, of the radius from an unknown equal lag of both axes.
+
+    The circle shrinks with the acceleration (ISO 230-4:1996, B.3.2) by at most v² / (2 Kv² R) = a
+    for the softest usual position loop. Uniform over the range ±a: a / sqrt(3) (JCGM 100:2008, eq.
+    7).
+    """
+    most = samples.speed**2 / (2.0 * SOFTEST_LOOP**2 * samples.radius)
+    return float(most / np.sqrt(3.0))
+
+
 def _profile(samples: CircleSamples) -> tuple[float, FloatArray, FloatArray, int]:
     """Return the samples near the reversal points, and the reversal angles to try, from which a
     delay of the axes is estimated.

@@ -249,7 +249,7 @@ def _lost_motion(samples: CircleSamples, axis: str) -> Iterator[_Named]:
 
     Each end's value holds over its half of the travel, so that the deviation stays continuous where
     the axis is fastest. A nuisance allows for a change in proportion to the position instead. With
-    one reversal point that change, half the difference of the ends, is always an unknown.
+    one reversal point half the difference of the ends is an unknown, in proportion to the position.
     """
     cos, sin, zero = np.cos(samples.theta), np.sin(samples.theta), np.zeros_like(samples.theta)
     own, lag = (
@@ -262,12 +262,15 @@ def _lost_motion(samples: CircleSamples, axis: str) -> Iterator[_Named]:
     for suffix, half in parts.items():
         moved = 0.5 * UM * lag * half
         yield f"backlash_{axis}{suffix}", *((moved, zero) if axis == "first" else (zero, moved))
-    if whole and samples.both_senses:
-        moved = 0.5 * UM * lag * (own - np.sign(own))
-        yield f"_lost_profile_{axis}", *((moved, zero) if axis == "first" else (zero, moved))
-    elif (end := samples.only_end(axis)) is not None:
-        moved = 0.5 * UM * lag * (own - end)
-        yield f"_lost_change_{axis}", *((moved, zero) if axis == "first" else (zero, moved))
+    end = samples.only_end(axis)
+    changes = {}
+    if end is not None:
+        changes["change"] = own - end
+    if samples.both_senses and any(samples.reversals(axis)):
+        changes["profile"] = own - np.sign(own)
+    for name, change in changes.items():
+        moved = 0.5 * UM * lag * change
+        yield f"_lost_{name}_{axis}", *((moved, zero) if axis == "first" else (zero, moved))
 
 
 def _lateral_play(samples: CircleSamples, axis: str) -> Iterator[_Named]:

@@ -10,12 +10,13 @@ from typing import Final
 
 import numpy as np
 
+from compwright.estimation.circle_centre import radial_ranges
 from compwright.estimation.circle_findings import diagnosis_findings
 from compwright.estimation.circle_fit import sample_spacing
+from compwright.estimation.circle_lag import shrink_uncertainty
 from compwright.estimation.circle_model import (
     AXES,
     ENDS,
-    SOFTEST_LOOP,
     UM,
     CircleSamples,
     prior_width,
@@ -62,8 +63,8 @@ class _ReportedCause:
     """One cause as reported: its value, random draws of the value, and its radial deviations.
 
     ``drawn`` (d,): random draws of the value from its posterior. ``curve`` (n,): its radial
-    deviation, mm. ``variance``: variance of the value that the draws do not contain. ``reason``:
-    why it is not reported.
+    deviation, mm. ``variance``: variance of the value that the draws do not contain; ``of_shape``
+    the part that the shape of a spike makes. ``reason``: why it is not reported.
     """
 
     name: str
@@ -73,6 +74,7 @@ class _ReportedCause:
     detail: bool = False
     positive: bool = False
     variance: float = 0.0
+    of_shape: float = 0.0
     more: Mapping[str, float | None] = field(default_factory=dict)
     reason: Sentence | None = None
 
@@ -108,7 +110,8 @@ def report_effects(
     covariance += shrink**2 * np.outer(scales, scales)
     errors = np.sqrt(np.maximum(np.diag(covariance), 1e-24))
     ranges = (
-        _ranges(samples, np.array([cause.curve for cause in causes])) * MICROMETRES_PER_MILLIMETRE
+        radial_ranges(samples.theta, np.array([cause.curve for cause in causes]))
+        * MICROMETRES_PER_MILLIMETRE
     )
     counted = [not cause.detail and cause.name not in reasons for cause in causes]
     total = float(np.sum(ranges[counted]))
@@ -127,29 +130,6 @@ def report_effects(
     correlation = covariance / np.outer(errors, errors)
     np.fill_diagonal(correlation, 1.0)
     return effects, correlation, reasons, diagnosis_findings(test, solution, effects, correlation)
-
-
-def shrink_uncertainty(samples: CircleSamples) -> float:
-    """Return the standard uncertainty, mm, of the radius from an unknown equal lag of both axes.
-
-    The circle shrinks with the acceleration (ISO 230-4:1996, B.3.2) by at most v² / (2 Kv² R) = a
-    for the softest usual position loop. Uniform over the range ±a: a / sqrt(3) (JCGM 100:2008, eq.
-    7).
-    """
-    most = samples.speed**2 / (2.0 * SOFTEST_LOOP**2 * samples.radius)
-    return float(most / np.sqrt(3.0))
-
-
-def _ranges(samples: CircleSamples, curves: FloatArray) -> FloatArray:
-    """Return the peak-to-peak value of each curve of radial deviations (c, n) over both runs, after
-    its least-squares circle is removed.
-    """
-    rows = np.column_stack(
-        [np.cos(samples.theta), np.sin(samples.theta), np.ones_like(samples.theta)]
-    )
-    solved = np.linalg.solve(rows.T @ rows, rows.T @ curves.T)
-    spread: FloatArray = np.ptp(curves - (rows @ solved).T, axis=1)
-    return spread
 
 
 def _prior_reason(cause: _ReportedCause, samples: CircleSamples) -> Sentence | None:
@@ -178,15 +158,15 @@ def _causes(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause]:
     if test.calibrated:
         yield from _scale_errors(solution, mismatch)
     lost = {axis: _lost_motion_parts(samples, axis) for axis in AXES}
+    unsure = dict.fromkeys(AXES, 0.0)
     for axis in AXES:
-        yield linear(f"backlash_{axis}", lost[axis])
-        for end, inside in zip(ENDS, samples.reversals(axis), strict=True):
-            name = f"backlash_{axis}_at_{end}"
-            if inside:
-                part = name if name in lost[axis] else f"backlash_{axis}"
-                yield linear(name, {part: 1.0}, detail=True)
+        ends = list(_lost_motion_ends(solution, axis, lost[axis]))
+        unsure[axis] = float(np.mean([np.sqrt(each.variance) for each in ends] or 0.0)) ** 2
+        yield replace(linear(f"backlash_{axis}", lost[axis]), variance=unsure[axis])
+        yield from ends
     minus = {name: -weight for name, weight in lost["second"].items()}
-    yield linear("backlash_mismatch", {**lost["first"], **minus}, detail=True)
+    mismatch = linear("backlash_mismatch", {**lost["first"], **minus}, detail=True)
+    yield replace(mismatch, variance=sum(unsure.values()))
     yield linear("servo_mismatch", {"servo_mismatch": 1.0})
     for axis in AXES:
         yield linear(f"lateral_play_{axis}", {f"lateral_play_{axis}": 1.0})
@@ -230,6 +210,30 @@ def _lost_motion_parts(samples: CircleSamples, axis: str) -> dict[str, float]:
     if all(samples.reversals(axis)):
         return {f"backlash_{axis}_at_{end}": 0.5 for end in ENDS}
     return {f"backlash_{axis}": 1.0}
+
+
+def _lost_motion_ends(
+    solution: Solution, axis: str, parts: Mapping[str, float]
+) -> Iterator[_ReportedCause]:
+    """Yield the lost motion at each reversal point of an axis in the arc.
+
+    What the shape of the spike there may be wrong by goes into the lost motion by the slope of its
+    draws over the drawn heights (Seber and Lee, Linear Regression Analysis, 2nd ed. 2003, ch. 6).
+    """
+    spikes = {(s.reversal.axis, s.reversal.end): s for s in solution.draws.spikes}
+    for end, inside in zip(ENDS, solution.problem.samples.reversals(axis), strict=True):
+        name = f"backlash_{axis}_at_{end}"
+        if not inside:
+            continue
+        cause = _linear(
+            solution, name, {name if name in parts else f"backlash_{axis}": 1.0}, detail=True
+        )
+        if (axis, end) in spikes:
+            peak = _spike(solution, spikes[axis, end])
+            both = np.cov(cause.drawn, peak.drawn, bias=True)
+            slope = float(both[0, 1] / max(both[1, 1], 1e-12))
+            cause = replace(cause, variance=slope**2 * peak.of_shape)
+        yield cause
 
 
 def _scale_mismatch(solution: Solution) -> _ReportedCause:
@@ -339,10 +343,14 @@ def _spike(
     response = max(_RESPONSE * samples.speed, _FILTER * sample_spacing(samples))
     late = np.hypot(samples.lag_std * samples.radius, response) / decay
     edge = np.where(spike.rise > 0.0, _EDGE, 0.0)  # a decay without a rise has its edge
-    variance = (
-        float(np.mean((heights * np.hypot(late, edge)) ** 2)) / 3.0
+    of_shape = (
+        float(np.mean((heights * edge) ** 2)) / 3.0
         + float(np.mean((slow - heights) ** 2)) / 12.0
         + float(np.mean(unseen**2)) / 12.0
+    )
+    variance = (
+        of_shape
+        + float(np.mean((heights * late) ** 2)) / 3.0
         + (1.0 - spike.there) * spike.least_error**2
     )
     error = float(np.sqrt(np.var(heights) + variance))
@@ -364,6 +372,7 @@ def _spike(
         detail=True,
         positive=value >= 0.0,
         variance=variance,
+        of_shape=of_shape,
         more=more,
         reason=_unseen_spike(value, error),
     )

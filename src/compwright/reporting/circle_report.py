@@ -180,7 +180,7 @@ def _values(cause: CircleCause, *, printed: bool) -> list[str | Sentence]:
 
 
 def _comparison(cause: CircleCause) -> str | Sentence:
-    """Return "agrees", "differs" with the reason, or "not valid" for a cause, "" if none is printed.
+    """Return "agrees", "differs" with the reason, or "not valid" for a cause; "" without a value.
 
     The plain regression of the same readings, without spikes, is the experiment: it shows how much
     of the difference the spikes make.
