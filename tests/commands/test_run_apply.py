@@ -166,9 +166,38 @@ def test_squareness_alone_is_compared_with_what_was_read_back(
             or not missing
         )
         assert ("Next: load what differs from the plan or is missing" in shown) is not well
-        assert compwright([*after, *loaded, "--update"]) == 1
+        assert compwright([*after, *loaded, "--update"]) == (0 if well else 1)
         kept = json.loads((folder / "job" / "verification.json").read_text())["next"]["reason"]
-        assert ("no axis gets a new table" in kept) is well
+        assert ("squareness of XY needs no further correction" in kept) is well
+
+
+def test_a_next_round_for_squareness_alone(folder: Path) -> None:
+    """A first circle with much noise leaves a squareness that a quiet second circle shows."""
+    write_circle(folder / "xy.csv", Bent(noise=0.012).circle(2))
+    assert run(folder, SIEMENS, options=CEC) == 0
+    tables = folder / "job" / "tables" / SIEMENS
+    write_circle(folder / "after.csv", Bent().circle(8, judge_of(tables)))
+    words = ["verify", str(folder / "job.yaml"), "--after", str(folder / "after.csv")]
+    assert compwright([*words, "--loaded", str(tables), "--update"]) == 0
+    then = json.loads((folder / "job" / "verification.json").read_text())["next"]
+    assert "a new table was written for squareness" in then["reason"]
+
+    def left(loaded: Path) -> float:
+        bent = judge_of(loaded).cross_correction(
+            "AX1", "AX2", np.array([0.0, 800.0]), Direction.POSITIVE
+        )
+        return abs(40.0 - float(bent[1] - bent[0]) / 0.8 * 1e3)  # µm/m
+
+    again, both = folder / "job" / "next", folder / "both"  # the control adds its CEC tables
+    shutil.copytree(again / "tables" / SIEMENS, both)
+    shutil.copytree(tables, both, dirs_exist_ok=True)
+    assert left(both) < 2.0 < left(tables)
+    write_circle(folder / "last.csv", Bent().circle(9, judge_of(both)))
+    words = ["verify", str(again / "job.yaml"), "--after", str(folder / "last.csv")]
+    assert compwright([*words, "--loaded", str(both), "--update"]) == 0
+    (answer,) = again.rglob("verification.json")
+    then = json.loads(answer.read_text())["next"]
+    assert then["reason"] == "stop here: the squareness of XY needs no further correction"
 
 
 def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(

@@ -32,7 +32,6 @@ from compwright.estimation.circle_symptoms import (
 )
 from compwright.estimation.circle_vibration import times
 from compwright.foundations.findings import Finding
-from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularEffect, CircularTest
 from compwright.words.sentences import Sentence, say
@@ -109,10 +108,7 @@ def report_effects(
     scales = np.array([1.0 if cause.name.startswith("scale_error") else 0.0 for cause in causes])
     covariance += shrink**2 * np.outer(scales, scales)
     errors = np.sqrt(np.maximum(np.diag(covariance), 1e-24))
-    ranges = (
-        radial_ranges(samples.theta, np.array([cause.curve for cause in causes]))
-        * MICROMETRES_PER_MILLIMETRE
-    )
+    ranges = radial_ranges(samples.theta, np.array([cause.curve for cause in causes])) / UM
     counted = [not cause.detail and cause.name not in reasons for cause in causes]
     total = float(np.sum(ranges[counted]))
     effects = {

@@ -232,6 +232,8 @@ def number_text(value: float, form: str, language: Language = "en") -> str:
         text = format(Decimal(f"{value:.{digits}g}"), f"{sign}f")
     else:
         text = format(value, form)
+    if not text.strip("-0."):  # no minus zero
+        text = text.replace("-", "+" if form.startswith("+") else "")
     return text.replace(".", _DECIMAL_MARK[language])
 
 

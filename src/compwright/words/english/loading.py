@@ -304,7 +304,7 @@ SENTENCES: Final[dict[str, str]] = {
         " first, then run a new job"
     ),
     "next.squareness_alone": (
-        "no axis gets a new table, so no table for the squareness alone is written either."
+        "no axis gets a new table, and the squareness after loading is not proven either."
         " {measured:if|Measure at least one axis that has a table after loading, and give its test"
         " with --after together with the circles|To correct the remaining squareness, make a new"
         " job: give the files that were read back as as_found, and the circles that were measured"
@@ -315,6 +315,11 @@ SENTENCES: Final[dict[str, str]] = {
         " in a test"
     ),
     "next.stop_axis": "{stop:if|stop here|no new table}: {why}",
+    "next.stop_squareness": (
+        "{stop:if|stop here: the squareness of {planes} needs no further correction|no new table:"
+        " the squareness of {planes} after loading is too uncertain for a further correction."
+        " Measure the circle again}"
+    ),
     "next.verdict": (
         'the verdict is "{verdict:choose|not_active=not active|inverted=inverted|scaled=scaled|'
         "shifted=shifted|mirrored=mirrored|wrong_axis=wrong axis|on_top=added to the old table|"

@@ -318,8 +318,8 @@ SENTENCES: Final[dict[str, str]] = {
         " Vérifier d'abord ces changements, puis lancer un nouveau dossier de travail"
     ),
     "next.squareness_alone": (
-        "aucun axe ne reçoit de nouvelle table, donc aucune n'est écrite non plus pour la seule"
-        " perpendicularité. {measured:if|Mesurer après chargement au moins un axe qui a une table,"
+        "aucun axe ne reçoit de nouvelle table, et la perpendicularité après chargement n'est pas"
+        " prouvée non plus. {measured:if|Mesurer après chargement au moins un axe qui a une table,"
         " et donner son essai par --after avec les cercles|Pour corriger la perpendicularité"
         " restante, créer un nouveau dossier de travail : donner les fichiers relus comme as_found,"
         " et les cercles mesurés après chargement}"
@@ -329,6 +329,11 @@ SENTENCES: Final[dict[str, str]] = {
         " un essai"
     ),
     "next.stop_axis": "{stop:if|arrêter ici|pas de table pour le prochain tour} : {why}",
+    "next.stop_squareness": (
+        "{stop:if|arrêter ici : la perpendicularité de {planes} ne demande plus de correction|pas"
+        " de nouvelle table : la perpendicularité de {planes} après chargement est trop incertaine"
+        " pour une autre correction. Mesurer à nouveau le cercle}"
+    ),
     "next.verdict": (
         "le verdict est « {verdict:choose|not_active=non active|inverted=inversée|scaled=mise à"
         " l'échelle|shifted=décalée|mirrored=en miroir|wrong_axis=mauvais axe|on_top=ajoutée à"

@@ -324,8 +324,8 @@ SENTENCES: Final[dict[str, str]] = {
         " diese Änderungen prüfen, dann einen neuen Auftrag ausführen"
     ),
     "next.squareness_alone": (
-        "keine Achse bekommt eine neue Tabelle, deshalb wird auch keine für die Rechtwinkligkeit"
-        " allein geschrieben. {measured:if|Mindestens eine Achse mit Tabelle nach dem Laden messen"
+        "keine Achse bekommt eine neue Tabelle, und die Rechtwinkligkeit nach dem Laden ist auch"
+        " nicht nachgewiesen. {measured:if|Mindestens eine Achse mit Tabelle nach dem Laden messen"
         " und ihre Prüfung zusammen mit den Kreisen mit --after angeben|Für die restliche"
         " Rechtwinkligkeit einen neuen Auftrag anlegen: die zurückgelesenen Dateien als as_found"
         " und die nach dem Laden gemessenen Kreise angeben}"
@@ -335,6 +335,11 @@ SENTENCES: Final[dict[str, str]] = {
         " einer Prüfung zu zeigen"
     ),
     "next.stop_axis": "{stop:if|hier aufhören|keine Tabelle für die nächste Runde}: {why}",
+    "next.stop_squareness": (
+        "{stop:if|hier aufhören: Die Rechtwinkligkeit von {planes} braucht keine weitere"
+        " Korrektur|keine neue Tabelle: Die Rechtwinkligkeit von {planes} nach dem Laden ist für"
+        " eine weitere Korrektur zu unsicher. Den Kreis noch einmal messen}"
+    ),
     "next.verdict": (
         "der Befund ist „{verdict:choose|not_active=nicht aktiv|inverted=umgekehrt|scaled=skaliert|"
         "shifted=verschoben|mirrored=gespiegelt|wrong_axis=falsche Achse|on_top=zur alten Tabelle"

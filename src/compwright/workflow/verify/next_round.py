@@ -105,10 +105,11 @@ def next_round(
     outcomes = {name: UpdatedAxis(reason=why) for name, why in _refused(found, compared)}
     general = _general(found, compared)
     well = [test for test in found.tests if test.axis not in outcomes]
-    if general or not well:
+    planes = list(_squareness(found, [test.axis for test in well]))
+    if general or not (well or planes):
         return Round(document=next_document(general or _no_axis(found), outcomes))
     try:
-        looped = _looped(found, well)
+        looped = _looped(found, well, planes)
         inputs = next_files(session, found.job, found.plan, looped)
         finished, results, notes = _worked(session, inputs, out / FOLDER, each)
     except (InputError, UsageError, CapacityError) as error:
@@ -116,15 +117,16 @@ def next_round(
         why = SentenceText(say("next.cannot_be_made", reason=reason))
         return Round(document=next_document(why, outcomes))
     outcomes |= {test.axis: _updated_axis(finished, test.axis) for test in well}
-    if not any(axis.updated for axis in outcomes.values()):
-        return Round(document=next_document(_no_axis(found), outcomes))
+    between = any(entry.written for entry in finished.written.cross.planned)
+    updated = any(axis.updated for axis in outcomes.values())
+    stop, why = (True, "") if updated or between else _kept_squareness(found, finished)
+    if not stop:
+        return Round(document=next_document(why, outcomes))
     outcomes = {name: outcomes[name] for name in found.plan.axes if name in outcomes}
     files = {**inputs, **results}
     return Round(
         document=next_document(
-            _result(
-                outcomes, between=any(entry.written for entry in finished.written.cross.planned)
-            ),
+            why or _result(outcomes, between=between),
             outcomes,
             list(_between(found, looped)),
             written=True,
@@ -176,6 +178,16 @@ def _no_axis(found: Verified) -> str:
     return SentenceText(say("next.squareness_alone", measured=measured))
 
 
+def _kept_squareness(found: Verified, finished: Finished) -> tuple[bool, str]:
+    """Return whether no plane needs a further correction, and the message about squareness."""
+    about = [each for each in finished.written.findings if each.code in {"CW-P106", "CW-P107"}]
+    if not about:
+        return False, _no_axis(found)
+    stop = all(each.code == "CW-P107" for each in about)
+    planes = [each.values["plane"] for each in about if stop or each.code == "CW-P106"]
+    return stop, SentenceText(say("next.stop_squareness", stop=stop, planes=planes))
+
+
 def lacks_proof(finding: Finding) -> bool:
     """Return whether a finding means that a test does not prove the planned table active."""
     return finding.code in LACKING or finding.is_doubt
@@ -224,32 +236,43 @@ def _differs(name: str, compared: Mapping[str, Any] | str) -> str:
 # ---------------------------------------------------------------- the job and what it makes
 
 
-def _looped(found: Verified, well: Sequence[AfterTest]) -> Looped:
+def _looped(found: Verified, well: Sequence[AfterTest], planes: Sequence[str]) -> Looped:
     """Return the results of this round that the job of the next round needs as inputs."""
     axes = {test.axis: test for test in well}
-    measured = {
+    pairs = [_pair(found.job, plane) for plane in planes]
+    by_circles = {
+        axis
+        for circle in found.plan.circles.values()
+        if axes.keys() & set(circle.test.axes) or frozenset(circle.test.axes) in pairs
+        for axis in circle.test.axes
+        if axis in found.job.axes
+    }
+    others = [name for name in found.job.axes if name in by_circles - axes.keys()]
+    files = contents_after_loading(found.plan.states.get(AS_FOUND, ()), found.read_back)
+    return Looped(
+        axes=axes,
+        files=files,
+        active=_active(found, files, list(axes) or others),
+        other_axes=others,
+        circles=_measured(found),
+        squareness=planes,
+    )
+
+
+def _measured(found: Verified) -> dict[str, Sequence[Path]]:
+    """Return the files of the circles after loading by name, without copies of those before."""
+    return {
         name: files
         for name, files in found.circle_files.items()
         if not share_a_file(
             found.plan.circles[name].test.sources, found.circles[name].after.test.sources
         )
     }
-    by_circles = {
-        axis
-        for circle in found.plan.circles.values()
-        if axes.keys() & set(circle.test.axes)
-        for axis in circle.test.axes
-        if axis in found.job.axes
-    }
-    files = contents_after_loading(found.plan.states.get(AS_FOUND, ()), found.read_back)
-    return Looped(
-        axes=axes,
-        files=files,
-        active=_active(found, files, list(axes)),
-        other_axes=[name for name in found.job.axes if name in by_circles - axes.keys()],
-        circles=measured,
-        squareness=list(_squareness(found, measured, axes)),
-    )
+
+
+def _pair(job: Job, plane: str) -> frozenset[str]:
+    bent = job.apply.squareness[plane]
+    return frozenset({bent, other_axis(plane, bent)})
 
 
 def _active(found: Verified, files: Sequence[ControlFile], axes: Sequence[str]) -> bool | None:
@@ -264,8 +287,8 @@ def _active(found: Verified, files: Sequence[ControlFile], axes: Sequence[str]) 
     return None
 
 
-def _squareness(found: Verified, measured: Collection[str], axes: Collection[str]) -> Iterator[str]:
-    """Yield the planes whose squareness can be corrected again in the next round.
+def _squareness(found: Verified, axes: Collection[str]) -> Iterator[str]:
+    """Yield the planes whose squareness may be corrected again in the next round.
 
     Measured again, with no axis whose table is in doubt, and where something was corrected before,
     as it was expected.
@@ -275,8 +298,9 @@ def _squareness(found: Verified, measured: Collection[str], axes: Collection[str
         for name, entry in found.plan.axes.items()
         if entry.fitted is not None and name not in axes
     }
-    for plane, bent in found.job.apply.squareness.items():
-        pair = frozenset({bent, other_axis(plane, bent)})
+    measured = _measured(found)
+    for plane in found.job.apply.squareness:
+        pair = _pair(found.job, plane)
         again = [
             found.circles[name]
             for name in measured
@@ -345,14 +369,8 @@ def _result(outcomes: Mapping[str, UpdatedAxis], *, between: bool) -> str:
 
 
 def _between(found: Verified, looped: Looped) -> Iterator[str]:
-    """Yield, for each planned cross-axis correction, the sentence that the next round makes it
-    again or keeps it.
-    """
-    again = [
-        frozenset({bent, other_axis(plane, bent)})
-        for plane, bent in found.job.apply.squareness.items()
-        if plane in looped.squareness
-    ]
+    """Yield a sentence for each correction between axes: made again, or kept."""
+    again = [_pair(found.job, plane) for plane in looped.squareness]
     for entry in found.plan.cross:
         yield SentenceText(
             say("next.between_again", output=entry.output, input=entry.input)
