@@ -703,8 +703,9 @@ def test_verify_refuses_a_circle_of_another_plane(
 ) -> None:
     folder, path = done, done / "job.yaml"
     write_circle(folder / "zx.csv", replace(Bent().circle(1), plane="ZX", axes=("Z", "X")))
-    assert verify(path, str(folder / "zx.csv")) == 2
-    assert "ZX" in capsys.readouterr().err
+    for given in (str(folder / "zx.csv"), f"xy-150={folder / 'zx.csv'}"):
+        assert verify(path, given) == 2
+        assert "ZX" in capsys.readouterr().err
 
 
 def test_a_circle_measured_in_another_state_uses_that_state(done: Path) -> None:

@@ -294,3 +294,12 @@ def test_a_neighbour_of_a_linuxcnc(
     assert (code, answer["verdict"]) == (int(verdict != "same"), verdict), answer
     assert "CW-S080" not in {one["code"] for one in answer["findings"]}
     assert {one["axis"] for one in answer["differences"]} <= {"1"}
+
+
+def test_the_switch_of_a_table_between_axes_is_missed(sinumerik: Path, tmp_path: Path) -> None:
+    """MD32710 of the bent axis, next to machine data that were read back (S1 p237, p245)."""
+    switch = "$MA_CEC_ENABLE[AX2]=1"
+    lost = put(tables(sinumerik, SIEMENS), switch, ";")
+    code, answer = compare(sinumerik, lost, tmp_path / "lost")
+    assert (code, answer["verdict"]) == (1, "undecided")
+    assert any("MA_CEC_ENABLE" in one["message"] for one in answer["doubts"])

@@ -92,8 +92,49 @@ def test_a_second_visit_counts_what_is_there_and_uses_the_next_pair(
     assert [by_path(parameters, number)[0] for number in ROWS] == [
         int(acting[number, "L1"]) for number in ROWS
     ]
-    assert (tmp_path / "job" / "card" / "straightness_X_Y.csv").exists()
+    # the sheet names the next pair; its line keeps 40 µm/m to the ends of the points 15 to 40
+    sheet = (tmp_path / "job" / "card" / "straightness_X_Y.csv").read_text().splitlines()[2:]
+    rows = {int(line.split(",")[0]): int(line.split(",")[1]) for line in sheet}
+    assert list(rows) == [5712, 5722, *range(5741, 5745), *range(5771, 5775)]
+    length = float(said(parameters, 3624, 1)) * (rows[5744] - rows[5741])
+    assert (rows[5774] - rows[5771]) * UNIT == pytest.approx(40e-6 * length, abs=1.1 * UNIT)
     capsys.readouterr()
+
+
+def test_squareness_alone_leaves_the_pitch_data_next_to_the_parameters(tmp_path: Path) -> None:
+    """The pitch data are a file of their own; without them the parameters cannot be read."""
+    bench = Bench(tmp_path)
+    whole_rows(bench, REST)
+    run(bench)
+    job = tmp_path / "job.yaml"
+    job.write_text(re.sub(r"before: \[\w+\.csv\]", "before: []", job.read_text()))
+    assert compwright(["run", str(job), "--out", str(tmp_path / "job"), "--force"]) == 0
+    assert {file.name for file in (tmp_path / "job" / "tables" / "fanuc-30i").iterdir()} == {
+        "CNC-PARA.TXT",
+        "PITCH.TXT",
+    }
+
+
+def test_where_every_pair_is_in_use_nothing_is_typed_over_one(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    bench = Bench(tmp_path)
+    text = bench.parameters
+    for pair in range(3):
+        points, amounts = 5731 + 10 * pair, 5761 + 10 * pair
+        values = {5711 + pair: 1, 5721 + pair: 3}
+        values |= {points: 15, points + 1: 15, points + 2: 40, points + 3: 40}
+        values |= {amounts: 50, amounts + 1: 50, amounts + 2: 0, amounts + 3: 0}
+        for number, value in values.items():
+            text = re.sub(rf"^N{number:05d}Q.*\n", "", text, flags=re.MULTILINE)
+            text = text.replace("N05861", f"N{number:05d}Q1L1P{value}L2P0\nN05861", 1)
+    bench.parameters = text
+    (tmp_path / "CNC-PARA.TXT").write_text(text)
+    run(bench)
+    assert "every pair of straightness compensation (5711 to 5713) is in use" in (
+        " ".join(capsys.readouterr().out.split())
+    )
+    assert not (tmp_path / "job" / "card" / "straightness_X_Y.csv").exists()
 
 
 @pytest.mark.parametrize(

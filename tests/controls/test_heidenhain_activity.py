@@ -8,6 +8,7 @@ says neither.
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -131,6 +132,21 @@ def test_files_that_say_it_need_no_answer_and_bear_no_other(
 ) -> None:
     assert run(tmp_path, control, files=files) == 0
     assert run(tmp_path, control, ", active: no", files=files) == 2
+
+
+def test_a_switch_that_was_not_read_back_is_a_doubt(tmp_path: Path) -> None:
+    """MP730 is one line for all axes; with bit 0 of X the table of the plan would not act."""
+    assert run(tmp_path, ITNC, files={"mp": "MP710.0 : 0.0\nMP730 : %00001\n"}) == 0
+    back = tmp_path / "job" / "tables" / ITNC
+    answer = tmp_path / "answer.json"
+    words = ["compare", str(tmp_path / "job"), "--loaded", str(back), "--json", str(answer)]
+    assert compwright(words) == 0
+    parameters = (back / "MP.TXT").read_text()
+    (back / "MP.TXT").write_text(parameters.replace("MP730 : %00001\n", ""))
+    assert compwright([*words, "--force"]) == 1
+    document = json.loads(answer.read_text())
+    assert document["verdict"] == "undecided"
+    assert any("MP730" in one["message"] for one in document["doubts"])
 
 
 def test_a_bit_of_0_is_an_answer(tmp_path: Path) -> None:

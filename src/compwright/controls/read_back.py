@@ -31,7 +31,7 @@ class ReadBackDifferences:
     """The values read back that are not as expected.
 
     ``own``: by the name of an axis of the plan; ``others``: all others; ``doubts``: tables between
-    axes that were not read back.
+    axes and switches that were not read back.
     """
 
     own: Mapping[str, tuple[Difference, ...]]
@@ -117,8 +117,26 @@ def read_back_differences(
         {name: tuple(found) for name, found in own.items()},
         Others(tuple(others), tuple(_elsewhere(whole)), tuple(one.entry.name for one in ignored)),
         tuple(dict.fromkeys((*whole.findings, *_ignored(whole, known, len(ignored))))),
-        tuple(pairs_not_read_back(planned, whole, found).values()),
+        (*pairs_not_read_back(planned, whole, found).values(), *_assumed_instead(expected, found)),
     )
+
+
+def _assumed_instead(expected: ComparedSide, found: ComparedSide) -> Iterator[Finding]:
+    """Yield a warning for each fact that the plan's files state and those read back leave to an
+    assumption, such as a switch.
+    """
+    if expected.state is None or found.state is None:
+        return
+    known = {one.fact for one in expected.state.assumed}
+    for one in found.state.assumed:
+        if one.fact not in known:
+            yield Finding.of(
+                "CW-S087.assumed",
+                "warning",
+                fact=one.fact,
+                value=one.value,
+                evidence=one.evidence,
+            )
 
 
 def _compared(placed: Placed, known: set[str]) -> bool:

@@ -313,4 +313,9 @@ SENTENCES: Final[dict[str, str]] = {
         "{more:if| and {more} more} missing. It is unknown whether this table is loaded and active."
         " Read these values of the control back too, and give their files with `--loaded`."
     ),
+    "CW-S087.assumed": (
+        "{fact}: counted as {value} ({evidence}). The plan's files state it, those read back do"
+        " not. It is unknown whether the tables are active. Read this value of the control back"
+        " too, and give its file with `--loaded`."
+    ),
 }

@@ -331,4 +331,9 @@ SENTENCES: Final[dict[str, str]] = {
         " active. Relire aussi ces valeurs de la commande, et donner leurs fichiers avec"
         " `--loaded`."
     ),
+    "CW-S087.assumed": (
+        "{fact} : compté comme {value} ({evidence}). Les fichiers du plan le donnent, les fichiers"
+        " relus non. On ne sait pas si les tables sont actives. Relire aussi cette valeur de la"
+        " commande, et donner son fichier avec `--loaded`."
+    ),
 }

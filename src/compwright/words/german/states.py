@@ -335,4 +335,9 @@ SENTENCES: Final[dict[str, str]] = {
         " nicht bekannt. Auch diese Werte aus der Steuerung auslesen und ihre Dateien mit"
         " `--loaded` angeben."
     ),
+    "CW-S087.assumed": (
+        "{fact}: als {value} gezählt ({evidence}). In den Dateien des Plans ist es angegeben, in"
+        " den ausgelesenen nicht. Ob die Tabellen aktiv sind, ist nicht bekannt. Auch diesen Wert"
+        " aus der Steuerung auslesen und seine Datei mit `--loaded` angeben."
+    ),
 }

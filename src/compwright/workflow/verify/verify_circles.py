@@ -55,9 +55,9 @@ def split_after(
     """Return the values of ``--after`` in two groups: the positioning tests, and the circular tests
     by the name of the circle that they repeat.
 
-    ``TEST=FILE`` names the circle; else the plane decides, and of several circles of one plane the
-    radius. Raises UsageError where the plan holds no such circle, InputError for circular files
-    that cannot be read.
+    ``TEST=FILE`` names the circle, in whose plane the file must be; else the plane decides, and of
+    several circles of one plane the radius. Raises UsageError where the plan holds no such circle,
+    InputError for circular files that cannot be read.
     """
     others: list[str | PositioningTest] = []
     circles: dict[str, list[Path | CircularTest]] = {}
@@ -86,7 +86,7 @@ def _circle(
     session: Session, plan: Plan, spec: str | CircularTest
 ) -> tuple[str, Path | CircularTest] | None:
     if isinstance(spec, CircularTest):
-        return _repeated(plan, spec, spec.name), spec
+        return _repeated(plan.circles, spec, spec.name), spec
     head, mark, tail = spec.partition("=")
     named = bool(mark and tail) and head in plan.circles
     path = Path(tail if named else spec)
@@ -96,26 +96,27 @@ def _circle(
     file = shown_path(path)
     if not is_circular(content, file):
         return None
-    return (head if named else _repeated(plan, read_circular(content, file), spec)), path
+    among = {head: plan.circles[head]} if named else plan.circles
+    return _repeated(among, read_circular(content, file), spec), path
 
 
-def _repeated(plan: Plan, test: CircularTest, spec: str) -> str:
+def _repeated(circles: Mapping[str, PlannedCircle], test: CircularTest, spec: str) -> str:
     """Return the name of the planned circle that a test repeats: of those in the same plane, the
     one with the nearest radius.
     """
 
     def apart(name: str) -> float:
-        return abs(plan.circles[name].test.nominal_radius - test.nominal_radius)
+        return abs(circles[name].test.nominal_radius - test.nominal_radius)
 
     axes = {name.upper() for name in test.axes}
     known = [
         name
-        for name, circle in plan.circles.items()
+        for name, circle in circles.items()
         if {axis.upper() for axis in circle.test.axes} == axes
     ]
     if not known:
         planes = (
-            ", ".join(f"{name} ({circle.test.plane})" for name, circle in plan.circles.items())
+            ", ".join(f"{name} ({circle.test.plane})" for name, circle in circles.items())
             or "no circle"
         )
         raise UsageError(
@@ -127,7 +128,7 @@ def _repeated(plan: Plan, test: CircularTest, spec: str) -> str:
                 file=spec,
                 place="--after",
                 expected=planes,
-                hint=("give the circle under its own name: `--after NAME=FILE`, or leave it out"),
+                hint="give a circle in one of these planes, or leave the file out",
             )
         )
     return min(known, key=apart)

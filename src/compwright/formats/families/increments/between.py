@@ -26,9 +26,8 @@ from compwright.formats.families.between import (
 from compwright.formats.families.family import Family
 from compwright.formats.families.increments.increment_facts import increments_of
 from compwright.formats.families.increments.parameters import Parameters, ParameterValue
-from compwright.formats.families.increments.straightness import free_pair
+from compwright.formats.families.increments.straightness import free_pair, unused_pairs
 from compwright.formats.text.patching import BytesChange, apply_changes
-from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile, ControlState
 from compwright.records.plan import PlannedCross
 from compwright.words.sentences import SentenceText, control_text, say
@@ -44,11 +43,15 @@ def straightness_between(family: Family, request: BetweenRequest) -> Between:
     filled = None if others else _filled(family, request, entry)
     if filled is not None:
         return filled
-    state = request.read(request.tables) if request.tables else None
-    rows = None if others else _rows(family, request, entry, state)
+    state = request.read(request.base) if request.base else None
+    read = Parameters(request.base, family.definition.parameters)
+    numbers, _ = next(unused_pairs(read, entry.added.input), ((), {}))
+    rows = None if others else _rows(family, request, entry, state, numbers)
     if rows is None:
         why = control_text(
             "straightness compensation is known for one straight line over a table only"
+            if numbers
+            else "every pair of straightness compensation (5711 to 5713) is in use"
         )
         return combined_answer(cannot_hold(each, why) for each in request.planned)
     sheet = _sheet(entry, rows)
@@ -111,42 +114,46 @@ def _patched(
         value = places[place]
         change = BytesChange(value.start, value.start + len(value.text), text.encode("ascii"))
         changes.setdefault(value.file, []).append(change)
-    return tuple(
-        ControlFile(file.name, apply_changes(file.content, changes[file.name]))
+    return tuple(  # all: parameters are read only together with their pitch data
+        ControlFile(file.name, apply_changes(file.content, changes.get(file.name, [])))
         for file in files
-        if file.name in changes
     )
 
 
 def _rows(
-    family: Family, request: BetweenRequest, entry: PlannedCross, state: ControlState | None
+    family: Family,
+    request: BetweenRequest,
+    entry: PlannedCross,
+    state: ControlState | None,
+    numbers: Sequence[int],
 ) -> list[tuple[str, str, str]] | None:
     """Return the entry sheet's rows (parameter, value, meaning); None if no straight line fits.
 
-    ``state``: the state with the tables of this run.
+    ``state``: the state with the tables of this run; ``numbers``: of an unused pair.
     """
     added, bent = entry.added, request.axes.get(entry.output)
     table = None if state is None else state.axes.get(added.input)
     unit = None if bent is None else family.options_of(bent).get("detection_unit")
     if (
         state is None
+        or not numbers
         or table is None
         or table.positions.size < 2
-        or added.positions.size > 2
+        or added.positions.size != 2
         or not isinstance(unit, float)
     ):
         return None
     facts = increments_of(state.facts_of(added.input))
     first, last = facts.first_number, facts.last_number
-    low, high = added.at(table.positions[[1, -1]], Direction.POSITIVE) / unit
-    return [
-        ("5711", added.input, "moving axis"),
-        ("5721", added.output, "compensated axis"),
-        *((number, str(first), "point number at the - end") for number in ("5731", "5732")),
-        *((number, str(last), "point number at the + end") for number in ("5733", "5734")),
-        *((number, f"{low:.0f}", "amount, detection units") for number in ("5761", "5762")),
-        *((number, f"{high:.0f}", "amount, detection units") for number in ("5763", "5764")),
-    ]
+    # The table may reach beyond the line's positions: the line goes on to the points at its ends.
+    line = np.polynomial.Polynomial.fit(added.positions, added.positive, 1)
+    low, high = line(table.positions[[1, -1]]) / unit
+    ends = f"{low:.0f}", f"{high:.0f}"
+    values = (added.input, added.output, *(str(first),) * 2, *(str(last),) * 2)
+    texts = (*values, *(ends[0],) * 2, *(ends[1],) * 2)
+    points = ("point number at the - end",) * 2 + ("point number at the + end",) * 2
+    means = ("moving axis", "compensated axis", *points, *("amount, detection units",) * 4)
+    return list(zip(map(str, numbers), texts, means, strict=True))
 
 
 def _sheet(entry: PlannedCross, rows: list[tuple[str, str, str]]) -> ControlFile:

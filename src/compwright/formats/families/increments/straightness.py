@@ -114,24 +114,30 @@ def _own(
     return [each for each in parameters.of(numbers) if each.whose == value.whose]
 
 
-def free_pair(parameters: Parameters, moving: str) -> dict[int, ParameterValue] | None:
-    """Return the parameters of the first unused axis pair in the moving axis' path.
+def unused_pairs(
+    parameters: Parameters, moving: str
+) -> Iterator[tuple[tuple[int, ...], dict[int, ParameterValue]]]:
+    """Yield the numbers of each axis pair that is at zero or in no file in the moving axis' path,
+    and those of its parameters that are in the files, by place.
 
-    Complete and at zero: 0 moving, 1 compensated, 2 to 5 points, 6 to 9 amounts.
-
-    None if there is none, or if an axis number may be counted within the path.
+    Places: 0 moving, 1 compensated, 2 to 5 points, 6 to 9 amounts.
     """
     own = AxisParameters(parameters, moving)
     for pair in range(known.STRAIGHTNESS_PAIRS):
-        numbers = [
-            known.STRAIGHTNESS_MOVING[pair],
-            known.STRAIGHTNESS_BENT[pair],
-            *row_of(pair),
-            *row_of(pair, amounts=True),
-        ]
+        axes = known.STRAIGHTNESS_MOVING[pair], known.STRAIGHTNESS_BENT[pair]
+        numbers = (*axes, *row_of(pair), *row_of(pair, amounts=True))
         values = [own.get(number) for number in numbers]
         found = {place: value for place, value in enumerate(values) if value is not None}
-        rest = all(value.owner != "A" and not value.nonzero for value in found.values())
-        if len(found) == len(numbers) and rest and (own.path or 1) == 1:
-            return found
-    return None
+        if all(value.owner != "A" and not value.nonzero for value in found.values()):
+            yield numbers, found
+
+
+def free_pair(parameters: Parameters, moving: str) -> dict[int, ParameterValue] | None:
+    """Return the parameters of the first axis pair in the files that is complete and at zero.
+
+    None if there is none, or if an axis number may be counted within the path.
+    """
+    if (AxisParameters(parameters, moving).path or 1) != 1:
+        return None
+    pairs = unused_pairs(parameters, moving)
+    return next((found for numbers, found in pairs if len(found) == len(numbers)), None)

@@ -109,6 +109,9 @@ TEXTS: Final[dict[str, str]] = {
     "{output} over {input}: straightness compensation": (
         "{output} sur {input} : compensation de rectitude"
     ),
+    "every pair of straightness compensation (5711 to 5713) is in use": (
+        "toutes les paires de la compensation de rectitude (5711 à 5713) sont utilisées"
+    ),
     "straightness compensation is known for one straight line over a table only": (
         "la compensation de rectitude n'est connue que pour une droite sur une table"
     ),

@@ -110,6 +110,9 @@ TEXTS: Final[dict[str, str]] = {
     "{output} over {input}: straightness compensation": (
         "{output} über {input}: Geradheitskompensation"
     ),
+    "every pair of straightness compensation (5711 to 5713) is in use": (
+        "alle Paare der Geradheitskompensation (5711 bis 5713) sind belegt"
+    ),
     "straightness compensation is known for one straight line over a table only": (
         "die Geradheitskompensation ist nur für eine gerade Linie über einer Tabelle bekannt"
     ),

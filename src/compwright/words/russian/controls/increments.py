@@ -104,6 +104,9 @@ TEXTS: Final[dict[str, str]] = {
     "{output} over {input}: straightness compensation": (
         "{output} по {input}: компенсация прямолинейности"
     ),
+    "every pair of straightness compensation (5711 to 5713) is in use": (
+        "все пары компенсации прямолинейности (5711–5713) заняты"
+    ),
     "straightness compensation is known for one straight line over a table only": (
         "компенсация прямолинейности известна только для одной прямой по таблице"
     ),
