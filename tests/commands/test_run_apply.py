@@ -171,7 +171,22 @@ def test_squareness_alone_is_compared_with_what_was_read_back(
         assert ("squareness of XY needs no further correction" in kept) is well
 
 
-def test_a_next_round_for_squareness_alone(folder: Path) -> None:
+def test_a_squareness_that_is_not_as_planned_does_not_ask_for_another_table(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The table is in the control, and the second circle shows that it did not act."""
+    assert run(folder, SIEMENS, options=CEC) == 0
+    write_circle(folder / "after.csv", Bent().circle(8))
+    words = ["verify", str(folder / "job.yaml"), "--after", str(folder / "after.csv")]
+    assert compwright([*words, "--loaded", str(folder / "job" / "tables" / SIEMENS)]) == 1
+    shown = codes(capsys)
+    assert "not enough" not in shown
+    assert "Next: correct what is named above, measure again" in shown
+
+
+def test_a_next_round_for_squareness_alone(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """A first circle with much noise leaves a squareness that a quiet second circle shows."""
     write_circle(folder / "xy.csv", Bent(noise=0.012).circle(2))
     assert run(folder, SIEMENS, options=CEC) == 0
@@ -192,6 +207,7 @@ def test_a_next_round_for_squareness_alone(folder: Path) -> None:
     shutil.copytree(again / "tables" / SIEMENS, both)
     shutil.copytree(tables, both, dirs_exist_ok=True)
     assert left(both) < 2.0 < left(tables)
+    assert f"Next: do the steps of {again / 'card' / 'card.html'}" in capsys.readouterr().out
     write_circle(folder / "last.csv", Bent().circle(9, judge_of(both)))
     words = ["verify", str(again / "job.yaml"), "--after", str(folder / "last.csv")]
     assert compwright([*words, "--loaded", str(both), "--update"]) == 0

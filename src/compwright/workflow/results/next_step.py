@@ -58,9 +58,9 @@ def after_verify(
     ``read_back``: whether the control's files were given.
     """
     document = outcome.document
-    then = document.get("next") or {}
-    if any(axis["table"] for axis in then.get("axes", {}).values()):
-        folder = out / "next"
+    then, folder = document.get("next") or {}, out / "next"
+    tables = any(path.is_relative_to(folder / "tables") for path in outcome.files)
+    if tables or any(axis["table"] for axis in then.get("axes", {}).values()):
         return (
             f"Next: do the steps of {folder / 'card' / 'card.html'}, save the control's files to"
             f" {READ_BACK}, then type: " + _command("compare", folder, "--loaded", READ_BACK)
@@ -69,8 +69,11 @@ def after_verify(
         return f"Next: keep the folder {out}. To see the years, type: " + _command("history", out)
     again = [word for file in after for word in ("--after", file)]
     loaded = ("--loaded", READ_BACK) if read_back else ()
-    axes = document["axes"].values()
-    active = all(axis["loading"]["verdict"] == "loaded" for axis in axes)
+    axes, circles = document["axes"].values(), document["circles"].values()
+    planes = [circle["squareness"] for circle in circles if circle["squareness"]]
+    active = all(axis["loading"]["verdict"] == "loaded" for axis in axes) and all(
+        plane["decision"] == "accept" for plane in planes
+    )
     if active and any(finding["code"] == "CW-V023" for finding in document["findings"]):
         return "Next: measure what CW-V023 names, then type: " + _command(
             "verify", job, *again, "--after", _AFTER, *given, *loaded, "--force"
