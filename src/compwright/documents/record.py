@@ -202,7 +202,9 @@ def kept_verification(record: Mapping[str, Any], earlier: Mapping[str, Any]) -> 
 
 
 def _planned(record: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the entries of a record that depend on the plan alone and not on the folder."""
+    """Return the entries of a result folder's record that follow from the plan; leave out those
+    that depend on where and when the files were written.
+    """
     apart = ("version", "plan", "files", "inputs", "tests", "verification")
     return {
         **{key: value for key, value in record.items() if key not in apart},

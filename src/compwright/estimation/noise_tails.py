@@ -86,8 +86,8 @@ class Tail:
         return np.concatenate([off, usual[np.newaxis] + rest])
 
     def log_outlier(self, z: FloatArray) -> FloatArray:
-        """Return the log share plus log density at ``z`` (...) of low and of high outliers, (2,
-        ...).
+        """Return, for low and for high outliers, the logarithm of their proportion times their
+        probability density at ``z`` (...), as an array (2, ...).
         """
         side = np.array([-1.0, 1.0]).reshape(2, *np.ones(z.ndim, dtype=int))
         scale = self.scale

@@ -57,8 +57,8 @@ def _shifted(wanted: WantedCorrection, shift: float) -> WantedCorrection:
 def _offset_from_mean(
     wanted: WantedCorrection, place: float, layout: UnknownsLayout, capacity: Capacity
 ) -> float:
-    """Return how much the wanted correction at ``place`` exceeds a fit to it with one constant
-    reversal value, mm or deg.
+    """Return by how much the wanted correction at ``place`` exceeds the best table with one
+    constant reversal value, mm or deg.
 
     It applies to the reference-return direction. The curve of the fit is the mean of both
     directions plus or minus half of the reversal value (least squares: Draper and Smith,

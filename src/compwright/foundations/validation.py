@@ -33,8 +33,8 @@ Known = Callable[[KeyPath], list[str]]
 
 
 def refuse(*faults: KeyFault) -> NoReturn:
-    """Raise the faults as a pydantic error. Their key paths are relative to the value that is being
-    validated.
+    """Raise the faults found in a value as one pydantic error. Their key paths are relative to that
+    value, which a validator is checking.
     """
     raise ValidationError.from_exception_data(
         "",

@@ -80,8 +80,8 @@ class TextRedactor:
         self.result = RedactedText(file)
 
     def copy(self) -> RedactedText:
-        """Return the copy, with the new names that replace private ones and the keywords of the
-        text.
+        """Return the redacted copy, the new names that replace private ones, and the keywords of
+        the text, which stay.
         """
         text = self.file.content.decode("latin-1")
         made, end = [], 0

@@ -335,7 +335,8 @@ def _left_over(out: Path, then: Round | None) -> tuple[str, ...]:
 def _planned(
     session: Session, job: Job, file: Path
 ) -> tuple[Plan, Control, Job, dict[str, DecodedState]]:
-    """Return plan, control, job with the control's axis names, and the control's contents by state.
+    """Return the plan, the control, the job with the control's axis names, and what the control
+    contained in each of the job's ``states``.
 
     Raises InputError for the plan of another job.
     """

@@ -76,8 +76,8 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
 
 
 def _not_twice(job: Job, work: AxisWork) -> AxisWork:
-    """Return the axis, marked as refused a new table if its existing table seems to be made from
-    the same test, so that no error is corrected twice.
+    """Return the axis; it gets no new table if its existing table seems to be made from the same
+    test. The same error would be corrected twice.
 
     Where tests in two states show what that table did, its shape is no further evidence.
     """

@@ -252,7 +252,9 @@ class SmallFiles:
         return _Plan(name, header, file.footer[-1:], tuple(enters), tuple(by_hand), tuple(as_it_is))
 
     def _unit_word(self) -> Iterator[str]:
-        """Yield the line that sets the length unit (METRIC or INCH), if the own files have one."""
+        """Yield the line that sets the length unit (METRIC or INCH), if the user's own files
+        contain one.
+        """
         for key, occurrence in self.old.entries.items():
             if self._is(key, ("unit_word",)):
                 yield value_of(occurrence)

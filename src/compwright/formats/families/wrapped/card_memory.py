@@ -79,7 +79,7 @@ class MemoryTable:
 
     @property
     def counts(self) -> int:
-        """The table's length in encoder counts of the motor by whose position it is looked up."""
+        """The table length in counts of the encoder whose position selects the table entry."""
         return 0 if self.length is None else int(self.length.text)
 
     @property
