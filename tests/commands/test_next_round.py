@@ -170,7 +170,7 @@ def test_the_round_after_it_stops_and_says_what_is_left(rounds: Rounds) -> None:
     then = rounds.documents[1]["next"]
     assert then["written"]
     assert then["axes"]["X"]["table"] is False
-    assert "What is left is noise" in then["axes"]["X"]["reason"]
+    assert "come from the largest cause: noise" in then["axes"]["X"]["reason"]
     assert not (rounds.second / "tables").exists()
     assert not (rounds.second / "card").exists()
     present = {path.name for path in rounds.second.iterdir() if path.is_file()}

@@ -534,8 +534,8 @@ def test_a_slope_that_two_magnifications_hold_exactly_takes_the_smaller() -> Non
     # rms.
     assert (
         "set to 2 instead of 1, which leaves nothing of the error. With magnification 1, one"
-        " increment would be 1 µm. With ±7 increments per table point, at least 7.3 µm rms would"
-        " then be left" in says(steep, "CW-F009")
+        " increment would be 1 µm. The control stores only ±7 increments per table point, so at"
+        " least 7.3 µm rms would be left" in says(steep, "CW-F009")
     )
 
 

@@ -81,7 +81,7 @@ def test_places_of_rest_that_one_test_leaves_open() -> None:
     assert np.mean((fresh > low) & (fresh < high)) > 0.6
     assert low < least
     assert high < most < 1.5 * high
-    assert all("places of rest" in each.message for each in stated)
+    assert all("stopped at either of two positions" in each.message for each in stated)
 
 
 def test_a_scatter_that_differs_between_the_runs() -> None:

@@ -87,7 +87,9 @@ def decode(
 @format_option
 @control_options
 @state_option
-@click.option("--out", required=True, type=PATH, help="Folder for the control's files.")
+@click.option(
+    "--out", required=True, type=PATH, help="Folder into which the control's files are written."
+)
 @force_option
 @exiting
 @click.pass_obj

@@ -236,7 +236,9 @@ def profile(
     page="docs/simulation.md",
 )
 @click.argument("machine", metavar="MACHINE.yaml", type=PATH, help="The virtual machine.")
-@click.option("--out", required=True, type=PATH, help="Folder for the measurement files.")
+@click.option(
+    "--out", required=True, type=PATH, help="Folder into which the measurement files are written."
+)
 @click.option(
     "--seed",
     type=click.IntRange(min=0),

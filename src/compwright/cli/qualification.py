@@ -19,7 +19,12 @@ from compwright.cli.words import PATH, Invocation, compwright, exiting, force_op
     ),
     page="docs/commands.md#selftest",
 )
-@click.option("--out", type=PATH, metavar="DIR", help="Folder for selftest.html and selftest.json.")
+@click.option(
+    "--out",
+    type=PATH,
+    metavar="DIR",
+    help="Folder into which selftest.html and selftest.json are written.",
+)
 @click.option(
     "--report",
     type=PATH,

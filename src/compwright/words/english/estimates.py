@@ -71,23 +71,23 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E004": (
         "The travel reaches up to {beyond:g} {unit} beyond the measured range ({first:g} to"
-        " {last:g} {unit}). Beyond this range the error is continued with the measured slope, and"
-        " its uncertainty grows"
+        " {last:g} {unit}). Beyond this range the error is extrapolated with the measured slope,"
+        " and its uncertainty grows"
     ),
     "CW-E010": (
         "The targets are {interval:.4g} {unit} apart. At these targets an error of period"
         " {period:g} {unit} looks like {wave:if|a wave of {wave:.4g} {unit}|a constant}, and the"
         " two cannot be separated. The period is therefore not part of the estimate, and no limit"
-        " is accepted; {better}"
+        " can be reported as met; {better}"
     ),
     "CW-E011": (
-        "The table is made from {number:plural|test {tests} alone, which covers|tests"
-        " {tests:and}, which cover} {low:g} to {high:g} {unit}. Test {other} measured"
-        " {other_low:g} to {other_high:g} {unit}, but is not used: what was in the control during"
-        " this test is not known. Beyond {low:g} to {high:g} {unit} the error is only continued,"
-        " and may be wrong by more than its size. Do one of three things: state which entry of"
-        " `states` was in the control during the test (measured_in), list test {other} first, or"
-        " let the table end at the measured range (table: start, end)"
+        "The table is made from {number:plural|test {tests} alone, which covers|tests {tests:and},"
+        " which cover} {low:g} to {high:g} {unit}. Test {other} measured {other_low:g} to"
+        " {other_high:g} {unit}, but is not used: what was in the control during this test is not"
+        " known. Beyond {low:g} to {high:g} {unit} the error is only extrapolated, and may be wrong"
+        " by more than 100 %. Do one of three things: state under `measured_in` which entry of"
+        " `states` was in the control during test {other}; list test {other} first under `before`;"
+        " or let the table end at the measured range (`start` and `end` of `table`)"
     ),
     "CW-E012.found": (
         "The error repeats every {period:.5g} {unit} (probability {probability:.0f} %, {odds}):"
@@ -140,8 +140,9 @@ SENTENCES: Final[dict[str, str]] = {
         " the drift flattens out}. The prediction knows only this one test. It assumes that a test"
         " repeated in the same way, from an equally cold axis, drifts by the same amount (to within"
         " about 10 %). If the next test drifts differently, or not at all because the axis is warm,"
-        " its results can lie outside the predicted band. A second test in the same way makes the"
-        " band wide enough. To see the axis without the drift, warm it up and measure again"
+        " its results can lie outside the predicted band. With a second test, measured in the same"
+        " way, the predicted band allows for such a difference. To see the axis without the drift,"
+        " warm it up and measure again"
     ),
     "CW-E021": (
         "The readings drift along the travel as in thermal expansion: by {lower} at the lower end"
@@ -175,9 +176,9 @@ SENTENCES: Final[dict[str, str]] = {
         " prediction assumes that such shifts are as rare in the next test"
     ),
     "CW-E023": (
-        "The scale changes from run to run: the ends of the travel move by {tilt} relative to its"
-        " middle (standard deviation; {odds}). Check how the instrument compensates air and"
-        " temperature, and look for drafts"
+        "The scale changes from run to run: the deviations at the ends of the travel shift by"
+        " {tilt} relative to those in its middle (standard deviation; {odds}). Check how the"
+        " instrument compensates air and temperature, and look for drafts"
     ),
     "CW-E024": (
         "{outliers} of {readings} {outliers:plural|readings is an outlier|readings are outliers}:"
@@ -209,10 +210,10 @@ SENTENCES: Final[dict[str, str]] = {
         " temperature"
     ),
     "CW-E029": (
-        "The instrument seems to resolve {step}: {repeated:if|every target repeats one reading,"
-        " and }all readings are multiples of this step. The true error may differ from each mean"
-        " by half a step. If the instrument resolves more, export its readings with all digits"
-        " and evaluate again"
+        "The instrument seems to resolve {step}: {repeated:if|all readings of a target are equal,"
+        " and }all readings are multiples of this step. The true error may differ from each mean by"
+        " half a step. If the instrument resolves more, export its readings with all digits and"
+        " evaluate again"
     ),
     "CW-E030.jump": (
         "The error jumps by {size} ± {error} between {low:.10g} and {high:.10g} {unit}"
@@ -244,8 +245,8 @@ SENTENCES: Final[dict[str, str]] = {
     "period.cause": (
         "{cause:choose|lead=a screw lead of {number:g} mm|inch_lead=a screw lead of {number:g}"
         " inch|half_lead=half a screw lead of {number:g} mm|magnets=a pair of magnets of a linear"
-        " motor|rack=a tooth of a helical rack|worm=a turn of a worm or motor, 1/{number:g} of the"
-        " table's|files=a period that the control's own files suggest}"
+        " motor|rack=a tooth of a helical rack|worm=one turn of a worm or motor ({number:g} turns"
+        " for one turn of the table)|files=a period that the control's own files suggest}"
     ),
     "period.unusual_division": (
         "no usual part repeats {parts:.4g} times per turn. Compare this period with one turn of the"

@@ -7,7 +7,8 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "CW-J002": (
         "The job has the entries {states} under `states`, but not as_found. The entry as_found"
-        " states what is in the control now. Without as_found no table is written"
+        " states what is in the control now. Without it no table is written. Add `as_found: none`"
+        " or `as_found: [files of the control]` under `states`"
     ),
     "CW-J003": "axes.{axis}.modulo has no meaning on a linear axis and is not used",
     "CW-J004": (

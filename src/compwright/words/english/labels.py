@@ -263,18 +263,20 @@ SENTENCES: Final[dict[str, str]] = {
     "parameter.U_mean": "{term:if|{term}|Mean reversal error}",
     "rule.band": "{symbol} {U:if|{U} {unit}|not stated}",
     "rule.guarded": (
-        "Guarded decision (ISO 14253-1): accepted when the 95 % value plus U lies within the limit,"
-        " rejected when the 5 % value less U lies beyond it; U (k = 2) of the next test, which"
-        " includes the uncertainty that the first test has brought into the table: {bands}."
+        "Guarded decision (ISO 14253-1): accepted when the 95th percentile of the predicted tests"
+        " plus U lies within the limit, rejected when their 5th percentile minus U lies beyond it;"
+        " U (k = 2) of the next test, which includes the uncertainty that the first test has"
+        " brought into the table: {bands}."
     ),
     "rule.guarded_after": (
         "Guarded decision (ISO 14253-1): accepted when the value plus U lies within the limit,"
-        " rejected when the value less U lies beyond it; U (k = 2) of the test after loading:"
+        " rejected when the value minus U lies beyond it; U (k = 2) of the test after loading:"
         " {bands}."
     ),
     "rule.simple": (
-        "Accepted when the 95 % value lies within the limit, rejected when the 5 % value lies"
-        " beyond it; the measurement uncertainty is not counted: no guard bands (ISO 14253-1)."
+        "Accepted when the 95th percentile of the predicted tests lies within the limit, rejected"
+        " when their 5th percentile lies beyond it; the measurement uncertainty is not counted: no"
+        " guard bands (ISO 14253-1)."
     ),
     "rule.simple_after": (
         "Accepted when the measured value lies within the limit, rejected when it lies beyond it;"

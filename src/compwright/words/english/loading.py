@@ -152,9 +152,9 @@ SENTENCES: Final[dict[str, str]] = {
         " with --loaded}."
     ),
     "loading.evidence": (
-        "The test differs from the prediction by {off}, at worst by {worst}. It differs by {left}"
-        " from what the fault named here would show; the noise of a reading is {noise}.{effect:if|"
-        " Measured: {effect}.}"
+        "The measured deviations differ from the predicted ones by {off}, at worst by {worst}. They"
+        " differ by {left} from those that the fault in the verdict would give; the noise of a"
+        " reading is {noise}.{effect:if| Measured: {effect}.}"
     ),
     "loading.factor": (
         "{factor:choose|2=twice: radius and diameter mixed up, or loaded on top of itself|0.5=half:"
@@ -199,12 +199,12 @@ SENTENCES: Final[dict[str, str]] = {
         " is as before|nothing=no correction is active|backlash=only the new backlash is active}"
     ),
     "loading.open": (
-        "This test cannot show what was loaded. The new table changes the deviations by {size}"
-        " rms, and the noise of a reading is {noise}{needed:if|. This correction is smaller than"
-        " the {needed} rms that the test can prove}{effect:if|. Measured: {effect}}. These"
-        " causes are possible: {candidates}.{off:if| But the test differs from the first of these"
-        " by {off}, at worst by {worst}. That is more than noise: something else changed, or the"
-        " test is at fault.}"
+        "This test cannot show what was loaded. The new table changes the deviations by {size} rms,"
+        " and the noise of a reading is {noise}{needed:if|. This correction is smaller than the"
+        " {needed} rms that the test can prove}{effect:if|. Measured: {effect}}. These causes are"
+        " possible: {candidates}.{off:if| But the measured deviations differ by {off}, at worst by"
+        " {worst}, from those that the first of these causes would give. That is more than noise:"
+        " something else changed, or the test is at fault.}"
     ),
     "loading.other_axis": "matched by {by:choose|position=position|number=point number}",
     "loading.part": (
@@ -244,22 +244,22 @@ SENTENCES: Final[dict[str, str]] = {
         " backlash}"
     ),
     "loading.verdict": (
-        "{verdict:choose|loaded=The table is active as planned{effect:if|: the test after"
-        " loading shows {effect}}|not_active=The table is not active{detail:if|"
-        " ({detail})}{effect:if|: the test after loading shows {effect}}|inverted=The table is"
-        " active with the opposite sign{detail:if| ({detail})} and makes the error"
-        " larger|scaled=The table is active with factor {factor:3sig}{detail:if|"
-        " ({detail})}|shifted=The table is shifted by {nodes} table {nodes:plural|point|points}"
-        " in direction {direction}{detail:if| ({detail})}|mirrored=The table is loaded back to"
-        " front, its last value first{detail:if| ({detail})}|wrong_axis=The active table is that"
-        " of axis {axis}{detail:if| ({detail})}|one_direction=The table is active in one"
-        " direction only: {detail}|backlash=The table is active, but the backlash value is wrong:"
-        " {detail}|partial=Only a part of the table is active: {detail}|increment=Only the change"
-        " to the existing table is active{detail:if| ({detail})}. Load the total, which is in the"
-        " written files|on_top=The control added the new total to the existing table{detail:if|"
-        " ({detail})}. Clear the table and load the written files again|state=The existing table"
-        " was not active during the first test, although the job says so. Run the job again with"
-        " `active: no` in this entry of `states`}."
+        "{verdict:choose|loaded=The table is active as planned{effect:if|: the test after loading"
+        " shows {effect}}|not_active=The table is not active{detail:if| ({detail})}{effect:if|: the"
+        " test after loading shows {effect}}|inverted=The table is active with the opposite"
+        " sign{detail:if| ({detail})} and makes the error larger|scaled=The table is active with"
+        " factor {factor:3sig}{detail:if| ({detail})}|shifted=The table is shifted by {nodes} table"
+        " {nodes:plural|point|points} in direction {direction}{detail:if| ({detail})}|mirrored=The"
+        " table is loaded back to front, its last value first{detail:if| ({detail})}|wrong_axis=The"
+        " active table is that of axis {axis}{detail:if| ({detail})}|one_direction=The table is"
+        " active in one direction only: {detail}|backlash=The table is active, but the backlash"
+        " value is wrong: {detail}|partial=Only a part of the table is active: {detail}|"
+        "increment=Only the change to the existing table is active{detail:if| ({detail})}. Load the"
+        " total, which is in the written files|on_top=The control added the new total to the"
+        " existing table{detail:if| ({detail})}. Clear the table and load the written files again|"
+        "state=The existing table was not active during the first test, although the job says so."
+        " Run the job again with `active: no` in the entry of `states` that was in the control"
+        " during the first test (measured_in)}."
     ),
     "loading.worst": "{value} ({position} approached in {direction})",
     "next.between_again": (
@@ -268,8 +268,8 @@ SENTENCES: Final[dict[str, str]] = {
     "next.between_kept": "the correction of {output} over {input} stays as it is in the control",
     "next.cannot_be_made": "the next round cannot be made: {reason}",
     "next.circles_only": (
-        "the table of this axis was calculated from circles, which do not show its effect. The axis"
-        " keeps what is in the control"
+        "the table of this axis was calculated from circular tests only. Without a positioning test"
+        " it is not proven that the table is active. The axis keeps what is in the control"
     ),
     "next.differs": "what was read back differs from the plan: {why}{quantity:if| ({quantity})}",
     "next.doubted": (
@@ -328,8 +328,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "next.written": "a new table is written",
     "read_back.backlash": (
-        "all values for arriving in {direction} differ by the same amount: the backlash value is"
-        " not the planned one"
+        "all values for the approach in {direction} differ by the same amount: the backlash value"
+        " is not the planned one"
     ),
     "read_back.cause": (
         "{cause:choose|loaded=the table in the control is the planned table|before=what was in the"
@@ -346,7 +346,9 @@ SENTENCES: Final[dict[str, str]] = {
         " value is a thousandth of the planned one: µm taken for mm}{apart:if| (apart from the"
         " backlash)|}"
     ),
-    "read_back.one_side": ("only the values for arriving in {direction} equal the planned values"),
+    "read_back.one_side": (
+        "only the values for the approach in {direction} equal the planned values"
+    ),
     "read_back.other": (
         "the values differ at {off} of {number} positions (each direction counted); no known"
         " mistake explains all of these differences"
@@ -359,7 +361,8 @@ SENTENCES: Final[dict[str, str]] = {
         "only {loaded:and} was loaded: load {missing:and} too, before the axis moves; {why}"
     ),
     "read_back.shifted": (
-        "the table is {points} {points:plural|point|points} too far to {towards}{apart:if|, apart"
-        " from a constant: the reference point has a different number or position|}"
+        "the table is {points} {points:plural|point|points} too far to {towards}{apart:if|, and the"
+        " values of each direction differ by a constant too: the reference point has a different"
+        " number or position|}"
     ),
 }

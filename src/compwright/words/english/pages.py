@@ -169,9 +169,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "limits.left": "Left by the control",
     "limits.note": (
-        "Each bar shows how much smaller {parameter} would be without this one cause, calculated"
-        " on the same simulated tests. The bars do not add up, because {parameter} is a range:"
-        " causes at different positions count only once."
+        "Each bar shows how much smaller {parameter} would be without this one cause, calculated on"
+        " the same simulated tests. The bars do not add up, because {parameter} is a range, the"
+        " largest minus the smallest value: only the causes at these two positions count."
     ),
     "limits.part": "Part of {parameter}",
     "limits.summary": (
@@ -195,7 +195,7 @@ SENTENCES: Final[dict[str, str]] = {
         " {unit}. If the job does not give the period, a wave is mostly found from about 1.5"
         " times this amplitude on. More targets, at random offsets, show smaller waves."
     ),
-    "period.none": "None is known, and none was found.",
+    "period.none": "No period is known, and none was found.",
     "period.over": "period / {unit}",
     "period.source": (
         "{source:choose|job=given by the job|found=found in the readings|files=given by the"
@@ -216,7 +216,7 @@ SENTENCES: Final[dict[str, str]] = {
     "report.conditions": "Conditions of the test, {standard}",
     "report.conform": "The machine conforms to every limit of the table above.",
     "report.conformity_open": (
-        "Conformity is not stated: at least one limit is undecided, or a point that its decision"
+        "Conformity is not stated: at least one limit is undecided, or a finding that a decision"
         " depends on is not yet checked."
     ),
     "report.customer": "Customer",
@@ -267,8 +267,9 @@ SENTENCES: Final[dict[str, str]] = {
         " error at a target: mean at + minus mean at −; B is its largest absolute value."
     ),
     "report.signs_circle": (
-        "Circle: deviation is measured minus nominal radius. Lost motion above zero: the axis lags"
-        " its direction. Squareness above zero: the angle between the positive axes is above 90°."
+        "Circle: deviation is measured minus nominal radius. Lost motion above zero: after a"
+        " reversal the axis lags behind the command. Squareness above zero: the angle between the"
+        " positive axes is above 90°."
     ),
     "report.statistics": "Means, standard deviations and repeatability at {count} target positions",
     "report.test": "Test {name}",
@@ -291,7 +292,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.card": "Commissioning card",
     "run.certificate": "Certificate of the fit",
     "run.changes": "Old to new",
-    "run.check_first": "Undecided: check the points named above first",
+    "run.check_first": "Undecided: check the findings named above first",
     "run.circle_worse": (
         "The limits of a circle are undecided: it is predicted to get worse. Find out why before"
         " you load anything (CW-P131)"
@@ -306,12 +307,12 @@ SENTENCES: Final[dict[str, str]] = {
     "run.cross": "Cross tables",
     "run.done": (
         "{tests:plural|1 test|{tests} tests} of {count:plural|axis|axes} {axes} {tests:plural|was|"
-        "were} evaluated to {standards:if|{standards:and}|no standard}. The error was estimated"
-        " over the travel{tables:if|. The best table that {control:if|{control}|the control} can"
-        " store was calculated and written in the control's own form. The next test was predicted"
-        " from these files. Nothing has been loaded yet: load the table with the commissioning"
-        " card, measure again, and run compwright verify.|. No table was written, so the prediction"
-        " is for a test without a table.}"
+        "were} evaluated {standards:if|to {standards:and}|without a standard}. The error was"
+        " estimated over the travel{tables:if|. The best table that {control:if|{control}|the"
+        " control} can store was calculated and written in the control's own form. The next test"
+        " was predicted from these files. Nothing has been loaded yet: load the table step by step"
+        " as the commissioning card in the result folder says, measure again, and run compwright"
+        " verify.|. No table was written, so the prediction is for a test without a table.}"
     ),
     "run.estimate": "Axis {axis}: estimated error",
     "run.estimate_note": (
@@ -333,7 +334,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.limits": "Axis {axis}: what limits its accuracy",
     "run.limits_met": "All limits are predicted to be met",
     "run.limits_met_if": (
-        "All limits are predicted to be met, if the points named above prove to be harmless"
+        "All limits are predicted to be met, if the findings named above prove to be harmless"
     ),
     "run.no_axis_table": "No table for this axis{reason:if|: {reason}}.",
     "run.no_limits": "Predicted result; no limits were given, so nothing is decided",

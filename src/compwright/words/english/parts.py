@@ -12,7 +12,7 @@ SENTENCES: Final[dict[str, str]] = {
     "better_targets": "targets that would show this error: {targets:g} {unit}",
     "between.deviation": "the measured deviation of {output} over {input} ({slope:+.1f} µm/m)",
     "between.squareness": "squareness of {output} over {input} ({slope:+.1f} µm/m)",
-    "compared_not_removed": "{parameters:join|; }. Nothing was removed from the result.",
+    "compared_not_removed": "{parameters:join|; }. The result contains all readings.",
     "direct_squareness": (
         "{input} and {output}: squareness {squareness:+.1f} µm/m according to the direct"
         " measurement"
@@ -22,11 +22,11 @@ SENTENCES: Final[dict[str, str]] = {
         "The control may hold other values. Read its files back again, completely, and repeat"
         " compwright compare"
     ),
-    "doubts.first": "Check first: the result depends on these points",
+    "doubts.first": "Check first: the result depends on these findings",
     "doubts.step": (
-        "Nothing is decided until these points are cleared up. Correct the test or the job and run"
-        " again. If the measurement is right as it is, give the reason in the job: acknowledged:"
-        " {{{codes:join|: reason, }: reason}}"
+        "Nothing is decided until these findings are cleared up. Correct the test or the job and"
+        " run again. If the measurement is right as it is, write in the job why a finding is"
+        " harmless: `acknowledged: {{{codes:join|: reason, }: reason}}`"
     ),
     "in_direction": "{value} in {direction}",
     "increments": "{symmetric:if|±{largest}|{least} to {largest}}",
@@ -62,7 +62,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {arc:g}° in {directions:plural|one direction|both directions}"
     ),
     "undetermined.few_at_reversal": "the arc has too few samples where the {axis} axis reverses",
-    "undetermined.few_in_time": "the run takes {time:3sig} s and has too few samples",
+    "undetermined.few_in_time": (
+        "the run takes {time:3sig} s and has too few samples to show a vibration"
+    ),
     "undetermined.few_near_reversals": (
         "too few samples near the reversals of the {axis} axis: measure at a lower feed"
     ),
@@ -79,8 +81,9 @@ SENTENCES: Final[dict[str, str]] = {
         "the samples are too far apart to show a pitch: sample faster or lower the feed"
     ),
     "undetermined.prior": (
-        "{value:+3sig} ± {error:2sig} {unit} is too uncertain: on machines ±{width:g} (standard"
-        " deviation) is usual anyway, and the samples hardly narrow this range"
+        "{value:+3sig} ± {error:2sig} {unit} is too uncertain: even without a test, values within"
+        " ±{width:g} (standard deviation) are expected on machines, and the samples hardly narrow"
+        " this range"
     ),
     "undetermined.spike": (
         "the samples after the reversal are too few to tell a spike from lost motion: sample faster"

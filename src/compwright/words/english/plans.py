@@ -30,8 +30,8 @@ SENTENCES: Final[dict[str, str]] = {
         " was measured wrongly|undecided=behaved differently ({likely:join|, or })}{detail:if|"
         " ({detail})}.{off_too:if| Or it was active in {off} too: both tests show the same error."
         " Check whether it was switched off for {off}.}{exchanged:if| Or the two tests are"
-        " exchanged.} The new table would contain the same error{look_at:if|. Look at:"
-        " {look_at:join|. }}"
+        " exchanged.} A table made from these tests would be wrong for the same reason{look_at:if|."
+        " Look at: {look_at:join|. }}"
     ),
     "CW-P101": (
         "Circle {circle}: the job does not give its centre in the machine, so the middle of the"
@@ -291,8 +291,8 @@ SENTENCES: Final[dict[str, str]] = {
         " Warm the axis up and measure again before you load the backlash value"
     ),
     "CW-P155": (
-        "Axis {axis}: stop here. What is left is {cause} ({value:.2f} {unit} of {parameter}"
-        " {left:.2f} {unit} at new targets). Another correction round would change less"
+        "Axis {axis}: stop here. Of {parameter} = {left:.2f} {unit} at new targets, {value:.2f}"
+        " {unit} come from the largest cause: {cause}. Another correction round would change less"
         " than the difference between one test and the next."
     ),
     "CW-P156": (
@@ -326,12 +326,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P161": (
         "The table in states.{measured_in} of the job looks like the mirror image of test {test}"
-        " ({size:.1f} {unit}). By chance, curves as smooth as these are so similar in"
-        " {less:if|less than }{chance:2sig} % of cases. If the table was made from this test, it"
-        " was not active in it, and a new table would correct the same error twice. Measure again"
-        " with the table active, or name under measured_in the entry of `states` that was in the"
-        " control during the test. If the table was active in this test, give the reason"
-        " (acknowledged)"
+        " ({size:.1f} {unit}). By chance, curves as smooth as these are so similar in {less:if|less"
+        " than }{chance:2sig} % of cases. If the table was made from this test, it was not active"
+        " in it, and a new table would correct the same error twice. Measure again with the table"
+        " active, or name under measured_in the entry of `states` that was in the control during"
+        " the test. If the table was active in this test, write in the job how you know it:"
+        " `acknowledged: {{CW-P161: reason}}`"
     ),
     "CW-P162.after": (
         "the file of the test after loading states that compensation was {both:if|both on and"
@@ -351,7 +351,8 @@ SENTENCES: Final[dict[str, str]] = {
         " the job."
     ),
     "CW-P163": (
-        "Axis {axis}, test {test}: the files of this test contradict each other in {keys:join|; }"
+        "Axis {axis}, test {test}: the files of this test state different values: {keys:join|; }."
+        " Check that all of them belong to this test"
     ),
     "CW-P164": (
         "Axis {axis}: the error may repeat with a period that these targets cannot show"
@@ -367,11 +368,12 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P165.drift": (
         "the test drifts by {drift}, and the prediction assumes the same drift in the next test"
     ),
-    "CW-P165.no_rest": "If they scatter around one place",
+    "CW-P165.no_rest": "If the readings scatter around one value",
     "CW-P165.other_drift": "If each test has its own drift of this size",
     "CW-P165.other_scatter": "If each test has the scatter of one of these runs",
     "CW-P165.rest": (
-        "the readings may lie between two limits, as with two places of rest ({probability:.0%})"
+        "the readings at a target may lie between two limits, as if the axis stopped at either of"
+        " two positions ({probability:.0%})"
     ),
     "CW-P165.scatter": (
         "the scatter of one reading is {least} to {most}, depending on the run, and the prediction"
@@ -390,8 +392,8 @@ SENTENCES: Final[dict[str, str]] = {
         " apart"
     ),
     "run.no_state": (
-        "no table is written: the job does not say what is active in the control; add states:"
-        " {{as_found: none}} or states: {{as_found: [files of the control]}}"
+        "no table is written: the job does not say what is active in the control; add `states:"
+        " {{as_found: none}}` or `states: {{as_found: [files of the control]}}`"
     ),
     "table_advice": (
         "{cause:choose|noise=the axis does not repeat, which no table corrects: check first how"

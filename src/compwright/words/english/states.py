@@ -250,8 +250,8 @@ SENTENCES: Final[dict[str, str]] = {
         " definition of {definition} says what these files do. A wrong sign or unit in the"
         " definition makes every result here wrong. Check the correction on the machine, at one"
         " position and from both sides, before the whole table is active{expectation:if|. The"
-        " corrections that were worked out by hand are those of {expectation}; none were worked"
-        " out for {definition}}"
+        " corrections calculated by hand, with which a definition is checked, are those of"
+        " {expectation}; {definition} has none of its own}"
     ),
     "CW-S061": (
         "{what}. The definition of {carried} in the plan is used instead. To use another"

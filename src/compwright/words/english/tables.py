@@ -59,13 +59,13 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-F009.compared": (
         "The magnification is set to {magnification} instead of {before}, which leaves {left:if|"
         "{left} rms|nothing} of the error. With magnification {before}, one increment would be"
-        " {step}. With {increments} increments per table point, at least {at_least} rms would then"
-        " be left"
+        " {step}. The control stores only {increments} increments per table point, so at least"
+        " {at_least} rms would be left"
     ),
     "CW-F009.smallest": (
-        "Magnification {magnification}, the smallest, is enough. One increment is then {step}. With"
-        " {increments} increments per table point, {left:if|{left} rms|nothing} of the error is"
-        " left"
+        "Magnification {magnification}, the smallest, is enough. One increment is then {step}. The"
+        " control stores {increments} increments per table point: {left:if|{left} rms|nothing} of"
+        " the error is left"
     ),
     "CW-F010": (
         "The job asks for a table with the least {goal}. The table with the least expected"
@@ -86,7 +86,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "mode.one_drift": (
         "One table and one reversal value: the reversal changes along the travel, but the drift"
-        " within each run explains this change with a constant backlash"
+        " within each run can cause this change alone, with a constant backlash"
     ),
     "mode.one_held": (
         "One table and one reversal value: the control has one table for both directions"

@@ -229,7 +229,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-T026.whole": (
         "The environmental variation E_VE is {E_VE}: the range of the readings in {file} over the"
         " whole record of {minutes:g} min. E_VE should cover only the duration of one positioning"
-        " test. If your test takes less time, give its duration as duration_min."
+        " test. If your test takes less time, give its duration in the job: `E_VE: {{file: {file},"
+        " duration_min: ..}}`."
     ),
     "CW-T026.within": (
         "The environmental variation E_VE is {E_VE}: the largest range of the readings in {file}"

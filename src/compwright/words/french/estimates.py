@@ -67,24 +67,24 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E004": (
         "La course dépasse de {beyond:g} {unit} au plus la zone mesurée (de {first:g} à {last:g}"
-        " {unit}). Au-delà de cette zone, l'erreur est prolongée avec la pente mesurée, et son"
+        " {unit}). Au-delà de cette zone, l'erreur est extrapolée avec la pente mesurée, et son"
         " incertitude croît"
     ),
     "CW-E010": (
         "Les points visés sont espacés de {interval:.4g} {unit}. À ces points, une erreur de"
         " période {period:g} {unit} ressemble à {wave:if|une onde de {wave:.4g} {unit}|une"
         " constante}, et les deux ne peuvent être séparées. La période ne fait donc pas partie de"
-        " l'estimation, et aucune limite n'est acceptée ; {better}"
+        " l'estimation, et aucune limite ne peut être déclarée respectée ; {better}"
     ),
     "CW-E011": (
         "La table est faite {number:plural|du seul essai {tests}, qui couvre|des essais"
         " {tests:and}, qui couvrent} {low:g} à {high:g} {unit}. L'essai {other} a mesuré"
-        " {other_low:g} à {other_high:g} {unit}, mais il n'est pas utilisé : l'état de la"
-        " commande dans cet essai n'est pas connu. Au-delà de {low:g} à {high:g} {unit}, l'erreur"
-        " est seulement prolongée et peut être fausse de plus que sa valeur. Faire une de ces"
-        " trois choses : nommer l'entrée de `states` qui était dans la commande pendant l'essai"
-        " (measured_in), donner l'essai {other} en premier, ou arrêter la table à la zone mesurée"
-        " (table: start, end)"
+        " {other_low:g} à {other_high:g} {unit}, mais il n'est pas utilisé : l'état de la commande"
+        " dans cet essai n'est pas connu. Au-delà de {low:g} à {high:g} {unit}, l'erreur est"
+        " seulement extrapolée et peut être fausse de plus de 100 %. Faire une de ces trois choses"
+        " : nommer sous `measured_in` l'entrée de `states` qui était dans la commande pendant"
+        " l'essai {other} ; donner l'essai {other} en premier sous `before` ; ou arrêter la table à"
+        " la zone mesurée (`start` et `end` de `table`)"
     ),
     "CW-E012.found": (
         "L'erreur se répète tous les {period:.5g} {unit} (probabilité {probability:.0f} %,"
@@ -139,9 +139,9 @@ SENTENCES: Final[dict[str, str]] = {
         " la dérive s'atténue}. La prévision ne connaît que cet essai. Elle suppose qu'un essai"
         " répété de la même façon, à partir d'un axe aussi froid, dérive d'autant (à environ 10 %"
         " près). Si l'essai suivant dérive autrement, ou pas du tout parce que l'axe est chaud, ses"
-        " résultats peuvent sortir de la bande prévue. Un deuxième essai fait de la même façon rend"
-        " la bande assez large. Pour voir l'axe sans dérive, le mettre en température et mesurer de"
-        " nouveau"
+        " résultats peuvent sortir de la bande prévue. Avec un deuxième essai fait de la même"
+        " façon, la bande prévue tient compte de telles différences. Pour voir l'axe sans dérive,"
+        " le mettre en température et mesurer de nouveau"
     ),
     "CW-E021": (
         "Les mesures dérivent le long de la course comme dans une dilatation thermique : de {lower}"
@@ -178,9 +178,9 @@ SENTENCES: Final[dict[str, str]] = {
         " essai, aussi rares"
     ),
     "CW-E023": (
-        "L'échelle change d'un parcours à l'autre : les extrémités de la course bougent de {tilt}"
-        " par rapport à son milieu (écart-type ; {odds}). Vérifier comment l'instrument compense"
-        " l'air et la température, et chercher des courants d'air"
+        "L'échelle change d'un parcours à l'autre : les écarts aux extrémités de la course se"
+        " décalent de {tilt} par rapport à ceux en son milieu (écart-type ; {odds}). Vérifier"
+        " comment l'instrument compense l'air et la température, et chercher des courants d'air"
     ),
     "CW-E024": (
         "{outliers} des {readings} {outliers:plural|mesures est aberrante|mesures sont"
@@ -213,10 +213,10 @@ SENTENCES: Final[dict[str, str]] = {
         " travail), ou mesurer de nouveau à température égale"
     ),
     "CW-E029": (
-        "L'instrument semble avoir une résolution de {step} : {repeated:if|chaque point visé"
-        " répète une mesure, et |}toutes les mesures sont des multiples de ce pas. L'erreur vraie"
-        " peut différer de chaque moyenne d'un demi-pas. Si l'instrument résout mieux, exporter"
-        " ses mesures avec tous les chiffres et évaluer de nouveau"
+        "L'instrument semble avoir une résolution de {step} : {repeated:if|toutes les mesures d'un"
+        " même point visé sont égales, et |}toutes les mesures sont des multiples de ce pas."
+        " L'erreur vraie peut différer de chaque moyenne d'un demi-pas. Si l'instrument résout"
+        " mieux, exporter ses mesures avec tous les chiffres et évaluer de nouveau"
     ),
     "CW-E030.jump": (
         "L'erreur saute de {size} ± {error} entre {low:.10g} et {high:.10g} {unit} (cote"
@@ -249,7 +249,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{cause:choose|lead=un pas de vis de {number:g} mm|inch_lead=un pas de vis de {number:g}"
         " pouce|half_lead=un demi-pas de vis de {number:g} mm|magnets=une paire d'aimants d'un"
         " moteur linéaire|rack=une dent d'une crémaillère hélicoïdale|worm=un tour de vis sans fin"
-        " ou de moteur, 1/{number:g} de celui de la table|files=une période que suggèrent les"
+        " ou de moteur ({number:g} pour un tour du plateau)|files=une période que suggèrent les"
         " fichiers de la commande}"
     ),
     "period.unusual_division": (

@@ -7,8 +7,8 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "CW-J002": (
         "Le dossier de travail a sous `states` les entrées {states}, mais pas as_found. L'entrée"
-        " as_found indique ce qui est maintenant dans la commande. Sans as_found, aucune table"
-        " n'est écrite"
+        " as_found indique ce qui est maintenant dans la commande. Sans elle, aucune table n'est"
+        " écrite. Ajouter `as_found: none` ou `as_found: [fichiers de la commande]` sous `states`"
     ),
     "CW-J003": "axes.{axis}.modulo n'a pas de sens sur un axe linéaire et n'est pas utilisé",
     "CW-J004": (

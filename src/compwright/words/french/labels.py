@@ -271,9 +271,10 @@ SENTENCES: Final[dict[str, str]] = {
     "parameter.U_mean": "Réversibilité moyenne",
     "rule.band": "{symbol} {U:if|{U} {unit}|non indiqué}",
     "rule.guarded": (
-        "Décision avec bande de garde (ISO 14253-1) : accepté si la valeur à 95 % plus U est dans"
-        " la limite, refusé si la valeur à 5 % moins U est au-delà ; U (k = 2) de l'essai suivant,"
-        " y compris l'incertitude que le premier essai a apportée à la table : {bands}."
+        "Décision avec bande de garde (ISO 14253-1) : accepté si le 95e centile des essais prévus"
+        " plus U est dans la limite, refusé si leur 5e centile moins U est au-delà ; U (k = 2) de"
+        " l'essai suivant, y compris l'incertitude que le premier essai a apportée à la table :"
+        " {bands}."
     ),
     "rule.guarded_after": (
         "Décision avec bande de garde (ISO 14253-1) : accepté si la valeur plus U est dans la"
@@ -281,8 +282,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {bands}."
     ),
     "rule.simple": (
-        "Accepté si la valeur à 95 % est dans la limite, refusé si la valeur à 5 % est au-delà ;"
-        " l'incertitude de mesure ne compte pas : pas de bandes de garde (ISO 14253-1)."
+        "Accepté si le 95e centile des essais prévus est dans la limite, refusé si leur 5e centile"
+        " est au-delà ; l'incertitude de mesure ne compte pas : pas de bandes de garde (ISO"
+        " 14253-1)."
     ),
     "rule.simple_after": (
         "Accepté si la valeur mesurée est dans la limite, refusé si elle est au-delà ;"

@@ -156,9 +156,9 @@ SENTENCES: Final[dict[str, str]] = {
         " --loaded}."
     ),
     "loading.evidence": (
-        "L'essai diffère de la prévision de {off}, au pire de {worst}. Il diffère de {left} de ce"
-        " que montrerait le défaut nommé ici ; le bruit d'une mesure est {noise}.{effect:if|"
-        " Mesuré : {effect}.}"
+        "Les écarts mesurés diffèrent des écarts prévus de {off}, au pire de {worst}. Ils diffèrent"
+        " de {left} de ceux que donnerait le défaut nommé dans le résultat ; le bruit d'une mesure"
+        " est {noise}.{effect:if| Mesuré : {effect}.}"
     ),
     "loading.likely": "{verdict} {percent:.0f} %",
     "loading.factor": (
@@ -206,12 +206,13 @@ SENTENCES: Final[dict[str, str]] = {
         " nouveau jeu est actif}"
     ),
     "loading.open": (
-        "Cet essai ne peut pas montrer ce qui a été chargé. La nouvelle table change les écarts"
-        " de {size} (valeur efficace), et le bruit d'une mesure est {noise}{needed:if|. Cette"
+        "Cet essai ne peut pas montrer ce qui a été chargé. La nouvelle table change les écarts de"
+        " {size} (valeur efficace), et le bruit d'une mesure est {noise}{needed:if|. Cette"
         " correction est plus petite que les {needed} (valeur efficace) que l'essai peut"
-        " prouver}{effect:if|. Mesuré : {effect}}. Sont possibles : {candidates}.{off:if| Mais"
-        " l'essai diffère de la première de ces causes de {off}, au pire de {worst}. C'est plus"
-        " que du bruit : autre chose a changé, ou l'essai est fautif.}"
+        " prouver}{effect:if|. Mesuré : {effect}}. Causes possibles : {candidates}.{off:if| Mais"
+        " les écarts mesurés diffèrent de {off}, au pire de {worst}, de ceux que donnerait la"
+        " première de ces causes. C'est plus que du bruit : autre chose a changé, ou l'essai est"
+        " fautif.}"
     ),
     "loading.other_axis": "associée par {by:choose|position=position|number=numéro de point}",
     "loading.part": (
@@ -252,21 +253,21 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.verdict": (
         "{verdict:choose|loaded=La table est active comme prévu{effect:if| : l'essai après"
         " chargement montre {effect}}|not_active=La table n'est pas active{detail:if|"
-        " ({detail})}{effect:if| : l'essai après chargement montre {effect}}|inverted=La table"
-        " est active avec le signe opposé{detail:if| ({detail})} et agrandit l'erreur|scaled=La"
-        " table est active avec le facteur {factor:3sig}{detail:if| ({detail})}|shifted=La table"
-        " est décalée de {nodes} {nodes:plural|point|points} de table dans le sens"
-        " {direction}{detail:if| ({detail})}|mirrored=La table est chargée à l'envers, sa"
-        " dernière valeur en premier{detail:if| ({detail})}|wrong_axis=La table active est celle"
-        " de l'axe {axis}{detail:if| ({detail})}|one_direction=La table n'est active que dans un"
-        " sens : {detail}|backlash=La table est active, mais la valeur de jeu est fausse :"
-        " {detail}|partial=Seule une partie de la table est active : {detail}|increment=Seul le"
-        " changement par rapport à la table existante est actif{detail:if| ({detail})}. Charger"
-        " la somme, qui est dans les fichiers écrits|on_top=La commande a ajouté la nouvelle"
-        " somme à la table existante{detail:if| ({detail})}. Vider la table et charger de nouveau"
-        " les fichiers écrits|state=La table existante n'était pas active pendant le premier"
-        " essai, bien que le dossier de travail le dise. Refaire le calcul avec `active: no` pour"
-        " cet état}."
+        " ({detail})}{effect:if| : l'essai après chargement montre {effect}}|inverted=La table est"
+        " active avec le signe opposé{detail:if| ({detail})} et agrandit l'erreur|scaled=La table"
+        " est active avec le facteur {factor:3sig}{detail:if| ({detail})}|shifted=La table est"
+        " décalée de {nodes} {nodes:plural|point|points} de table dans le sens"
+        " {direction}{detail:if| ({detail})}|mirrored=La table est chargée à l'envers, sa dernière"
+        " valeur en premier{detail:if| ({detail})}|wrong_axis=La table active est celle de l'axe"
+        " {axis}{detail:if| ({detail})}|one_direction=La table n'est active que dans un sens :"
+        " {detail}|backlash=La table est active, mais la valeur de jeu est fausse : {detail}|"
+        "partial=Seule une partie de la table est active : {detail}|increment=Seul le changement"
+        " par rapport à la table existante est actif{detail:if| ({detail})}. Charger la somme, qui"
+        " est dans les fichiers écrits|on_top=La commande a ajouté la nouvelle somme à la table"
+        " existante{detail:if| ({detail})}. Vider la table et charger de nouveau les fichiers"
+        " écrits|state=La table existante n'était pas active pendant le premier essai, bien que le"
+        " dossier de travail le dise. Refaire le calcul avec `active: no` dans l'entrée de `states`"
+        " qui était dans la commande pendant le premier essai (measured_in)}."
     ),
     "loading.worst": "{value} ({position}, approche dans le sens {direction})",
     "next.between_again": (
@@ -278,8 +279,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "next.cannot_be_made": "le prochain tour ne peut pas être fait : {reason}",
     "next.circles_only": (
-        "la table de cet axe vient de cercles, qui ne montrent pas son effet. L'axe garde ce qui"
-        " est dans la commande"
+        "la table de cet axe a été calculée seulement à partir d'essais circulaires. Sans essai de"
+        " positionnement, il n'est pas prouvé que la table est active. L'axe garde ce qui est dans"
+        " la commande"
     ),
     "next.differs": "ce qui a été relu diffère du plan : {why}{quantity:if| ({quantity})}",
     "next.doubted": (
@@ -378,7 +380,8 @@ SENTENCES: Final[dict[str, str]] = {
         " déplace ; {why}"
     ),
     "read_back.shifted": (
-        "la table est décalée de {points} {points:plural|point|points} vers {towards}{apart:if|, à"
-        " une constante près : le point de référence a un autre numéro ou une autre position|}"
+        "la table est décalée de {points} {points:plural|point|points} vers {towards}{apart:if|, et"
+        " les valeurs de chaque sens diffèrent en plus d'une constante : le point de référence a un"
+        " autre numéro ou une autre position|}"
     ),
 }

@@ -181,7 +181,8 @@ SENTENCES: Final[dict[str, str]] = {
     "limits.note": (
         "Chaque barre montre de combien {parameter} serait plus petit sans cette seule cause,"
         " calculé sur les mêmes essais simulés. Les barres ne s'additionnent pas, car {parameter}"
-        " est une étendue : des causes à des endroits différents ne comptent qu'une fois."
+        " est une étendue, la plus grande valeur moins la plus petite : seules comptent les causes"
+        " à ces deux endroits."
     ),
     "limits.part": "Part de {parameter}",
     "limits.summary": (
@@ -204,7 +205,7 @@ SENTENCES: Final[dict[str, str]] = {
         " est le plus souvent trouvée à partir d'environ 1,5 fois cette amplitude. Plus de points"
         " visés, à décalages aléatoires, montrent des ondes plus petites."
     ),
-    "period.none": "Aucune n'est connue et aucune n'a été trouvée.",
+    "period.none": "Aucune période n'est connue, et aucune n'a été trouvée.",
     "period.over": "période / {unit}",
     "period.source": (
         "{source:choose|job=donnée par le dossier de travail|found=trouvée dans les"
@@ -225,8 +226,8 @@ SENTENCES: Final[dict[str, str]] = {
     "report.conditions": "Conditions d'essai, {standard}",
     "report.conform": "La machine respecte toutes les limites du tableau ci-dessus.",
     "report.conformity_open": (
-        "La conformité n'est pas déclarée : au moins une limite est non décidée, ou un point dont"
-        " sa décision dépend n'est pas encore vérifié."
+        "La conformité n'est pas déclarée : au moins une limite est non décidée, ou un constat dont"
+        " une décision dépend n'est pas encore vérifié."
     ),
     "report.customer": "Client",
     "report.date": "Date de l'essai",
@@ -282,9 +283,9 @@ SENTENCES: Final[dict[str, str]] = {
         " est la plus grande valeur absolue."
     ),
     "report.signs_circle": (
-        "Cercle : l'écart est le rayon mesuré moins le rayon nominal. Jeu positif : l'axe reste en"
-        " retard sur son sens. Perpendicularité positive : l'angle entre les axes positifs dépasse"
-        " 90°."
+        "Cercle : l'écart est le rayon mesuré moins le rayon nominal. Jeu positif : après une"
+        " inversion, l'axe est en retard sur la consigne. Perpendicularité positive : l'angle entre"
+        " les axes positifs dépasse 90°."
     ),
     "report.statistics": (
         "Moyennes, écarts-types et répétabilité en {count} {count:plural|point visé|points visés}"
@@ -310,7 +311,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.card": "Fiche de mise en service",
     "run.certificate": "Preuve de l'ajustement",
     "run.changes": "Ancien et nouveau",
-    "run.check_first": "Non décidé : vérifier d'abord les points cités ci-dessus",
+    "run.check_first": "Non décidé : vérifier d'abord les constats cités ci-dessus",
     "run.circle_worse": (
         "Les limites d'un cercle sont indécises : la prévision est qu'il se dégrade. Avant de"
         " charger, chercher pourquoi (CW-P131)"
@@ -325,13 +326,13 @@ SENTENCES: Final[dict[str, str]] = {
     "run.cross": "Tables entre axes",
     "run.done": (
         "{tests:plural|1 essai|{tests} essais} {count:plural|de l'axe|des axes} {axes}"
-        " {tests:plural|a été évalué|ont été évalués} selon {standards:if|{standards:and}|aucune"
+        " {tests:plural|a été évalué|ont été évalués} {standards:if|selon {standards:and}|sans"
         " norme}. L'erreur a été estimée sur la course{tables:if|. La meilleure table que"
         " {control:if|{control}|la commande} peut contenir a été calculée et écrite dans la forme"
         " de la commande. L'essai suivant a été prévu à partir de ces fichiers. Rien n'est encore"
-        " chargé : charger la table avec la fiche de mise en service, mesurer de nouveau et lancer"
-        " compwright verify.|. Aucune table n'a été écrite : la prévision vaut donc pour un essai"
-        " sans table.}"
+        " chargé : charger la table pas à pas selon la fiche de mise en service du dossier de"
+        " résultats, mesurer de nouveau et lancer compwright verify.|. Aucune table n'a été écrite"
+        " : la prévision vaut donc pour un essai sans table.}"
     ),
     "run.estimate": "Axe {axis} : erreur estimée",
     "run.estimate_note": (
@@ -354,8 +355,8 @@ SENTENCES: Final[dict[str, str]] = {
     "run.limits": "Axe {axis} : ce qui limite sa précision",
     "run.limits_met": "D'après la prévision, toutes les limites seront respectées",
     "run.limits_met_if": (
-        "D'après la prévision, toutes les limites seront respectées, si les points cités ci-dessus"
-        " s'avèrent sans conséquence"
+        "D'après la prévision, toutes les limites seront respectées, si les constats cités"
+        " ci-dessus s'avèrent sans conséquence"
     ),
     "run.no_axis_table": "Pas de table pour cet axe{reason:if| : {reason}}.",
     "run.no_limits": "Résultat prévu ; aucune limite n'est indiquée pour décider",

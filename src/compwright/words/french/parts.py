@@ -13,7 +13,7 @@ SENTENCES: Final[dict[str, str]] = {
     "better_targets": "points visés qui montreraient cette erreur : {targets:g} {unit}",
     "between.deviation": "l'écart mesuré de {output} sur {input} ({slope:+.1f} µm/m)",
     "between.squareness": "perpendicularité de {output} à {input} ({slope:+.1f} µm/m)",
-    "compared_not_removed": "{parameters:join|; }. Rien n'a été retiré du résultat.",
+    "compared_not_removed": "{parameters:join|; }. Le résultat contient toutes les mesures.",
     "direct_squareness": (
         "{input} et {output} : perpendicularité {squareness:+.1f} µm/m d'après la mesure directe"
     ),
@@ -22,11 +22,12 @@ SENTENCES: Final[dict[str, str]] = {
         "La commande peut contenir d'autres valeurs. Relire ses fichiers en entier et répéter"
         " compwright compare"
     ),
-    "doubts.first": "Points à vérifier d'abord : le résultat en dépend",
+    "doubts.first": "Constats à vérifier d'abord : le résultat en dépend",
     "doubts.step": (
-        "Rien n'est décidé tant que ces points ne sont pas réglés. Corriger l'essai ou le dossier"
-        " de travail et recommencer. Si la mesure est juste telle quelle, en donner la raison dans"
-        " le dossier de travail : acknowledged: {{{codes:join|: raison, }: raison}}"
+        "Rien n'est décidé tant que ces constats ne sont pas réglés. Corriger l'essai ou le dossier"
+        " de travail et recommencer. Si la mesure est juste telle quelle, écrire dans le dossier de"
+        " travail pourquoi un constat est sans conséquence : `acknowledged: {{{codes:join|: raison,"
+        " }: raison}}`"
     ),
     "in_direction": "{value} dans le sens {direction}",
     "increments": "{symmetric:if|±{largest}|{least} à {largest}}",
@@ -64,7 +65,10 @@ SENTENCES: Final[dict[str, str]] = {
     "undetermined.few_at_reversal": (
         "l'arc a trop peu de points de mesure là où l'axe {axis} s'inverse"
     ),
-    "undetermined.few_in_time": "le parcours dure {time:3sig} s et a trop peu de points de mesure",
+    "undetermined.few_in_time": (
+        "le parcours dure {time:3sig} s et a trop peu de points de mesure pour montrer une"
+        " vibration"
+    ),
     "undetermined.few_near_reversals": (
         "trop peu de points de mesure près des inversions de l'axe {axis} : mesurer à plus faible"
         " avance"
@@ -81,9 +85,9 @@ SENTENCES: Final[dict[str, str]] = {
         " vite ou réduire l'avance"
     ),
     "undetermined.prior": (
-        "{value:+3sig} ± {error:2sig} {unit} est trop incertain : sur les machines ±{width:g}"
-        " (écart-type) est usuel de toute façon, et les points de mesure ne resserrent guère cette"
-        " plage"
+        "{value:+3sig} ± {error:2sig} {unit} est trop incertain : même sans essai, des valeurs dans"
+        " ±{width:g} (écart-type) sont attendues sur les machines, et les points de mesure ne"
+        " resserrent guère cette plage"
     ),
     "undetermined.spike": (
         "les points de mesure après l'inversion sont trop peu pour distinguer un pic d'un jeu :"

@@ -30,8 +30,9 @@ SENTENCES: Final[dict[str, str]] = {
         " va pas avec les mesures : un des essais a été mal mesuré|undecided=s'est comportée"
         " autrement ({likely:join|, ou })}{detail:if| ({detail})}.{off_too:if| Ou elle était active"
         " aussi dans {off}, car les deux essais montrent la même erreur. Vérifier si elle était"
-        " désactivée pour {off}.}{exchanged:if| Ou les deux essais sont permutés.} La nouvelle"
-        " table contiendrait la même erreur{look_at:if|. Regarder : {look_at:join|. }}"
+        " désactivée pour {off}.}{exchanged:if| Ou les deux essais sont permutés.} Une table faite"
+        " de ces essais serait fausse pour la même raison{look_at:if|. Regarder : {look_at:join|."
+        " }}"
     ),
     "CW-P101": (
         "Cercle {circle} : le dossier de travail ne donne pas son centre dans la machine, donc le"
@@ -293,9 +294,9 @@ SENTENCES: Final[dict[str, str]] = {
         " avant de charger la valeur de jeu"
     ),
     "CW-P155": (
-        "Axe {axis} : s'arrêter ici. Ce qui reste est {cause} ({value:.2f} {unit} de {parameter}"
-        " {left:.2f} {unit} à de nouveaux points visés). Une autre table changerait moins"
-        " qu'un essai ne diffère du suivant."
+        "Axe {axis} : s'arrêter ici. De {parameter} = {left:.2f} {unit} à de nouveaux points visés,"
+        " {value:.2f} {unit} viennent de la plus grande cause : {cause}. Une autre table changerait"
+        " moins qu'un essai ne diffère du suivant."
     ),
     "CW-P156": (
         "Axe {axis} : la commande n'applique jamais un saut de la correction dont la grandeur est"
@@ -332,8 +333,8 @@ SENTENCES: Final[dict[str, str]] = {
         " autant dans {less:if|moins de }{chance:2sig} % des cas. Si la table a été faite de cet"
         " essai, elle n'y était pas active, et une autre table corrigerait deux fois la même"
         " erreur. Mesurer de nouveau avec la table active, ou nommer sous measured_in l'entrée de"
-        " `states` dans laquelle l'essai a été fait. Si la table était active dans cet essai, en"
-        " donner la raison (acknowledged)"
+        " `states` dans laquelle l'essai a été fait. Si la table était active dans cet essai,"
+        " écrire dans le dossier de travail d'où on le sait : `acknowledged: {{CW-P161: raison}}`"
     ),
     "CW-P162.after": (
         "le fichier de l'essai après chargement indique la compensation {both:if|active et non"
@@ -355,7 +356,8 @@ SENTENCES: Final[dict[str, str]] = {
         " compensation du fichier, ou measured_in et states du dossier de travail."
     ),
     "CW-P163": (
-        "Axe {axis}, essai {test} : les fichiers de cet essai se contredisent en {keys:join|; }"
+        "Axe {axis}, essai {test} : les fichiers de cet essai donnent des valeurs différentes :"
+        " {keys:join|; }. Vérifier que tous appartiennent à cet essai"
     ),
     "CW-P164": (
         "Axe {axis} : l'erreur peut se répéter avec une période que ces points visés ne montrent"
@@ -371,12 +373,12 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P165.drift": (
         "l'essai dérive de {drift}, et la prévision suppose la même dérive dans le prochain essai"
     ),
-    "CW-P165.no_rest": "Si elles se dispersent autour d'une seule position",
+    "CW-P165.no_rest": "Si les mesures se dispersent autour d'une seule valeur",
     "CW-P165.other_drift": "Si chaque essai a sa propre dérive de cette taille",
     "CW-P165.other_scatter": "Si chaque essai a la dispersion d'un de ces parcours",
     "CW-P165.rest": (
-        "les mesures se trouvent peut-être entre deux limites, comme avec deux positions de repos"
-        " ({probability:.0%})"
+        "les mesures d'un point visé se trouvent peut-être entre deux limites, comme si l'axe"
+        " s'arrêtait à l'une de deux positions ({probability:.0%})"
     ),
     "CW-P165.scatter": (
         "la dispersion d'une mesure est de {least} à {most} selon le parcours, et la prévision"
@@ -398,8 +400,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "run.no_state": (
         "aucune table n'est écrite : le dossier de travail ne dit pas ce qui est actif dans la"
-        " commande ; ajouter states: {{as_found: none}} ou states: {{as_found: [fichiers de la"
-        " commande]}}"
+        " commande ; ajouter `states: {{as_found: none}}` ou `states: {{as_found: [fichiers de la"
+        " commande]}}`"
     ),
     "table_advice": (
         "{cause:choose|noise=l'axe ne se répète pas, ce qu'aucune table ne corrige : vérifier"

@@ -262,8 +262,8 @@ SENTENCES: Final[dict[str, str]] = {
         " propre définition de {definition} dit ce que font ces fichiers. Un signe ou une unité"
         " faux dans la définition rend faux tous les résultats ici. Vérifier la correction sur la"
         " machine, à une position et des deux côtés, avant que toute la table soit"
-        " active{expectation:if|. Les corrections calculées à la main sont celles de {expectation}"
-        " ; aucune n'a été calculée pour {definition}}"
+        " active{expectation:if|. Les corrections calculées à la main, avec lesquelles une"
+        " définition est vérifiée, sont celles de {expectation} ; {definition} n'en a pas}"
     ),
     "CW-S061": (
         "{what}. La définition de {carried} contenue dans le plan est utilisée à la place. Pour une"

@@ -59,13 +59,13 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-F009.compared": (
         "Le grossissement est mis à {magnification} au lieu de {before}, ce qui laisse {left:if|"
         "{left} en valeur efficace|rien} de l'erreur. Avec le grossissement {before}, un pas serait"
-        " de {step}. Avec {increments} pas par point de table, il resterait alors au moins"
-        " {at_least} en valeur efficace"
+        " de {step}. La commande n'enregistre que {increments} pas par point de table : il"
+        " resterait donc au moins {at_least} en valeur efficace"
     ),
     "CW-F009.smallest": (
-        "Le plus petit grossissement, {magnification}, suffit. Un pas est alors de {step}. Avec"
-        " {increments} pas par point de table, il {left:if|reste {left} en valeur efficace|ne reste"
-        " rien} de l'erreur"
+        "Le plus petit grossissement, {magnification}, suffit. Un pas est alors de {step}. La"
+        " commande enregistre {increments} pas par point de table : il {left:if|reste {left} en"
+        " valeur efficace|ne reste rien} de l'erreur"
     ),
     "CW-F010": (
         "Le dossier de travail demande une table au plus petit {goal}. La table à plus petite"
@@ -89,7 +89,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "mode.one_drift": (
         "Une table et une valeur de réversibilité : la réversibilité varie le long de la course,"
-        " mais la dérive dans chaque parcours explique cette variation à jeu constant"
+        " mais la dérive dans chaque parcours peut causer seule cette variation, à jeu constant"
     ),
     "mode.one_held": (
         "Une table et une valeur de réversibilité : la commande a une table pour les deux sens"

@@ -240,7 +240,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-T026.whole": (
         "La variation de l'environnement E_VE est de {E_VE} : l'étendue des mesures de {file} sur"
         " tout l'enregistrement de {minutes:g} min. E_VE ne doit couvrir que la durée d'un essai de"
-        " positionnement. Si votre essai est plus court, donner sa durée comme duration_min."
+        " positionnement. Si votre essai est plus court, donner sa durée dans le dossier de travail"
+        " : `E_VE: {{file: {file}, duration_min: ..}}`."
     ),
     "CW-T026.within": (
         "La variation de l'environnement E_VE est de {E_VE} : la plus grande étendue des mesures de"

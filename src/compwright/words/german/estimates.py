@@ -71,23 +71,23 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-E004": (
         "Der Verfahrweg reicht bis zu {beyond:g} {unit} über den gemessenen Bereich hinaus"
         " ({first:g} bis {last:g} {unit}). Jenseits davon wird der Fehler mit der gemessenen"
-        " Steigung fortgesetzt, und seine Unsicherheit wächst"
+        " Steigung extrapoliert, und seine Unsicherheit wächst"
     ),
     "CW-E010": (
         "Die Zielpositionen liegen {interval:.4g} {unit} auseinander. Dort sieht ein Fehler der"
         " Periode {period:g} {unit} aus wie {wave:if|eine Welle von {wave:.4g} {unit}|eine"
         " Konstante}, und beide lassen sich nicht trennen. Die Periode ist deshalb nicht Teil der"
-        " Schätzung, und kein Grenzwert wird angenommen; {better}"
+        " Schätzung, und kein Grenzwert kann als eingehalten gelten; {better}"
     ),
     "CW-E011": (
         "Die Tabelle entsteht aus {number:plural|Prüfung {tests} allein, die|den Prüfungen"
         " {tests:and}, die} {low:g} bis {high:g} {unit} {number:plural|abdeckt|abdecken}. Prüfung"
         " {other} maß {other_low:g} bis {other_high:g} {unit}, wird aber nicht verwendet: Der"
         " Zustand der Steuerung in dieser Prüfung ist nicht bekannt. Jenseits von {low:g} bis"
-        " {high:g} {unit} ist der Fehler nur fortgesetzt und kann um mehr falsch sein, als er"
-        " groß ist. Eines von drei Dingen tun: den Eintrag von `states` nennen, der bei der"
-        " Prüfung in der Steuerung war (measured_in), Prüfung {other} zuerst nennen oder die"
-        " Tabelle am gemessenen Bereich enden lassen (table: start, end)"
+        " {high:g} {unit} ist der Fehler nur extrapoliert und kann um mehr als 100 % falsch sein."
+        " Eines von drei Dingen tun: unter `measured_in` den Eintrag von `states` nennen, der bei"
+        " Prüfung {other} in der Steuerung war; Prüfung {other} unter `before` zuerst nennen; oder"
+        " die Tabelle am gemessenen Bereich enden lassen (`start` und `end` von `table`)"
     ),
     "CW-E012.found": (
         "Der Fehler wiederholt sich alle {period:.5g} {unit} (Wahrscheinlichkeit"
@@ -143,9 +143,9 @@ SENTENCES: Final[dict[str, str]] = {
         " die Drift flacht ab}. Die Vorhersage kennt nur diese eine Prüfung. Sie nimmt an, dass"
         " eine gleich wiederholte Prüfung bei ebenso kalter Achse um denselben Betrag driftet (auf"
         " etwa 10 % genau). Driftet die nächste Prüfung anders, oder bei warmer Achse gar nicht,"
-        " können ihre Werte außerhalb des vorhergesagten Bandes liegen. Eine zweite Prüfung auf"
-        " dieselbe Art macht das Band breit genug. Um die Achse ohne Drift zu sehen, sie warmfahren"
-        " und neu messen"
+        " können ihre Werte außerhalb des vorhergesagten Bandes liegen. Mit einer zweiten, auf"
+        " dieselbe Art gemessenen Prüfung berücksichtigt das vorhergesagte Band solche"
+        " Unterschiede. Um die Achse ohne Drift zu sehen, sie warmfahren und neu messen"
     ),
     "CW-E021": (
         "Die Messwerte driften über den Verfahrweg wie bei einer Wärmedehnung: um {lower} am"
@@ -180,9 +180,9 @@ SENTENCES: Final[dict[str, str]] = {
         " an, ebenso selten"
     ),
     "CW-E023": (
-        "Der Maßstab ändert sich von Lauf zu Lauf: Die Enden des Verfahrwegs bewegen sich um"
-        " {tilt} gegenüber seiner Mitte (Standardabweichung; {odds}). Prüfen, wie das Messgerät"
-        " Luft und Temperatur kompensiert, und nach Zugluft suchen"
+        "Der Maßstab ändert sich von Lauf zu Lauf: Die Abweichungen an den Enden des Verfahrwegs"
+        " verschieben sich um {tilt} gegenüber denen in seiner Mitte (Standardabweichung; {odds})."
+        " Prüfen, wie das Messgerät Luft und Temperatur kompensiert, und nach Zugluft suchen"
     ),
     "CW-E024": (
         "{outliers} von {readings} Messwerten {outliers:plural|ist ein Ausreißer|sind Ausreißer}:"
@@ -215,10 +215,10 @@ SENTENCES: Final[dict[str, str]] = {
         " bei gleichmäßiger Temperatur neu messen"
     ),
     "CW-E029": (
-        "Das Messgerät löst anscheinend {step} auf: {repeated:if|Jede Zielposition wiederholt"
-        " einen Messwert, und |}alle Messwerte sind Vielfache dieses Schritts. Der wahre Fehler"
-        " kann von jedem Mittelwert um einen halben Schritt abweichen. Löst das Messgerät mehr"
-        " auf, die Messwerte mit allen Stellen exportieren und neu auswerten"
+        "Das Messgerät löst anscheinend {step} auf: {repeated:if|Alle Messwerte einer Zielposition"
+        " sind gleich, und |}alle Messwerte sind Vielfache dieses Schritts. Der wahre Fehler kann"
+        " von jedem Mittelwert um einen halben Schritt abweichen. Löst das Messgerät mehr auf, die"
+        " Messwerte mit allen Stellen exportieren und neu auswerten"
     ),
     "CW-E030.jump": (
         "Der Fehler springt um {size} ± {error} zwischen {low:.10g} und {high:.10g} {unit}"
@@ -251,8 +251,8 @@ SENTENCES: Final[dict[str, str]] = {
         "{cause:choose|lead=eine Spindelsteigung von {number:g} mm|inch_lead=eine Spindelsteigung"
         " von {number:g} Zoll|half_lead=die halbe Spindelsteigung von {number:g} mm|magnets=ein"
         " Magnetpaar eines Linearmotors|rack=ein Zahn einer schrägverzahnten Zahnstange|worm=eine"
-        " Umdrehung von Schnecke oder Motor, 1/{number:g} der des Tisches|files=eine Periode, die"
-        " die Dateien der Steuerung nahelegen}"
+        " Umdrehung von Schnecke oder Motor ({number:g} auf eine Umdrehung des Tisches)|files=eine"
+        " Periode, die die Dateien der Steuerung nahelegen}"
     ),
     "period.unusual_division": (
         "kein übliches Teil wiederholt sich {parts:.4g}-mal je Umdrehung. Diese Periode mit einer"

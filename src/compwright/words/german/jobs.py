@@ -7,8 +7,9 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "CW-J002": (
         "Der Auftrag hat unter `states` die Einträge {states}, aber nicht as_found. Der Eintrag"
-        " as_found gibt an, was jetzt in der Steuerung ist. Ohne as_found wird keine Tabelle"
-        " geschrieben"
+        " as_found gibt an, was jetzt in der Steuerung ist. Ohne ihn wird keine Tabelle"
+        " geschrieben. Unter `states` `as_found: none` oder `as_found: [Dateien der Steuerung]`"
+        " angeben"
     ),
     "CW-J003": (
         "axes.{axis}.modulo hat bei einer Linearachse keine Bedeutung und wird nicht verwendet"

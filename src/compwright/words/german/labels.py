@@ -268,10 +268,10 @@ SENTENCES: Final[dict[str, str]] = {
     "parameter.U_mean": "Mittlere Umkehrspanne",
     "rule.band": "{symbol} {U:if|{U} {unit}|nicht angegeben}",
     "rule.guarded": (
-        "Entscheidung mit Schutzabstand (ISO 14253-1): angenommen, wenn der 95-%-Wert plus U"
-        " innerhalb des Grenzwerts liegt; abgelehnt, wenn der 5-%-Wert minus U darüber liegt; U (k"
-        " = 2) der nächsten Prüfung, einschließlich der Unsicherheit, die die erste Prüfung in die"
-        " Tabelle gebracht hat: {bands}."
+        "Entscheidung mit Schutzabstand (ISO 14253-1): angenommen, wenn das 95-%-Quantil der"
+        " vorhergesagten Prüfungen plus U innerhalb des Grenzwerts liegt; abgelehnt, wenn ihr"
+        " 5-%-Quantil minus U darüber liegt; U (k = 2) der nächsten Prüfung, einschließlich der"
+        " Unsicherheit, die die erste Prüfung in die Tabelle gebracht hat: {bands}."
     ),
     "rule.guarded_after": (
         "Entscheidung mit Schutzabstand (ISO 14253-1): angenommen, wenn der Wert plus U innerhalb"
@@ -279,9 +279,9 @@ SENTENCES: Final[dict[str, str]] = {
         " Prüfung nach dem Laden: {bands}."
     ),
     "rule.simple": (
-        "Angenommen, wenn der 95-%-Wert innerhalb des Grenzwerts liegt; abgelehnt, wenn der"
-        " 5-%-Wert darüber liegt; die Messunsicherheit zählt nicht: keine Schutzabstände (ISO"
-        " 14253-1)."
+        "Angenommen, wenn das 95-%-Quantil der vorhergesagten Prüfungen innerhalb des Grenzwerts"
+        " liegt; abgelehnt, wenn ihr 5-%-Quantil darüber liegt; die Messunsicherheit zählt nicht:"
+        " keine Schutzabstände (ISO 14253-1)."
     ),
     "rule.simple_after": (
         "Angenommen, wenn der Messwert innerhalb des Grenzwerts liegt; abgelehnt, wenn er darüber"

@@ -158,9 +158,9 @@ SENTENCES: Final[dict[str, str]] = {
         " und mit --loaded angeben}."
     ),
     "loading.evidence": (
-        "Die Prüfung weicht um {off} von der Vorhersage ab, höchstens um {worst}. Von dem, was der"
-        " hier genannte Fehler zeigen würde, weicht sie um {left} ab; das Rauschen eines Messwerts"
-        " ist {noise}.{effect:if| Gemessen: {effect}.}"
+        "Die gemessenen Abweichungen unterscheiden sich um {off} von den vorhergesagten, höchstens"
+        " um {worst}. Von denen, die der im Ergebnis genannte Fehler ergäbe, unterscheiden sie sich"
+        " um {left}; das Rauschen eines Messwerts ist {noise}.{effect:if| Gemessen: {effect}.}"
     ),
     "loading.likely": "{verdict} {percent:.0f} %",
     "loading.factor": (
@@ -211,11 +211,11 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.open": (
         "Diese Prüfung kann nicht zeigen, was geladen wurde. Die neue Tabelle ändert die"
         " Abweichungen um {size} (Effektivwert), und das Rauschen eines Messwerts ist"
-        " {noise}{needed:if|. Diese Korrektur ist kleiner als die {needed} (Effektivwert), die"
-        " die Prüfung beweisen kann}{effect:if|. Gemessen: {effect}}. Möglich sind:"
-        " {candidates}.{off:if| Aber vom ersten davon weicht die Prüfung um {off} ab, höchstens"
-        " um {worst}. Das ist mehr als Rauschen: Etwas anderes hat sich geändert, oder die"
-        " Prüfung ist fehlerhaft.}"
+        " {noise}{needed:if|. Diese Korrektur ist kleiner als die {needed} (Effektivwert), die die"
+        " Prüfung beweisen kann}{effect:if|. Gemessen: {effect}}. Mögliche Ursachen:"
+        " {candidates}.{off:if| Aber die gemessenen Abweichungen unterscheiden sich um {off},"
+        " höchstens um {worst}, von denen, die die erste dieser Ursachen ergäbe. Das ist mehr als"
+        " Rauschen: Etwas anderes hat sich geändert, oder die Prüfung ist fehlerhaft.}"
     ),
     "loading.other_axis": "zugeordnet nach {by:choose|position=Position|number=Punktnummer}",
     "loading.part": (
@@ -255,24 +255,23 @@ SENTENCES: Final[dict[str, str]] = {
         " Lose}"
     ),
     "loading.verdict": (
-        "{verdict:choose|loaded=Die Tabelle ist aktiv wie geplant{effect:if|: Die Prüfung nach"
-        " dem Laden zeigt {effect}}|not_active=Die Tabelle ist nicht aktiv{detail:if|"
+        "{verdict:choose|loaded=Die Tabelle ist aktiv wie geplant{effect:if|: Die Prüfung nach dem"
+        " Laden zeigt {effect}}|not_active=Die Tabelle ist nicht aktiv{detail:if|"
         " ({detail})}{effect:if|: Die Prüfung nach dem Laden zeigt {effect}}|inverted=Die Tabelle"
-        " ist mit umgekehrtem Vorzeichen aktiv{detail:if| ({detail})} und vergrößert den"
-        " Fehler|scaled=Die Tabelle ist mit dem Faktor {factor:3sig} aktiv{detail:if|"
-        " ({detail})}|shifted=Die Tabelle ist um {nodes}"
-        " {nodes:plural|Tabellenpunkt|Tabellenpunkte} in Richtung {direction}"
-        " verschoben{detail:if| ({detail})}|mirrored=Die Tabelle ist rückwärts geladen, ihr"
-        " letzter Wert zuerst{detail:if| ({detail})}|wrong_axis=Aktiv ist die Tabelle der Achse"
-        " {axis}{detail:if| ({detail})}|one_direction=Die Tabelle ist nur in einer Richtung"
-        " aktiv: {detail}|backlash=Die Tabelle ist aktiv, aber der Losewert ist falsch:"
-        " {detail}|partial=Nur ein Teil der Tabelle ist aktiv: {detail}|increment=Nur die"
-        " Änderung zur vorhandenen Tabelle ist aktiv{detail:if| ({detail})}. Die Summe laden, die"
-        " in den geschriebenen Dateien ist|on_top=Die Steuerung hat die neue Summe zur"
-        " vorhandenen Tabelle addiert{detail:if| ({detail})}. Die Tabelle leeren und die"
-        " geschriebenen Dateien neu laden|state=Die vorhandene Tabelle war bei der ersten Prüfung"
-        " nicht aktiv, obwohl der Auftrag es sagt. Den Auftrag mit `active: no` für diesen"
-        " Zustand neu rechnen}."
+        " ist mit umgekehrtem Vorzeichen aktiv{detail:if| ({detail})} und vergrößert den Fehler|"
+        "scaled=Die Tabelle ist mit dem Faktor {factor:3sig} aktiv{detail:if| ({detail})}|"
+        "shifted=Die Tabelle ist um {nodes} {nodes:plural|Tabellenpunkt|Tabellenpunkte} in Richtung"
+        " {direction} verschoben{detail:if| ({detail})}|mirrored=Die Tabelle ist rückwärts geladen,"
+        " ihr letzter Wert zuerst{detail:if| ({detail})}|wrong_axis=Aktiv ist die Tabelle der Achse"
+        " {axis}{detail:if| ({detail})}|one_direction=Die Tabelle ist nur in einer Richtung aktiv:"
+        " {detail}|backlash=Die Tabelle ist aktiv, aber der Losewert ist falsch: {detail}|"
+        "partial=Nur ein Teil der Tabelle ist aktiv: {detail}|increment=Nur die Änderung zur"
+        " vorhandenen Tabelle ist aktiv{detail:if| ({detail})}. Die Summe laden, die in den"
+        " geschriebenen Dateien ist|on_top=Die Steuerung hat die neue Summe zur vorhandenen Tabelle"
+        " addiert{detail:if| ({detail})}. Die Tabelle leeren und die geschriebenen Dateien neu"
+        " laden|state=Die vorhandene Tabelle war bei der ersten Prüfung nicht aktiv, obwohl der"
+        " Auftrag es sagt. Den Auftrag neu rechnen, mit `active: no` in dem Eintrag von `states`,"
+        " der bei der ersten Prüfung in der Steuerung war (measured_in)}."
     ),
     "loading.worst": "{value} ({position}, angefahren in {direction})",
     "next.between_again": (
@@ -283,8 +282,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "next.cannot_be_made": "die nächste Runde kann nicht gemacht werden: {reason}",
     "next.circles_only": (
-        "die Tabelle dieser Achse kam aus Kreisen, die ihre Wirkung nicht zeigen. Die Achse"
-        " behält, was in der Steuerung ist"
+        "die Tabelle dieser Achse wurde nur aus Kreisformprüfungen berechnet. Ohne"
+        " Positionierprüfung ist nicht bewiesen, dass sie aktiv ist. Die Achse behält, was in der"
+        " Steuerung ist"
     ),
     "next.differs": "das Zurückgelesene weicht vom Plan ab: {why}{quantity:if| ({quantity})}",
     "next.doubted": (
@@ -384,6 +384,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "read_back.shifted": (
         "die Tabelle liegt {points} {points:plural|Punkt|Punkte} zu weit in {towards}{apart:if|,"
-        " abgesehen von einer Konstanten: Der Referenzpunkt hat eine andere Nummer oder Position|}"
+        " und die Werte jeder Richtung weichen außerdem um eine Konstante ab: Der Referenzpunkt hat"
+        " eine andere Nummer oder Position|}"
     ),
 }

@@ -174,7 +174,8 @@ SENTENCES: Final[dict[str, str]] = {
     "limits.note": (
         "Jeder Balken zeigt, um wie viel {parameter} ohne diese eine Ursache kleiner wäre,"
         " berechnet an denselben simulierten Prüfungen. Die Balken ergeben nicht die Summe, denn"
-        " {parameter} ist eine Spanne: Ursachen an verschiedenen Stellen zählen nur einmal."
+        " {parameter} ist eine Spanne, größter minus kleinster Wert: Nur die Ursachen an diesen"
+        " zwei Stellen zählen."
     ),
     "limits.part": "Teil von {parameter}",
     "limits.summary": (
@@ -197,7 +198,7 @@ SENTENCES: Final[dict[str, str]] = {
         " etwa dem 1,5-Fachen dieser Amplitude gefunden. Mehr Zielpositionen mit zufälligen"
         " Versätzen zeigen kleinere Wellen."
     ),
-    "period.none": "Keine ist bekannt, und keine wurde gefunden.",
+    "period.none": "Es ist keine Periode bekannt, und es wurde keine gefunden.",
     "period.over": "Periode / {unit}",
     "period.source": (
         "{source:choose|job=im Auftrag angegeben|found=in den Messwerten gefunden|files=in den"
@@ -218,7 +219,7 @@ SENTENCES: Final[dict[str, str]] = {
     "report.conform": "Die Maschine hält alle Grenzwerte der obigen Tabelle ein.",
     "report.conformity_open": (
         "Es wird keine Konformität erklärt: Mindestens ein Grenzwert ist nicht entschieden, oder"
-        " ein Punkt, von dem die Entscheidung abhängt, ist noch nicht geprüft."
+        " ein Befund, von dem die Entscheidung abhängt, ist noch nicht geprüft."
     ),
     "report.customer": "Kunde",
     "report.date": "Prüfdatum",
@@ -273,9 +274,9 @@ SENTENCES: Final[dict[str, str]] = {
         " ist ihr größter Betrag."
     ),
     "report.signs_circle": (
-        "Kreis: Abweichung ist gemessener minus Nennradius. Umkehrspiel über null: Die Achse bleibt"
-        " hinter ihrer Richtung zurück. Rechtwinkligkeit über null: Der Winkel zwischen den"
-        " positiven Achsen ist größer als 90°."
+        "Kreis: Abweichung ist gemessener minus Nennradius. Umkehrspiel über null: Nach einer"
+        " Umkehr bleibt die Achse hinter dem Sollwert zurück. Rechtwinkligkeit über null: Der"
+        " Winkel zwischen den positiven Achsen ist größer als 90°."
     ),
     "report.statistics": (
         "Mittelwerte, Standardabweichungen und Wiederholpräzision an {count}"
@@ -302,7 +303,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.card": "Inbetriebnahmekarte",
     "run.certificate": "Nachweis der Anpassung",
     "run.changes": "Alt und neu",
-    "run.check_first": "Offen: zuerst die oben genannten Punkte prüfen",
+    "run.check_first": "Offen: zuerst die oben genannten Befunde prüfen",
     "run.circle_worse": (
         "Die Grenzwerte eines Kreises sind offen: Für ihn ist eine Verschlechterung vorhergesagt."
         " Vor dem Laden die Ursache finden (CW-P131)"
@@ -317,13 +318,13 @@ SENTENCES: Final[dict[str, str]] = {
     "run.cross": "Tabellen zwischen Achsen",
     "run.done": (
         "{tests:plural|1 Prüfung|{tests} Prüfungen} der {count:plural|Achse|Achsen} {axes}"
-        " {tests:plural|wurde|wurden} nach {standards:if|{standards:and}|keiner Norm} ausgewertet."
+        " {tests:plural|wurde|wurden} {standards:if|nach {standards:and}|ohne Norm} ausgewertet."
         " Der Fehler wurde über den Verfahrweg geschätzt{tables:if|. Die beste Tabelle, die"
         " {control:if|{control}|die Steuerung} aufnehmen kann, wurde berechnet und in der Form der"
         " Steuerung geschrieben. Aus diesen Dateien wurde die nächste Prüfung vorhergesagt. Noch"
-        " ist nichts geladen: Die Tabelle nach der Inbetriebnahmekarte laden, erneut messen und"
-        " compwright verify ausführen.|. Es wurde keine Tabelle geschrieben, die Vorhersage gilt"
-        " also für eine Prüfung ohne Tabelle.}"
+        " ist nichts geladen: Die Tabelle Schritt für Schritt nach der Inbetriebnahmekarte im"
+        " Ergebnisordner laden, erneut messen und compwright verify ausführen.|. Es wurde keine"
+        " Tabelle geschrieben, die Vorhersage gilt also für eine Prüfung ohne Tabelle.}"
     ),
     "run.estimate": "Achse {axis}: geschätzter Fehler",
     "run.estimate_note": (
@@ -347,7 +348,7 @@ SENTENCES: Final[dict[str, str]] = {
     "run.limits_met": "Nach der Vorhersage werden alle Grenzwerte eingehalten",
     "run.limits_met_if": (
         "Nach der Vorhersage werden alle Grenzwerte eingehalten, wenn sich die oben genannten"
-        " Punkte als unbedenklich erweisen"
+        " Befunde als unbedenklich erweisen"
     ),
     "run.no_axis_table": "Keine Tabelle für diese Achse{reason:if|: {reason}}.",
     "run.no_limits": (

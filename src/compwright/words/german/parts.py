@@ -13,7 +13,7 @@ SENTENCES: Final[dict[str, str]] = {
     "better_targets": "Zielpositionen, die diesen Fehler zeigen würden: {targets:g} {unit}",
     "between.deviation": "die gemessene Abweichung von {output} über {input} ({slope:+.1f} µm/m)",
     "between.squareness": "Rechtwinkligkeit von {output} zu {input} ({slope:+.1f} µm/m)",
-    "compared_not_removed": "{parameters:join|; }. Aus dem Ergebnis wurde nichts entfernt.",
+    "compared_not_removed": "{parameters:join|; }. Das Ergebnis enthält alle Messwerte.",
     "direct_squareness": (
         "{input} und {output}: Rechtwinkligkeit {squareness:+.1f} µm/m nach der direkten Messung"
     ),
@@ -22,11 +22,11 @@ SENTENCES: Final[dict[str, str]] = {
         "Die Steuerung kann andere Werte enthalten. Ihre Dateien noch einmal vollständig auslesen"
         " und compwright compare wiederholen"
     ),
-    "doubts.first": "Diese Punkte zuerst prüfen: Das Ergebnis hängt davon ab",
+    "doubts.first": "Diese Befunde zuerst prüfen: Das Ergebnis hängt davon ab",
     "doubts.step": (
-        "Es wird nichts entschieden, bis diese Punkte geklärt sind. Die Prüfung oder den Auftrag"
-        " berichtigen und neu rechnen. Ist die Messung richtig, wie sie ist, im Auftrag den Grund"
-        " angeben: acknowledged: {{{codes:join|: Grund, }: Grund}}"
+        "Es wird nichts entschieden, bis diese Befunde geklärt sind. Die Prüfung oder den Auftrag"
+        " berichtigen und neu rechnen. Ist die Messung richtig, wie sie ist, im Auftrag angeben,"
+        " warum ein Befund unbedenklich ist: `acknowledged: {{{codes:join|: Grund, }: Grund}}`"
     ),
     "in_direction": "{value} in {direction}",
     "increments": "{symmetric:if|±{largest}|{least} bis {largest}}",
@@ -64,7 +64,9 @@ SENTENCES: Final[dict[str, str]] = {
     "undetermined.few_at_reversal": (
         "der Bogen hat zu wenige Messpunkte, wo die Achse {axis} umkehrt"
     ),
-    "undetermined.few_in_time": "der Lauf dauert {time:3sig} s und hat zu wenige Messpunkte",
+    "undetermined.few_in_time": (
+        "der Lauf dauert {time:3sig} s und hat zu wenige Messpunkte, um eine Schwingung zu zeigen"
+    ),
     "undetermined.few_near_reversals": (
         "zu wenige Messpunkte nahe der Umkehr der Achse {axis}: mit kleinerem Vorschub messen"
     ),
@@ -82,8 +84,9 @@ SENTENCES: Final[dict[str, str]] = {
         " abtasten oder den Vorschub senken"
     ),
     "undetermined.prior": (
-        "{value:+3sig} ± {error:2sig} {unit} ist zu unsicher: An Maschinen ist ohnehin ±{width:g}"
-        " (Standardabweichung) üblich, und die Messpunkte engen diesen Bereich kaum ein"
+        "{value:+3sig} ± {error:2sig} {unit} ist zu unsicher: Auch ohne Prüfung sind an Maschinen"
+        " Werte innerhalb ±{width:g} (Standardabweichung) zu erwarten, und die Messpunkte engen"
+        " diesen Bereich kaum ein"
     ),
     "undetermined.spike": (
         "die Messpunkte nach der Umkehr sind zu wenige, um eine Spitze von Umkehrspiel zu"

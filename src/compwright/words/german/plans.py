@@ -36,8 +36,9 @@ SENTENCES: Final[dict[str, str]] = {
         " falsch gemessen|undecided=verhielt sich die vorhandene Tabelle (states.{state} im"
         " Auftrag) anders ({likely:join|, oder })}{detail:if| ({detail})}.{off_too:if| Oder sie war"
         " auch in {off} aktiv, denn beide Prüfungen zeigen denselben Fehler. Prüfen, ob sie für"
-        " {off} ausgeschaltet war.}{exchanged:if| Oder die beiden Prüfungen sind vertauscht.} Die"
-        " neue Tabelle enthielte denselben Fehler{look_at:if|. Ansehen: {look_at:join|. }}"
+        " {off} ausgeschaltet war.}{exchanged:if| Oder die beiden Prüfungen sind vertauscht.} Eine"
+        " Tabelle aus diesen Prüfungen wäre aus demselben Grund falsch{look_at:if|. Ansehen:"
+        " {look_at:join|. }}"
     ),
     "CW-P101": (
         "Kreis {circle}: Der Auftrag gibt seinen Mittelpunkt in der Maschine nicht an, deshalb"
@@ -308,8 +309,8 @@ SENTENCES: Final[dict[str, str]] = {
         " geladen wird"
     ),
     "CW-P155": (
-        "Achse {axis}: Hier aufhören. Übrig ist {cause} ({value:.2f} {unit} von {parameter}"
-        " {left:.2f} {unit} an neuen Zielpositionen). Eine weitere Runde änderte"
+        "Achse {axis}: Hier aufhören. Von {parameter} = {left:.2f} {unit} an neuen Zielpositionen"
+        " kommen {value:.2f} {unit} aus der größten Ursache: {cause}. Eine weitere Runde änderte"
         " weniger, als sich eine Prüfung von der nächsten unterscheidet."
     ),
     "CW-P156": (
@@ -344,13 +345,13 @@ SENTENCES: Final[dict[str, str]] = {
         " die Maschine zählt}"
     ),
     "CW-P161": (
-        "Die Tabelle in states.{measured_in} des Auftrags sieht aus wie das Spiegelbild der"
-        " Prüfung {test} ({size:.1f} {unit}). Zufällig sind so glatte Kurven einander in"
-        " {less:if|weniger als }{chance:2sig} % der Fälle so ähnlich. Wurde die Tabelle aus"
-        " dieser Prüfung gemacht, war sie dabei nicht aktiv, und eine neue Tabelle korrigierte"
-        " denselben Fehler zweimal. Mit aktiver Tabelle neu messen, oder unter measured_in den"
-        " Eintrag von `states` nennen, der bei der Prüfung in der Steuerung war. War die Tabelle"
-        " in dieser Prüfung aktiv, den Grund im Auftrag angeben (acknowledged)"
+        "Die Tabelle in states.{measured_in} des Auftrags sieht aus wie das Spiegelbild der Prüfung"
+        " {test} ({size:.1f} {unit}). Zufällig sind so glatte Kurven einander in {less:if|weniger"
+        " als }{chance:2sig} % der Fälle so ähnlich. Wurde die Tabelle aus dieser Prüfung gemacht,"
+        " war sie dabei nicht aktiv, und eine neue Tabelle korrigierte denselben Fehler zweimal."
+        " Mit aktiver Tabelle neu messen, oder unter measured_in den Eintrag von `states` nennen,"
+        " der bei der Prüfung in der Steuerung war. War die Tabelle in dieser Prüfung aktiv, im"
+        " Auftrag angeben, woher das bekannt ist: `acknowledged: {{CW-P161: Grund}}`"
     ),
     "CW-P162.after": (
         "die Datei der Prüfung nach dem Laden nennt die Kompensation {both:if|ein und aus|aus},"
@@ -370,8 +371,8 @@ SENTENCES: Final[dict[str, str]] = {
         " measured_in und states des Auftrags berichtigen."
     ),
     "CW-P163": (
-        "Achse {axis}, Prüfung {test}: Die Dateien dieser Prüfung widersprechen sich in"
-        " {keys:join|; }"
+        "Achse {axis}, Prüfung {test}: Die Dateien dieser Prüfung geben verschiedene Werte an:"
+        " {keys:join|; }. Prüfen, ob alle zu dieser Prüfung gehören"
     ),
     "CW-P164": (
         "Achse {axis}: Der Fehler kann sich mit einer Periode wiederholen, die diese"
@@ -389,12 +390,12 @@ SENTENCES: Final[dict[str, str]] = {
         "Die Prüfung driftet um {drift}, und die Vorhersage nimmt dieselbe Drift in der nächsten"
         " Prüfung an"
     ),
-    "CW-P165.no_rest": "Streuen sie um einen Ort",
+    "CW-P165.no_rest": "Streuen die Messwerte um einen Wert",
     "CW-P165.other_drift": "Hat jede Prüfung eine eigene Drift dieser Größe",
     "CW-P165.other_scatter": "Hat jede Prüfung die Streuung eines dieser Läufe",
     "CW-P165.rest": (
-        "Die Messwerte liegen vielleicht zwischen zwei Grenzen, wie bei zwei Ruhelagen"
-        " ({probability:.0%})"
+        "Die Messwerte einer Zielposition liegen vielleicht zwischen zwei Grenzen, als hielte die"
+        " Achse an einer von zwei Stellen ({probability:.0%})"
     ),
     "CW-P165.scatter": (
         "Die Streuung eines Messwerts ist je nach Lauf {least} bis {most}, und die Vorhersage nimmt"
@@ -417,7 +418,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "run.no_state": (
         "keine Tabelle geschrieben: Der Auftrag sagt nicht, was in der Steuerung aktiv ist;"
-        " states: {{as_found: none}} oder states: {{as_found: [Dateien der Steuerung]}} angeben"
+        " `states: {{as_found: none}}` oder `states: {{as_found: [Dateien der Steuerung]}}` angeben"
     ),
     "table_advice": (
         "{cause:choose|noise=die Achse wiederholt nicht, was keine Tabelle korrigiert: zuerst"

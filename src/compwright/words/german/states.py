@@ -261,12 +261,12 @@ SENTENCES: Final[dict[str, str]] = {
         " verschieben: An anderen Punkten berücksichtigt die neue Tabelle sie nicht"
     ),
     "CW-S060": (
-        "Die Tabelle wurde aus ihren Dateien zurückgelesen, aber nicht unabhängig geprüft: Nur"
-        " Ihre eigene Definition von {definition} sagt, was diese Dateien tun. Ein falsches"
-        " Vorzeichen oder eine falsche Einheit in der Definition macht jedes Ergebnis hier falsch."
-        " Die Korrektur an der Maschine prüfen, an einer Position und von beiden Seiten, bevor die"
-        " ganze Tabelle aktiv ist{expectation:if|. Die von Hand gerechneten Korrekturen sind die"
-        " von {expectation}; für {definition} wurden keine gerechnet}"
+        "Die Tabelle wurde aus ihren Dateien zurückgelesen, aber nicht unabhängig geprüft: Nur Ihre"
+        " eigene Definition von {definition} sagt, was diese Dateien tun. Ein falsches Vorzeichen"
+        " oder eine falsche Einheit in der Definition macht jedes Ergebnis hier falsch. Die"
+        " Korrektur an der Maschine prüfen, an einer Position und von beiden Seiten, bevor die"
+        " ganze Tabelle aktiv ist{expectation:if|. Die von Hand gerechneten Korrekturen, mit denen"
+        " eine Definition geprüft wird, sind die von {expectation}; {definition} hat keine eigenen}"
     ),
     "CW-S061": (
         "{what}. Stattdessen wird die Definition von {carried} im Plan verwendet. Für eine andere"

@@ -59,13 +59,13 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-F009.compared": (
         "Die Vergrößerung wird auf {magnification} statt {before} gesetzt, vom Fehler {left:if|"
         "bleiben {left} Effektivwert|bleibt nichts}. Mit Vergrößerung {before} wäre ein Schritt"
-        " {step}. Mit {increments} Schritten je Tabellenpunkt blieben dann mindestens {at_least}"
-        " Effektivwert"
+        " {step}. Die Steuerung speichert nur {increments} Schritte je Tabellenpunkt, also blieben"
+        " mindestens {at_least} Effektivwert"
     ),
     "CW-F009.smallest": (
-        "Die kleinste Vergrößerung, {magnification}, genügt. Ein Schritt ist damit {step}. Mit"
-        " {increments} Schritten je Tabellenpunkt {left:if|bleiben {left} Effektivwert|bleibt"
-        " nichts} vom Fehler"
+        "Die kleinste Vergrößerung, {magnification}, genügt. Ein Schritt ist damit {step}. Die"
+        " Steuerung speichert {increments} Schritte je Tabellenpunkt: Vom Fehler {left:if|bleiben"
+        " {left} Effektivwert|bleibt nichts}"
     ),
     "CW-F010": (
         "Der Auftrag verlangt eine Tabelle mit dem kleinsten {goal}. Verwendet wird stattdessen"
@@ -87,7 +87,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "mode.one_drift": (
         "Eine Tabelle und ein Umkehrwert: Die Umkehrspanne ändert sich über den Verfahrweg, aber"
-        " die Drift innerhalb jedes Laufs erklärt diese Änderung bei gleichem Spiel"
+        " die Drift innerhalb jedes Laufs kann diese Änderung allein verursachen, bei gleichem"
+        " Spiel"
     ),
     "mode.one_held": (
         "Eine Tabelle und ein Umkehrwert: Die Steuerung hat eine Tabelle für beide Richtungen"

@@ -237,7 +237,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-T026.whole": (
         "Die Umgebungsschwankung E_VE ist {E_VE}: die Spanne der Messwerte in {file} über die ganze"
         " Aufzeichnung von {minutes:g} min. E_VE soll nur die Dauer einer Positionierprüfung"
-        " abdecken. Ist Ihre Prüfung kürzer, deren Dauer als duration_min angeben."
+        " abdecken. Ist Ihre Prüfung kürzer, deren Dauer im Auftrag angeben: `E_VE: {{file: {file},"
+        " duration_min: ..}}`."
     ),
     "CW-T026.within": (
         "Die Umgebungsschwankung E_VE ist {E_VE}: die größte Spanne der Messwerte in {file}"

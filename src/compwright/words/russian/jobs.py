@@ -7,7 +7,8 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "CW-J002": (
         "В задании под `states` есть записи {states}, но нет as_found. Запись as_found указывает,"
-        " что сейчас в УЧПУ. Без as_found таблица не записывается"
+        " что сейчас в УЧПУ. Без неё таблица не записывается. Добавьте `as_found: none` или"
+        " `as_found: [файлы УЧПУ]` под `states`"
     ),
     "CW-J003": "axes.{axis}.modulo не имеет смысла для линейной оси и не используется",
     "CW-J004": (
