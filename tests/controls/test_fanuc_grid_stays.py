@@ -143,7 +143,7 @@ def test_an_interval_below_the_rule_for_its_feed_stays_and_is_told(tmp_path: Pat
     bench = Bench(tmp_path, {(1420, "1"): "400000.0"})
     assert bench.run("X") == 0
     assert grid(bench.written()[0], "X") == grid(bench.parameters, "X")
-    assert "set table.spacing: auto" in findings(bench, "X")["CW-F011"]
+    assert "set `spacing: auto` in the table of the axis" in findings(bench, "X")["CW-F011"]
 
 
 @pytest.mark.full_estimate

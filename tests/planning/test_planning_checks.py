@@ -216,4 +216,6 @@ def test_an_axis_without_a_test_has_no_table_to_put_lost_motion_into() -> None:
     circle = circle_of({"backlash_first": (8.0, 0.5), "backlash_second": (3.0, 0.5)})
     _, findings = checks.with_circle_backlash([circle])
     assert [finding.code for finding in findings] == ["CW-P130", "CW-P117"]
-    assert findings[0].message.startswith("Y: the lost motion by circles is not corrected")
+    assert findings[0].message.startswith(
+        "Y: the lost motion that the circles show is not corrected"
+    )

@@ -12,8 +12,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-J003": "axes.{axis}.modulo has no meaning on a linear axis and is not used",
     "CW-J004": (
-        "{place} has no effect, because axis {axis} is not among the axes of the job. Add the"
-        " axis with its travel and address (and with before: [] if it has no positioning test)"
+        "{place} has no effect, because axis {axis} is not among the axes of the job. Add the axis"
+        " with its travel and address (and with `before: []` if it has no positioning test)"
     ),
     "CW-J020": "{key} has no effect on this control ({format})",
     "CW-J021": (

@@ -141,8 +141,8 @@ SENTENCES: Final[dict[str, str]] = {
         "Over the travel the deviations of this test rise by {slope:+.2f} ± {error:.2f} µm/m more"
         " than expected. Steel shows such a slope when its temperature changes by {kelvin:+2sig} K,"
         " which is {within:if|within|beyond} what the job declares for two tests (± {declared:.1f}"
-        " µm/m, k = 2). The table is not at fault, but the limits are decided with this slope in"
-        " the readings."
+        " µm/m, k = 2). The table is not at fault, but the readings that decide whether the limits"
+        " are met contain this slope."
     ),
     "loading.effect": "{part:.2f} ± {error:.2f} of the planned effect",
     "loading.equivalent": (

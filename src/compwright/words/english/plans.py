@@ -44,8 +44,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {axis}, which is beyond the travel. Check centre and radius."
     ),
     "CW-P103": (
-        "The table that corrects {output} over {input} has points at equal steps. At the measured"
-        " points it differs from the wanted correction by up to {missed:2sig} µm."
+        "The table that corrects {output} over {input} has equally spaced points. At the measured"
+        " positions it therefore differs from the wanted correction by up to {missed:2sig} µm."
     ),
     "CW-P104": (
         "{measured}, but {circle} according to {tests}. The two contradict each other. The table is"
@@ -64,9 +64,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P107": "Plane {plane}: the squareness is {angle_words}. There is nothing to correct.",
     "CW-P108": (
-        "Plane {plane}: the squareness is {squareness} according to {tests}. It is not"
-        " corrected, because the job does not ask for it: add apply.squareness.{plane} with the"
-        " axis to be corrected."
+        "Plane {plane}: the squareness is {squareness} according to {tests}. It is not corrected,"
+        " because the job does not ask for it: add `apply: {{squareness: {{{plane}: AXIS}}}}` with"
+        " the axis to be corrected as AXIS."
     ),
     "CW-P109": (
         "{plane}: the squareness is {squareness} according to {tests}. To correct it, axis"
@@ -160,8 +160,8 @@ SENTENCES: Final[dict[str, str]] = {
         " this axis. The value of the laser is used."
     ),
     "CW-P130.no_test": (
-        "{axis}: the lost motion by circles is not corrected. The axis has no positioning test,"
-        " so no table is made that could contain it."
+        "{axis}: the lost motion that the circles show is not corrected. The axis has no"
+        " positioning test, so no table is made for it."
     ),
     "CW-P130.none": (
         "apply.backlash_from has no effect: no circle of the job shows the lost motion of an axis."
@@ -222,8 +222,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {parameter}{stays:if|| without a table}: {same} at the same targets, {new} at new"
         " targets. Predicted {parameter} with new points ({grid}): {better} at the same targets,"
         " {better_new} at new targets. To use the new points, set `spacing: auto` in the table of"
-        " the axis. Settings that depend on the old points are moved too, or named where this is"
-        " impossible"
+        " the axis. Settings that depend on the old points are adapted too; those that cannot be"
+        " adapted are listed"
     ),
     "CW-P142.line": (
         "The slope of {slope} is corrected by the control's separate linear parameter (a"
@@ -247,8 +247,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P144": (
         "Axis {axis}: the points have to be typed by hand, so the table has few of them: {few},"
-        " {mine}. The other choice is {many}, {other}. To use it, set start: {start:.10g}, end:"
-        " {end:.10g}, spacing: {spacing:.10g} in the table of the axis"
+        " {mine}. The other choice is {many}, {other}. To use it, set `start: {start:.10g}, end:"
+        " {end:.10g}, spacing: {spacing:.10g}` in the table of the axis"
     ),
     "CW-P150": (
         "Axis {axis}: a table will not help here. {parameter} at new targets, between the measured"
@@ -282,7 +282,7 @@ SENTENCES: Final[dict[str, str]] = {
         " drift by {drifted} from the first run to the last. If this drift goes on within every"
         " run, out and back, it alone changes the reversal by {shown}, even if the backlash is"
         " constant. Warm the axis up and measure again before you load two tables, or use one table"
-        " (mode: single)"
+        " (`mode: single` in the table of the axis)"
     ),
     "CW-P154": (
         "Axis {axis}: the backlash value may contain the drift of this test. The mean reversal is"
@@ -310,13 +310,13 @@ SENTENCES: Final[dict[str, str]] = {
         " {checks:join| }"
     ),
     "CW-P160.check": (
-        "{way:choose|off=Was compensation switched on, and the axis referenced, while it was"
-        " measured? If not, add its files under `states` and name that entry under"
-        " measured_in.|sign=Compare one reading with the instrument: too far in + is a positive"
-        " deviation.|directions=Look into the instrument's file which way the axis went in the"
-        " first run.|order=Compare the readings at the first and the last target with the"
-        " instrument's file.|against=Move the axis in +: if the instrument counts down, the test"
-        " needs position_map: {{sense: -1, offset: ..}}.}"
+        "{way:choose|off=Was compensation active, and the axis referenced, during this test? If"
+        " not, add an entry for this test to `states` and name this entry under `measured_in`.|"
+        "sign=Compare one reading with the instrument: too far in + is a positive deviation.|"
+        "directions=Look into the instrument's file which way the axis went in the first run.|"
+        "order=Compare the readings at the first and the last target with the instrument's file.|"
+        "against=Move the axis in +: if the instrument counts down, the test needs `position_map:"
+        " {{sense: -1, offset: ..}}`.}"
     ),
     "CW-P160.way": (
         "{odds:odds} times more likely {way:choose|off=if the table of the control was not"
@@ -334,21 +334,21 @@ SENTENCES: Final[dict[str, str]] = {
         " `acknowledged: {{CW-P161: reason}}`"
     ),
     "CW-P162.after": (
-        "the file of the test after loading states that compensation was {both:if|both on and"
-        " off|off}, but the plan loads tables for {names:and}. Check at the control that they are"
-        " active and measure again, or correct the key compensation of the file."
+        "the file of the test after loading states that compensation was {both:if|both on and off|"
+        "off}, but the plan loads tables for {names:and}. Check at the control that they are active"
+        " and measure again, or correct the key `compensation` in the file."
     ),
     "CW-P162.both": (
         "the files state that compensation was both on and off. If the job states the wrong"
         " compensation, the new table is wrong too. Check at the control what was active. Then"
-        " correct the key compensation of the file, or measured_in and states of the job."
+        " correct the key `compensation` in the file, or `measured_in` and `states` in the job."
     ),
     "CW-P162.state": (
         "the file states that compensation was {on:if|on|off}, but states.{state} of the job"
         " {active:if|has an active table or backlash|has nothing active} for {names:and}. If the"
         " job states the wrong compensation, the new table is wrong too. Check at the control what"
-        " was active. Then correct the key compensation of the file, or measured_in and states of"
-        " the job."
+        " was active. Then correct the key `compensation` in the file, or `measured_in` and"
+        " `states` in the job."
     ),
     "CW-P163": (
         "Axis {axis}, test {test}: the files of this test state different values: {keys:join|; }."

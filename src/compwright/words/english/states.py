@@ -138,8 +138,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-S038": (
         "Axes {axis} and {gantry} of the gantry move apart by up to {moved:.2f} {unit} (limit"
         " {limit:.2f} {unit}), while axis {axis} improves by {gain:.2f} {unit}. The cause: the"
-        " points of their tables lie at different positions. Give both axes the same points in"
-        " the control, or give table: same in the job"
+        " points of their tables lie at different positions. Give both axes the same points in the"
+        " control, or give `table: same` in the job"
     ),
     "CW-S040": (
         "{label}: {bits} = 1 ({value}). Real machines use this setting, but its meaning is not"
@@ -184,8 +184,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-S048": "{label}: {function}",
     "CW-S049.none": (
         "{suggested}. The job gives no screw pitch. The search for periodic errors therefore takes"
-        " this period as the most probable one. If it is the screw pitch, add screw_pitch: {lead:g}"
-        " to the axis"
+        " this period as the most probable one. If it is the screw pitch, add `screw_pitch:"
+        " {lead:g}` to the axis"
     ),
     "CW-S049.other": (
         "{suggested}. The job gives {periods:g} instead, and the job is used: check the pitch at"

@@ -75,8 +75,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-F011": (
         "The new table keeps the points of the existing table, although they are only {spacing:g}"
-        " {unit} apart: {reason}. The control has worked with these points so far. To get a"
-        " spacing that is wide enough, set table.spacing: auto"
+        " {unit} apart: {reason}. The control has worked with these points so far. To get a spacing"
+        " that is wide enough, set `spacing: auto` in the table of the axis"
     ),
     "mode.one_asked": "One table and one reversal value, as requested in the job",
     "mode.one_constant": (
@@ -93,7 +93,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "mode.one_unless_asked": (
         "One table and one reversal value: two tables are made only if the job requests them"
-        " (mode: bidirectional)"
+        " (`mode: bidirectional`)"
     ),
     "mode.slope": "One slope and one reversal value: the control has no table",
     "mode.two_asked": "Two tables, as requested in the job",

@@ -12,9 +12,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-J003": "axes.{axis}.modulo n'a pas de sens sur un axe linéaire et n'est pas utilisé",
     "CW-J004": (
-        "{place} n'a pas d'effet, car l'axe {axis} n'est pas parmi les axes du dossier de"
-        " travail. Ajouter l'axe avec sa course et son adresse (et avec before: [] s'il n'a pas"
-        " d'essai de positionnement)"
+        "{place} n'a pas d'effet, car l'axe {axis} n'est pas parmi les axes du dossier de travail."
+        " Ajouter l'axe avec sa course et son adresse (et avec `before: []` s'il n'a pas d'essai de"
+        " positionnement)"
     ),
     "CW-J020": "{key} n'a pas d'effet sur cette commande ({format})",
     "CW-J021": (

@@ -146,7 +146,7 @@ SENTENCES: Final[dict[str, str]] = {
         " que prévu. L'acier montre une telle pente quand sa température change de {kelvin:+2sig}"
         " K, ce qui est {within:if|dans les limites|au-delà} de ce que le dossier de travail"
         " déclare pour deux essais (± {declared:.1f} µm/m, k = 2). La table n'est pas en cause,"
-        " mais les limites sont décidées avec cette pente dans les mesures."
+        " mais les mesures qui décident si les limites sont respectées contiennent cette pente."
     ),
     "loading.effect": "{part:.2f} ± {error:.2f} de l'effet prévu",
     "loading.equivalent": (

@@ -182,7 +182,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-R058": (
         "Le fichier est une table de compensation faite par le logiciel du laser ({sign}), pas un"
         " essai. Il est lu comme un parcours par sens avec les erreurs de cette table. Pour faire"
-        " une table, utiliser l'essai lui-même."
+        " une table, donner le fichier de mesure de l'essai."
     ),
     "CW-R059": (
         "Les lignes sans nombre dans la colonne {column} sont omises : ligne {lines}{more:if| et"

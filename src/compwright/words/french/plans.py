@@ -45,8 +45,8 @@ SENTENCES: Final[dict[str, str]] = {
         " l'axe {axis}, au-delà de la course. Vérifier centre et rayon."
     ),
     "CW-P103": (
-        "La table qui corrige {output} selon {input} a des points à pas égaux. Aux points"
-        " mesurés, elle s'écarte de la correction souhaitée de {missed:2sig} µm au plus."
+        "La table qui corrige {output} selon {input} a des points à pas égaux. Aux positions"
+        " mesurées, elle s'écarte donc de la correction souhaitée de {missed:2sig} µm au plus."
     ),
     "CW-P104": (
         "{measured}, mais {circle} d'après {tests}. Les deux se contredisent. La table est calculée"
@@ -65,8 +65,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P107": "Plan {plane} : la perpendicularité est de {angle_words}. Il n'y a rien à corriger.",
     "CW-P108": (
         "Plan {plane} : la perpendicularité est de {squareness} d'après {tests}. Elle n'est pas"
-        " corrigée, car le dossier de travail ne le demande pas : ajouter"
-        " apply.squareness.{plane} avec l'axe à corriger."
+        " corrigée, car le dossier de travail ne le demande pas : ajouter `apply: {{squareness:"
+        " {{{plane}: AXE}}}}` avec l'axe à corriger comme AXE."
     ),
     "CW-P109": (
         "{plane} : la perpendicularité est de {squareness} d'après {tests}. Pour la corriger,"
@@ -156,8 +156,8 @@ SENTENCES: Final[dict[str, str]] = {
         " été mesuré avec cet axe. La valeur du laser est utilisée."
     ),
     "CW-P130.no_test": (
-        "{axis} : le jeu d'après les cercles n'est pas corrigé. L'axe n'a pas d'essai de"
-        " positionnement, donc aucune table n'est faite pour le contenir."
+        "{axis} : le jeu que montrent les cercles n'est pas corrigé. L'axe n'a pas d'essai de"
+        " positionnement, donc aucune table n'est faite pour lui."
     ),
     "CW-P130.none": (
         "apply.backlash_from n'a pas d'effet : aucun cercle du dossier de travail ne montre le"
@@ -222,7 +222,7 @@ SENTENCES: Final[dict[str, str]] = {
         " visés. {parameter} prévu avec de nouveaux points ({grid}) : {better} aux mêmes points"
         " visés, {better_new} à de nouveaux points visés. Pour les nouveaux points, mettre"
         " `spacing: auto` dans la table de l'axe. Les réglages qui dépendent des anciens points"
-        " suivent, ou sont nommés si ce n'est pas possible"
+        " sont adaptés aussi ; ceux qui ne peuvent pas l'être sont listés"
     ),
     "CW-P142.line": (
         "La pente de {slope} va dans la droite à part de la commande. Aux points de la table, il"
@@ -248,8 +248,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P144": (
         "Axe {axis} : les points doivent être saisis à la main, donc la table en a peu : {few},"
-        " {mine}. L'autre choix est {many}, {other}. Pour l'utiliser, mettre start: {start:.10g},"
-        " end: {end:.10g}, spacing: {spacing:.10g} dans la table de l'axe"
+        " {mine}. L'autre choix est {many}, {other}. Pour l'utiliser, mettre `start: {start:.10g},"
+        " end: {end:.10g}, spacing: {spacing:.10g}` dans la table de l'axe"
     ),
     "CW-P150": (
         "Axe {axis} : une table n'aidera pas ici. {parameter} à de nouveaux points visés, entre les"
@@ -284,7 +284,7 @@ SENTENCES: Final[dict[str, str]] = {
         " de {drifted} du premier au dernier parcours. Si cette dérive continue dans chaque"
         " parcours, aller et retour, elle seule change la réversibilité de {shown}, même à jeu"
         " constant. Mettre l'axe en température et mesurer de nouveau avant de charger deux tables,"
-        " ou utiliser une seule table (mode: single)"
+        " ou utiliser une seule table (`mode: single` dans la table de l'axe)"
     ),
     "CW-P154": (
         "Axe {axis} : la valeur de jeu peut contenir la dérive de cet essai. La réversibilité"
@@ -313,13 +313,13 @@ SENTENCES: Final[dict[str, str]] = {
         " fausse. {checks:join| }"
     ),
     "CW-P160.check": (
-        "{way:choose|off=La compensation était-elle active, et l'axe référencé, pendant la"
-        " mesure ? Sinon, donner ses fichiers sous `states` et nommer cette entrée sous"
-        " measured_in.|sign=Comparer une mesure avec l'instrument : trop loin en + est un écart"
-        " positif.|directions=Regarder dans le fichier de l'instrument dans quel sens l'axe"
-        " allait au premier parcours.|order=Comparer les mesures du premier et du dernier point"
-        " visé avec le fichier de l'instrument.|against=Déplacer l'axe en + : si l'instrument"
-        " décompte, l'essai a besoin de position_map: {{sense: -1, offset: ..}}.}"
+        "{way:choose|off=La compensation était-elle active, et l'axe référencé, pendant cet essai ?"
+        " Sinon, ajouter une entrée pour cet essai sous `states` et la nommer sous `measured_in`.|"
+        "sign=Comparer une mesure avec l'instrument : trop loin en + est un écart positif.|"
+        "directions=Regarder dans le fichier de l'instrument dans quel sens l'axe allait au premier"
+        " parcours.|order=Comparer les mesures du premier et du dernier point visé avec le fichier"
+        " de l'instrument.|against=Déplacer l'axe en + : si l'instrument décompte, l'essai a besoin"
+        " de `position_map: {{sense: -1, offset: ..}}`.}"
     ),
     "CW-P160.way": (
         "{odds:odds} fois plus vraisemblables {way:choose|off=si la table de la commande n'était"
@@ -339,21 +339,21 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P162.after": (
         "le fichier de l'essai après chargement indique la compensation {both:if|active et non"
         " active|non active}, mais le plan charge des tables pour {names:and}. Vérifier à la"
-        " commande qu'elles sont actives et mesurer de nouveau, ou corriger la clé compensation"
+        " commande qu'elles sont actives et mesurer de nouveau, ou corriger la clé `compensation`"
         " du fichier."
     ),
     "CW-P162.both": (
         "les fichiers indiquent la compensation active et non active. Si le dossier de travail"
         " indique une compensation fausse, la nouvelle table est fausse aussi. Vérifier à la"
-        " commande ce qui était actif. Puis corriger la clé compensation du fichier, ou measured_in"
-        " et states du dossier de travail."
+        " commande ce qui était actif. Puis corriger la clé `compensation` du fichier, ou"
+        " `measured_in` et `states` du dossier de travail."
     ),
     "CW-P162.state": (
         "le fichier indique la compensation {on:if|active|non active}, mais states.{state} du"
         " dossier de travail {active:if|a une table ou un jeu actifs|n'a rien d'actif} pour"
         " {names:and}. Si le dossier de travail indique une compensation fausse, la nouvelle table"
         " est fausse aussi. Vérifier à la commande ce qui était actif. Puis corriger la clé"
-        " compensation du fichier, ou measured_in et states du dossier de travail."
+        " `compensation` du fichier, ou `measured_in` et `states` du dossier de travail."
     ),
     "CW-P163": (
         "Axe {axis}, essai {test} : les fichiers de cet essai donnent des valeurs différentes :"

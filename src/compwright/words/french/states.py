@@ -153,7 +153,7 @@ SENTENCES: Final[dict[str, str]] = {
         "Les axes {axis} et {gantry} du portique s'écartent de {moved:.2f} {unit} au plus (limite"
         " {limit:.2f} {unit}), alors que l'axe {axis} gagne {gain:.2f} {unit}. La cause : les"
         " points de leurs tables sont à des positions différentes. Donner aux deux axes les mêmes"
-        " points dans la commande, ou donner table: same dans le dossier de travail"
+        " points dans la commande, ou donner `table: same` dans le dossier de travail"
     ),
     "CW-S040": (
         "{label} : {bits} = 1 ({value}). Des machines réelles utilisent ce réglage, mais son sens"
@@ -199,7 +199,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-S049.none": (
         "{suggested}. Le dossier de travail ne donne pas de pas de vis. La recherche d'erreurs"
         " périodiques prend donc cette période pour la plus probable. Si c'est le pas de la vis,"
-        " ajouter screw_pitch: {lead:g} à l'axe"
+        " ajouter `screw_pitch: {lead:g}` à l'axe"
     ),
     "CW-S049.other": (
         "{suggested}. Le dossier de travail donne {periods:g} à la place, et il est suivi :"

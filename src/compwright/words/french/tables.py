@@ -77,7 +77,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-F011": (
         "La nouvelle table garde les points de l'existante, bien qu'ils ne soient espacés que de"
         " {spacing:g} {unit} : {reason}. La commande a fonctionné jusqu'ici avec ces points. Pour"
-        " un intervalle assez grand, mettre table.spacing: auto"
+        " un intervalle assez grand, mettre `spacing: auto` dans la table de l'axe"
     ),
     "mode.one_asked": (
         "Une table et une valeur de réversibilité, comme le demande le dossier de travail"
@@ -95,8 +95,8 @@ SENTENCES: Final[dict[str, str]] = {
         "Une table et une valeur de réversibilité : la commande a une table pour les deux sens"
     ),
     "mode.one_unless_asked": (
-        "Une table et une valeur de réversibilité : deux tables ne sont faites que si le dossier"
-        " de travail les demande (mode: bidirectional)"
+        "Une table et une valeur de réversibilité : deux tables ne sont faites que si le dossier de"
+        " travail les demande (`mode: bidirectional`)"
     ),
     "mode.slope": "Une pente et une valeur de réversibilité : la commande n'a pas de table",
     "mode.two_asked": "Deux tables, comme le demande le dossier de travail",

@@ -15,8 +15,8 @@ SENTENCES: Final[dict[str, str]] = {
         "axes.{axis}.modulo hat bei einer Linearachse keine Bedeutung und wird nicht verwendet"
     ),
     "CW-J004": (
-        "{place} hat keine Wirkung, denn Achse {axis} ist nicht unter den Achsen des Auftrags."
-        " Die Achse mit Verfahrweg und Adresse hinzufügen (und mit before: [], wenn sie keine"
+        "{place} hat keine Wirkung, denn Achse {axis} ist nicht unter den Achsen des Auftrags. Die"
+        " Achse mit Verfahrweg und Adresse hinzufügen (und mit `before: []`, wenn sie keine"
         " Positionierprüfung hat)"
     ),
     "CW-J020": "{key} hat bei dieser Steuerung keine Wirkung ({format})",

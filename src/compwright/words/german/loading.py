@@ -148,7 +148,7 @@ SENTENCES: Final[dict[str, str]] = {
         " µm/m mehr als erwartet. Stahl zeigt eine solche Steigung, wenn sich seine Temperatur um"
         " {kelvin:+2sig} K ändert, was {within:if|innerhalb|jenseits} dessen liegt, was der Auftrag"
         " für zwei Prüfungen angibt (± {declared:.1f} µm/m, k = 2). Die Tabelle ist nicht schuld,"
-        " aber über die Grenzwerte wird mit dieser Steigung in den Messwerten entschieden."
+        " aber die Messwerte, die über die Grenzwerte entscheiden, enthalten diese Steigung."
     ),
     "loading.effect": "{part:.2f} ± {error:.2f} der geplanten Wirkung",
     "loading.equivalent": (

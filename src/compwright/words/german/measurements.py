@@ -184,7 +184,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-R058": (
         "Die Datei ist eine Kompensationstabelle der Lasersoftware ({sign}), keine Prüfung. Sie"
         " wird als ein Lauf je Richtung mit den Fehlern dieser Tabelle gelesen. Für eine Tabelle"
-        " die Prüfung selbst verwenden."
+        " die Messdatei der Prüfung angeben."
     ),
     "CW-R059": (
         "Zeilen ohne Zahl in der Spalte {column} sind weggelassen: Zeile {lines}{more:if| und"

@@ -51,8 +51,8 @@ SENTENCES: Final[dict[str, str]] = {
         " bis {high:g}, über den Verfahrweg hinaus. Mittelpunkt und Radius prüfen."
     ),
     "CW-P103": (
-        "Die Tabelle, die {output} über {input} korrigiert, hat Punkte in gleichen Schritten. An"
-        " den gemessenen Punkten weicht sie um bis zu {missed:2sig} µm von der gewünschten"
+        "Die Tabelle, die {output} über {input} korrigiert, hat Punkte in gleichem Abstand. An den"
+        " gemessenen Positionen weicht sie deshalb um bis zu {missed:2sig} µm von der gewünschten"
         " Korrektur ab."
     ),
     "CW-P104": (
@@ -75,8 +75,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P108": (
         "Ebene {plane}: Die Rechtwinkligkeit ist {squareness} nach {tests}. Sie wird nicht"
-        " korrigiert, denn der Auftrag verlangt es nicht: apply.squareness.{plane} mit der zu"
-        " korrigierenden Achse angeben."
+        " korrigiert, denn der Auftrag verlangt es nicht: `apply: {{squareness: {{{plane}:"
+        " ACHSE}}}}` mit der zu korrigierenden Achse als ACHSE angeben."
     ),
     "CW-P109": (
         "{plane}: Die Rechtwinkligkeit ist {squareness} nach {tests}. Zur Korrektur wird Achse"
@@ -170,8 +170,8 @@ SENTENCES: Final[dict[str, str]] = {
         " kein Kreis gemessen. Verwendet wird der Wert des Lasers."
     ),
     "CW-P130.no_test": (
-        "{axis}: Das Umkehrspiel aus Kreisen wird nicht korrigiert. Die Achse hat keine"
-        " Positionierprüfung, deshalb entsteht keine Tabelle dafür."
+        "{axis}: Das Umkehrspiel, das die Kreise zeigen, wird nicht korrigiert. Die Achse hat keine"
+        " Positionierprüfung, deshalb entsteht für sie keine Tabelle."
     ),
     "CW-P130.none": (
         "apply.backlash_from hat keine Wirkung: Kein Kreis des Auftrags zeigt das Umkehrspiel"
@@ -236,8 +236,8 @@ SENTENCES: Final[dict[str, str]] = {
         " Vorhergesagtes {parameter}{stays:if|| ohne Tabelle}: {same} an denselben Zielpositionen,"
         " {new} an neuen. Vorhergesagtes {parameter} mit neuen Punkten ({grid}): {better} an"
         " denselben Zielpositionen, {better_new} an neuen. Für die neuen Punkte `spacing: auto` in"
-        " der Tabelle der Achse setzen. Einstellungen, die von den alten Punkten abhängen, ziehen"
-        " mit um oder werden genannt, wo das nicht geht"
+        " der Tabelle der Achse setzen. Einstellungen, die von den alten Punkten abhängen, werden"
+        " mit angepasst; wo das nicht geht, werden sie aufgeführt"
     ),
     "CW-P142.line": (
         "Die Steigung von {slope} kommt in die getrennte Gerade der Steuerung. An den"
@@ -263,8 +263,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P144": (
         "Achse {axis}: Die Punkte müssen von Hand eingetippt werden, deshalb hat die Tabelle"
-        " wenige: {few}, {mine}. Die andere Wahl ist {many}, {other}. Dafür start: {start:.10g},"
-        " end: {end:.10g}, spacing: {spacing:.10g} in der Tabelle der Achse setzen"
+        " wenige: {few}, {mine}. Die andere Wahl ist {many}, {other}. Dafür `start: {start:.10g},"
+        " end: {end:.10g}, spacing: {spacing:.10g}` in der Tabelle der Achse setzen"
     ),
     "CW-P150": (
         "Achse {axis}: Eine Tabelle hilft hier nicht. {parameter} an neuen Zielpositionen, zwischen"
@@ -299,7 +299,7 @@ SENTENCES: Final[dict[str, str]] = {
         " Messwerte driften um {drifted} vom ersten zum letzten Lauf. Geht diese Drift in jedem"
         " Lauf weiter, hin und zurück, ändert sie allein die Umkehrspanne um {shown}, auch wenn das"
         " Spiel überall gleich ist. Die Achse warmfahren und neu messen, bevor zwei Tabellen"
-        " geladen werden, oder eine Tabelle verwenden (mode: single)"
+        " geladen werden, oder eine Tabelle verwenden (`mode: single` in der Tabelle der Achse)"
     ),
     "CW-P154": (
         "Achse {axis}: Der Losewert kann die Drift dieser Prüfung enthalten. Die mittlere"
@@ -328,14 +328,14 @@ SENTENCES: Final[dict[str, str]] = {
         " Messwerten wäre falsch. {checks:join| }"
     ),
     "CW-P160.check": (
-        "{way:choose|off=War die Kompensation eingeschaltet und die Achse referenziert, als"
-        " gemessen wurde? Wenn nicht, dessen Dateien unter `states` eintragen und diesen Eintrag"
-        " unter measured_in nennen.|sign=Einen Messwert mit dem Messgerät vergleichen: Zu weit in"
-        " + ist eine positive Abweichung.|directions=In der Datei des Messgeräts nachsehen, in"
-        " welcher Richtung die Achse im ersten Lauf fuhr.|order=Die Messwerte der ersten und der"
-        " letzten Zielposition mit der Datei des Messgeräts vergleichen.|against=Die Achse in +"
-        " bewegen: Zählt das Messgerät abwärts, braucht die Prüfung position_map: {{sense: -1,"
-        " offset: ..}}.}"
+        "{way:choose|off=War in dieser Prüfung die Kompensation aktiv und die Achse referenziert?"
+        " Wenn nicht, für diese Prüfung einen Eintrag unter `states` anlegen und diesen unter"
+        " `measured_in` nennen.|sign=Einen Messwert mit dem Messgerät vergleichen: Zu weit in + ist"
+        " eine positive Abweichung.|directions=In der Datei des Messgeräts nachsehen, in welcher"
+        " Richtung die Achse im ersten Lauf fuhr.|order=Die Messwerte der ersten und der letzten"
+        " Zielposition mit der Datei des Messgeräts vergleichen.|against=Die Achse in + bewegen:"
+        " Zählt das Messgerät abwärts, braucht die Prüfung `position_map: {{sense: -1, offset:"
+        " ..}}`.}"
     ),
     "CW-P160.way": (
         "{odds:odds}-mal wahrscheinlicher, {way:choose|off=wenn die Tabelle der Steuerung in"
@@ -354,21 +354,22 @@ SENTENCES: Final[dict[str, str]] = {
         " Auftrag angeben, woher das bekannt ist: `acknowledged: {{CW-P161: Grund}}`"
     ),
     "CW-P162.after": (
-        "die Datei der Prüfung nach dem Laden nennt die Kompensation {both:if|ein und aus|aus},"
-        " der Plan lädt aber Tabellen für {names:and}. An der Steuerung prüfen, dass sie aktiv"
-        " sind, und neu messen, oder den Schlüssel compensation der Datei berichtigen."
+        "die Datei der Prüfung nach dem Laden nennt die Kompensation {both:if|ein und aus|aus}, der"
+        " Plan lädt aber Tabellen für {names:and}. An der Steuerung prüfen, dass sie aktiv sind,"
+        " und neu messen, oder den Schlüssel `compensation` der Datei berichtigen."
     ),
     "CW-P162.both": (
         "die Dateien nennen die Kompensation ein und aus. Gibt der Auftrag die falsche Kompensation"
         " an, ist auch die neue Tabelle falsch. An der Steuerung prüfen, was aktiv war. Dann den"
-        " Schlüssel compensation der Datei oder measured_in und states des Auftrags berichtigen."
+        " Schlüssel `compensation` der Datei oder `measured_in` und `states` des Auftrags"
+        " berichtigen."
     ),
     "CW-P162.state": (
         "die Datei nennt die Kompensation {on:if|ein|aus}, aber states.{state} des Auftrags"
         " {active:if|hat eine aktive Tabelle oder Lose|hat nichts Aktives} für {names:and}. Gibt"
         " der Auftrag die falsche Kompensation an, ist auch die neue Tabelle falsch. An der"
-        " Steuerung prüfen, was aktiv war. Dann den Schlüssel compensation der Datei oder"
-        " measured_in und states des Auftrags berichtigen."
+        " Steuerung prüfen, was aktiv war. Dann den Schlüssel `compensation` der Datei oder"
+        " `measured_in` und `states` des Auftrags berichtigen."
     ),
     "CW-P163": (
         "Achse {axis}, Prüfung {test}: Die Dateien dieser Prüfung geben verschiedene Werte an:"

@@ -152,11 +152,10 @@ SENTENCES: Final[dict[str, str]] = {
         " ({parameter}). Die Tabelle der Achse {axis} korrigiert beide"
     ),
     "CW-S038": (
-        "Die Achsen {axis} und {gantry} des Gantrys laufen um bis zu {moved:.2f} {unit}"
-        " auseinander (Grenze {limit:.2f} {unit}), während Achse {axis} um {gain:.2f} {unit}"
-        " besser wird. Die Ursache: Die Punkte ihrer Tabellen liegen an verschiedenen Positionen."
-        " Beiden Achsen in der Steuerung dieselben Punkte geben oder im Auftrag table: same"
-        " angeben"
+        "Die Achsen {axis} und {gantry} des Gantrys laufen um bis zu {moved:.2f} {unit} auseinander"
+        " (Grenze {limit:.2f} {unit}), während Achse {axis} um {gain:.2f} {unit} besser wird. Die"
+        " Ursache: Die Punkte ihrer Tabellen liegen an verschiedenen Positionen. Beiden Achsen in"
+        " der Steuerung dieselben Punkte geben oder im Auftrag `table: same` angeben"
     ),
     "CW-S040": (
         "{label}: {bits} = 1 ({value}). Echte Maschinen verwenden diese Einstellung, aber ihre"
@@ -202,7 +201,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-S049.none": (
         "{suggested}. Der Auftrag nennt keine Spindelsteigung. Die Suche nach periodischen Fehlern"
         " nimmt deshalb diese Periode als die wahrscheinlichste an. Ist sie die Spindelsteigung,"
-        " der Achse screw_pitch: {lead:g} geben"
+        " der Achse `screw_pitch: {lead:g}` geben"
     ),
     "CW-S049.other": (
         "{suggested}. Der Auftrag nennt stattdessen {periods:g}, und der Auftrag gilt: die"

@@ -76,8 +76,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-F011": (
         "Die neue Tabelle behält die Punkte der vorhandenen, obwohl sie nur {spacing:g} {unit}"
-        " auseinanderliegen: {reason}. Die Steuerung arbeitete bisher mit diesen Punkten. Für"
-        " einen Abstand, der groß genug ist, table.spacing: auto setzen"
+        " auseinanderliegen: {reason}. Die Steuerung arbeitete bisher mit diesen Punkten. Für einen"
+        " Abstand, der groß genug ist, `spacing: auto` in der Tabelle der Achse setzen"
     ),
     "mode.one_asked": "Eine Tabelle und ein Umkehrwert, wie der Auftrag verlangt",
     "mode.one_constant": (
@@ -95,7 +95,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "mode.one_unless_asked": (
         "Eine Tabelle und ein Umkehrwert: Zwei Tabellen entstehen nur, wenn der Auftrag sie"
-        " verlangt (mode: bidirectional)"
+        " verlangt (`mode: bidirectional`)"
     ),
     "mode.slope": "Eine Steigung und ein Umkehrwert: Die Steuerung hat keine Tabelle",
     "mode.two_asked": "Zwei Tabellen, wie der Auftrag verlangt",
