@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from compwright.foundations.findings import Finding
-from compwright.words.sentences import Amount, Sentence, filled, placeholders, say
+from compwright.words.sentences import Amount, Language, Sentence, filled, placeholders, say
 
 
 @pytest.mark.parametrize(
@@ -53,6 +53,24 @@ def test_a_value_that_is_missing_or_of_another_kind_is_no_text(
 ) -> None:
     with pytest.raises((KeyError, ValueError)):
         filled(template, values, "en")
+
+
+@pytest.mark.parametrize("language", ["en", "de", "fr", "ru"])
+def test_a_value_for_the_job_has_a_decimal_point_in_every_language(language: Language) -> None:
+    table = say(
+        "CW-P144",
+        axis="X",
+        few="",
+        mine="",
+        many="",
+        other="",
+        start=-0.5,
+        end=700.25,
+        spacing=12.5,
+    )
+    assert "`start: -0.5, end: 700.25, spacing: 12.5`" in table.text(language)
+    pitch = say("CW-S049.none", suggested="", lead=12.7)
+    assert "`screw_pitch: 12.7`" in pitch.text(language)
 
 
 def test_placeholders_are_found_inside_of_alternatives_too() -> None:

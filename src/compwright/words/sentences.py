@@ -4,6 +4,7 @@ A template is text with fields. ``{name}`` inserts a value, in the form behind a
 
 - a number format of Python (``.2f``, ``+.1f``, ``g``, ``.0%``), or ``2sig``: significant digits,
   never an exponent; ``+2sig`` with its sign
+- ``key``: number as the value of a key in the job, with a decimal point in every language
 - ``odds``: odds to 1, one significant digit, beyond a million no number
 - ``and``, ``join|; ``: what joins the items of a list; by default commas, each item in the number
   format that is given
@@ -221,6 +222,8 @@ def say(name: str, /, **values: object) -> Sentence:
 
 def number_text(value: float, form: str, language: Language = "en") -> str:
     """Return a number as text in a template's ``form``, with the decimal mark of a language."""
+    if form == "key":
+        return format(value, ".10g")
     if form == "odds":
         if value > _MOST_ODDS:
             return f"{_MORE_THAN[language]} 1000000"

@@ -247,8 +247,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P144": (
         "Axis {axis}: the points have to be typed by hand, so the table has few of them: {few},"
-        " {mine}. The other choice is {many}, {other}. To use it, set `start: {start:.10g}, end:"
-        " {end:.10g}, spacing: {spacing:.10g}` in the table of the axis"
+        " {mine}. The other choice is {many}, {other}. To use it, set `start: {start:key}, end:"
+        " {end:key}, spacing: {spacing:key}` in the table of the axis"
     ),
     "CW-P150": (
         "Axis {axis}: a table will not help here. {parameter} at new targets, between the measured"

@@ -185,7 +185,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-S049.none": (
         "{suggested}. The job gives no screw pitch. The search for periodic errors therefore takes"
         " this period as the most probable one. If it is the screw pitch, add `screw_pitch:"
-        " {lead:g}` to the axis"
+        " {lead:key}` to the axis"
     ),
     "CW-S049.other": (
         "{suggested}. The job gives {periods:g} instead, and the job is used: check the pitch at"

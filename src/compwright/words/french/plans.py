@@ -248,8 +248,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P144": (
         "Axe {axis} : les points doivent être saisis à la main, donc la table en a peu : {few},"
-        " {mine}. L'autre choix est {many}, {other}. Pour l'utiliser, mettre `start: {start:.10g},"
-        " end: {end:.10g}, spacing: {spacing:.10g}` dans la table de l'axe"
+        " {mine}. L'autre choix est {many}, {other}. Pour l'utiliser, mettre `start: {start:key},"
+        " end: {end:key}, spacing: {spacing:key}` dans la table de l'axe"
     ),
     "CW-P150": (
         "Axe {axis} : une table n'aidera pas ici. {parameter} à de nouveaux points visés, entre les"

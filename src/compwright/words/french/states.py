@@ -199,7 +199,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-S049.none": (
         "{suggested}. Le dossier de travail ne donne pas de pas de vis. La recherche d'erreurs"
         " périodiques prend donc cette période pour la plus probable. Si c'est le pas de la vis,"
-        " ajouter `screw_pitch: {lead:g}` à l'axe"
+        " ajouter `screw_pitch: {lead:key}` à l'axe"
     ),
     "CW-S049.other": (
         "{suggested}. Le dossier de travail donne {periods:g} à la place, et il est suivi :"

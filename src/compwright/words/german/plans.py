@@ -263,8 +263,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P144": (
         "Achse {axis}: Die Punkte müssen von Hand eingetippt werden, deshalb hat die Tabelle"
-        " wenige: {few}, {mine}. Die andere Wahl ist {many}, {other}. Dafür `start: {start:.10g},"
-        " end: {end:.10g}, spacing: {spacing:.10g}` in der Tabelle der Achse setzen"
+        " wenige: {few}, {mine}. Die andere Wahl ist {many}, {other}. Dafür `start: {start:key},"
+        " end: {end:key}, spacing: {spacing:key}` in der Tabelle der Achse setzen"
     ),
     "CW-P150": (
         "Achse {axis}: Eine Tabelle hilft hier nicht. {parameter} an neuen Zielpositionen, zwischen"

@@ -201,7 +201,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-S049.none": (
         "{suggested}. Der Auftrag nennt keine Spindelsteigung. Die Suche nach periodischen Fehlern"
         " nimmt deshalb diese Periode als die wahrscheinlichste an. Ist sie die Spindelsteigung,"
-        " der Achse `screw_pitch: {lead:g}` geben"
+        " der Achse `screw_pitch: {lead:key}` geben"
     ),
     "CW-S049.other": (
         "{suggested}. Der Auftrag nennt stattdessen {periods:g}, und der Auftrag gilt: die"

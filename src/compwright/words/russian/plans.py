@@ -241,8 +241,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P144": (
         "Ось {axis}: точки вводятся вручную, поэтому в таблице их мало: {few}, {mine}. Другой"
-        " вариант — {many}, {other}. Для него задайте `start: {start:.10g}, end: {end:.10g},"
-        " spacing: {spacing:.10g}` в таблице оси"
+        " вариант — {many}, {other}. Для него задайте `start: {start:key}, end: {end:key}, spacing:"
+        " {spacing:key}` в таблице оси"
     ),
     "CW-P150": (
         "Ось {axis}: таблица здесь не поможет. {parameter} в новых заданных позициях, между"
