@@ -114,8 +114,8 @@ def next_round(
         finished, results, notes = _worked(session, inputs, out / FOLDER, each)
     except (InputError, UsageError, CapacityError) as error:
         reason = "; ".join(str(fault) for fault in error.faults)
-        why = SentenceText(say("next.cannot_be_made", reason=reason))
-        return Round(document=next_document(why, outcomes))
+        stopped = SentenceText(say("next.cannot_be_made", reason=reason))
+        return Round(document=next_document(stopped, outcomes))
     outcomes |= {test.axis: _updated_axis(finished, test.axis) for test in well}
     between = any(entry.written for entry in finished.written.cross.planned)
     updated = any(axis.updated for axis in outcomes.values())
