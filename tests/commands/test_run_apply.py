@@ -232,9 +232,10 @@ def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(
 
 @pytest.mark.parametrize("control", ["heidenhain-nck", "heidenhain-itnc530"])
 def test_squareness_alone_comes_with_a_card_where_it_is_typed_in(
-    folder: Path, control: str
+    folder: Path, control: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert run(folder, control) == 0
+    assert "Next: do the steps of" in capsys.readouterr().out
     assert "type in" in card(folder)
     assert typed(folder) == ("error", [0.0, pytest.approx(-0.032, abs=8e-4)])
 

@@ -35,7 +35,7 @@ def after_run(outcome: Any, job: Path, out: Path, *, apart: bool) -> str:
             f"Next: do the steps of {card}, save the control's files to {READ_BACK}, then type: "
             + _command("compare", out, "--loaded", READ_BACK)
         )
-    if any(path.name.startswith("entry_") for path in outcome.files):
+    if any(path.name.startswith(("entry_", "cross_")) for path in outcome.files):
         return f"Next: do the steps of {card}, measure again, then type: " + _command(
             "verify", job, "--after", _AFTER, *(("--plan", out) if apart else ())
         )
