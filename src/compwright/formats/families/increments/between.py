@@ -48,11 +48,11 @@ def straightness_between(family: Family, request: BetweenRequest) -> Between:
     numbers, _ = next(unused_pairs(read, entry.added.input), ((), {}))
     rows = None if others else _rows(family, request, entry, state, numbers)
     if rows is None:
-        why = control_text(
-            "straightness compensation is known for one straight line over a table only"
-            if numbers
-            else "every pair of straightness compensation (5711 to 5713) is in use"
-        )
+        why = control_text("every pair of straightness compensation (5711 to 5713) is in use")
+        if numbers:
+            why = control_text(
+                "straightness compensation is known for one straight line over a table only"
+            )
         return combined_answer(cannot_hold(each, why) for each in request.planned)
     sheet = _sheet(entry, rows)
     sentence = say("CW-P113.sheet", what=error_label(entry), sheet=sheet.name)
