@@ -273,7 +273,7 @@ def test_a_guarded_decision_takes_the_contributors_of_circles(tmp_path: Path) ->
     ("accept", "more", "words"),
     [
         ("{G_cww: 5}", "", "circles[0].accept.G_cww is not a parameter of a circular test"),
-        ("{H: 5}", "", "circles[0].accept.H: the test xy has no H under iso230-4:2005"),
+        ("{H: 5}", "", "circles[0].accept.H: iso230-4:2005 gives no value of H for the test xy"),
         ("{D: -5}", "", "circles[0].accept.D"),
         ("{D: 5}", "decision_rule: guarded\n", "needs the measurement uncertainty"),
     ],

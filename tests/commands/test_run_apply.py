@@ -540,5 +540,5 @@ def test_a_circle_taken_with_other_tables_between_the_axes_is_no_word_on_what_is
         )
 
     assert tried("then") == code
-    assert ("tables from other axes are active" in capsys.readouterr().err) is (code == 3)
+    assert ("cross-axis tables correct axis" in capsys.readouterr().err) is (code == 3)
     assert tried("as_found") == 0

@@ -317,8 +317,8 @@ def test_a_line_beside_a_table_of_zeros_is_asked_for(
     files = {"mp": "MP710.0 : 0.0\nMP720.0 : 0.0200\n"}
     assert run_activity(tmp_path, ITNC.id, values=0 * OLD, files=files) == 2
     said = capsys.readouterr().err
-    assert "MP720 is not zero, but is active only if no table is selected" in said
-    assert "the switch MP730 is missing" in said
+    assert "MP720 is not zero. It is active only if no table is selected" in said
+    assert "no file contains the switch MP730" in said
     columns = []
     for answer in ("yes", "no"):
         assert run_activity(tmp_path, ITNC.id, f", active: {answer}", 0 * OLD, files) == 0

@@ -664,14 +664,17 @@ def test_nodes_hang_on_the_reference_and_cover_the_travel() -> None:
     [
         (
             {"start": -350.0, "spacing": 50.0},
-            r"table\.start.*starts at -393 or -343 mm, where a point comes every 50 mm, found -350",
+            r"table\.start.*starts at -393 or -343 mm \(the spacing is 50 mm\), found -350",
         ),
         (
             {"end": 450.0, "spacing": 50.0},
-            r"table\.end.*ends at 407 or 457 mm, where a point comes every 50 mm, found 450",
+            r"table\.end.*ends at 407 or 457 mm \(the spacing is 50 mm\), found 450",
         ),
-        ({"start": 20.0}, r"table\.start.*reference.*7 mm or below, found 20"),
-        ({"end": 0.0, "spacing": 50.0}, r"table\.end.*7 mm or above"),
+        (
+            {"start": 20.0},
+            r"table\.start.*reference.*start: 7 \(mm\) or a position below it, found 20",
+        ),
+        ({"end": 0.0, "spacing": 50.0}, r"table\.end.*end: 7 \(mm\) or a position above it"),
         ({"spacing": 0.5}, r"too many points.*at most 1024 points, found 1601"),
         ({"spacing": 0.00125}, r"multiple of 0\.001 mm, such as 0\.001"),
     ],

@@ -286,7 +286,7 @@ def test_a_turn_that_the_length_does_not_divide() -> None:
     rotary = EXAMPLE.replace("400000", "360000")
     control().read([script(rotary)], [axis(modulo=360.0, travel=(0.0, 360.0))])
     says = refused(EXAMPLE, axis(modulo=360.0, travel=(0.0, 360.0)))
-    assert "not a whole multiple of the table's length" in says
+    assert "the table must repeat once per turn of the endless axis" in says
 
 
 def test_missing_is_not_zero() -> None:

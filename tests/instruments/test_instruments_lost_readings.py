@@ -93,7 +93,7 @@ def test_a_traverse_in_negative_direction_is_known_however_it_is_written(column:
 def test_what_may_be_a_traverse_is_refused_with_its_line(column: str) -> None:
     text = f"# unit: um\ntarget_mm,+1,-1,+2,-2,{column},-3\n{ROWS}"
     assert (
-        "x.csv: line 2: traverse columns are not named by direction and run; expected +1, -1"
+        "x.csv: line 2: the names of traverse columns do not show direction and run; expected +1, -1"
         in refusal(text)
     )
     assert f"found {column}" in refusal(text)

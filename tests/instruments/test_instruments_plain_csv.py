@@ -473,11 +473,11 @@ def test_a_missing_column(missing: str) -> None:
         ("target_mm,direction,run,run,deviation_um\n0,+,1,1,1\n", "a column is given twice"),
         (
             "# unit: um\ntarget_mm,1,2\n0,1,1\n",
-            "traverse columns are not named by direction and run",
+            "the names of traverse columns do not show direction and run",
         ),
         (
             "# unit: um\ntarget_mm,+1,-0\n0,1,1\n",
-            "traverse columns are not named by direction and run",
+            "the names of traverse columns do not show direction and run",
         ),
         ("# unit: um\ntarget_mm,+1,+1\n0,1,1\n", "a column is given twice"),
         (

@@ -237,9 +237,18 @@ def test_a_header_row_that_stands_twice_is_not_guessed() -> None:
 @pytest.mark.parametrize(
     ("line", "words"),
     [
-        ("Achse: X", "states another axis than the profile; expected Y as in P.yaml, found X"),
-        ("Einheit: mm", "states another unit than the profile; expected um as in P.yaml, found mm"),
-        ("Soll - Ist", "states another sign than the profile; expected measured minus target"),
+        (
+            "Achse: X",
+            "the profile state different values of `axis`; expected Y as in P.yaml, found X",
+        ),
+        (
+            "Einheit: mm",
+            "the profile state different values of `unit`; expected um as in P.yaml, found mm",
+        ),
+        (
+            "Soll - Ist",
+            "the profile state different values of `sign`; expected measured minus target",
+        ),
     ],
 )
 def test_a_profile_that_was_made_for_another_file(line: str, words: str) -> None:

@@ -208,7 +208,10 @@ def without(entry: str) -> str:
         ),
         (
             COMPLETE + "REF_DATA_FWD[3,1]=1\n",
-            "line 16, REF_DATA_FWD[3,1] has no target; expected an index up to 2",
+            (
+                "line 16, REF_DATA_FWD[3,1] is a reading at a target that the file does not "
+                "contain; expected a target index up to 2"
+            ),
         ),
         (
             COMPLETE + "REF_DATA_FWD[1]=1\n",

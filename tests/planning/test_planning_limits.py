@@ -162,7 +162,7 @@ def test_a_limit_on_what_the_test_does_not_have_is_a_fault_of_the_job() -> None:
 def test_the_test_that_the_limits_name_is_the_one_that_must_have_them() -> None:
     results = (result_of("x", A=5.0, M=None), result_of("y", A=5.0, M=2.0))
     check_limits(job_of(axis_of()), entry_of({"M": 3.0}, "y"), results)
-    with pytest.raises(UsageError, match="the test x has no M"):
+    with pytest.raises(UsageError, match="gives no value of M for the test x"):
         check_limits(job_of(axis_of()), entry_of({"M": 3.0}), results)
 
 

@@ -383,9 +383,10 @@ def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) 
                 expected=str(stated),
                 found=str(given),
                 hint=(
-                    f"set `{TABLE_VALUES}: {stated}`; if the check of the sign showed {given}, "
-                    f"write `# value: {given}` into the sheet, or remove the table from the "
-                    "control and measure again"
+                    f"set `{TABLE_VALUES}: {stated}` in the options; if a test of the sign at the "
+                    f"machine showed that the values are the {given}, write the line `# value: "
+                    f"{given}` into the sheet, or remove the table from the control and measure "
+                    "again"
                 ),
             )
         )

@@ -37,8 +37,8 @@ _SKEW = 1e-3
 #: no two grids agree after rounding.
 _APART = 2e-3
 _ANSWERS = (
-    "gantry: {{axis: {address}, table: same}} (both get the same total) or {{axis: {address},"
-    " table: change}} (the same change is added to each one's own total)"
+    "`gantry: {{axis: {address}, table: same}}` (both axes get the same total) or `gantry: {{axis:"
+    " {address}, table: change}}` (the same change is added to the existing table of each)"
 )
 
 
@@ -81,13 +81,14 @@ def partner_questions(
                 Fault(
                     message=(
                         f"`table: change` keeps the difference between the compensation of "
-                        f"{axis.address} and {axis.gantry}, which is not the same in `states: "
-                        f"{measured_in[0]}` (first test) and in `states: {AS_FOUND}`"
+                        f"{axis.address} and {axis.gantry}, but this difference is not the same "
+                        f"during the first test (`states: {measured_in[0]}`) and in the control "
+                        f"now (`states: {AS_FOUND}`)"
                     ),
                     file=job.file,
                     place=place,
-                    expected=f"a first test that was measured in {AS_FOUND}, or table: same",
-                    found="table: change",
+                    expected=f"a first test with `measured_in: {AS_FOUND}`, or `table: same`",
+                    found="`table: change`",
                     hint=(
                         f"set `measured_in: {AS_FOUND}` for the first test if it was "
                         "taken in that state, or set `table: same`"

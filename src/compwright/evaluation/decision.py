@@ -26,7 +26,7 @@ def decide(value: float, limit: float, U: float | None, rule: Rule) -> Decision:
             Fault(
                 message="the decision rule is unknown",
                 place="decision_rule",
-                expected="simple or guarded",
+                expected="`simple` or `guarded`",
                 found=str(rule),
                 hint=("set `decision_rule: simple` or `decision_rule: guarded` in the job"),
             )

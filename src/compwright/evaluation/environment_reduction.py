@@ -116,7 +116,7 @@ def _refuse_compensated_air(test: PositioningTest) -> None:
                 ),
                 file=_file(test),
                 place="compensated_for",
-                expected="no `compensated_for`, or the material only",
+                expected="no key `compensated_for`, or one that names only the material",
                 found=stated,
                 hint=(
                     f"remove the columns {', '.join(AIR)} from the record of `environment`, or"
@@ -155,7 +155,7 @@ def _times(test: PositioningTest, environment: Environment) -> FloatArray | None
                 place="column time",
                 expected="a time in every row, all written in one form",
                 found=(
-                    f"{int(missing.sum())} of {missing.size} readings without, the first at "
+                    f"{int(missing.sum())} of {missing.size} readings without a time, the first at "
                     f"{test.targets[int(np.argmax(missing.any(axis=1)))]:.10g} mm"
                 ),
                 hint="correct these cells, or remove the column",

@@ -79,7 +79,7 @@ def refuse_reduced(test: PositioningTest) -> None:
                 ),
                 file=test.sources[0].file if test.sources else test.name,
                 place="compensated_for",
-                expected="no `compensated_for`, or the air only",
+                expected="no key `compensated_for`, or one that names only the air",
                 found=stated,
                 hint=("remove `thermal` from this test, or correct `compensated_for` in the file"),
             )

@@ -69,7 +69,8 @@ def minimum_zone(
         raise InputError(
             Fault(
                 message="the points are not near a circle",
-                expected="a spread below a quarter of the radius",
+                expected="distances from the centre that differ by less than a quarter of the "
+                "radius",
                 found=found,
                 hint="check the radius and the unit of the samples",
             )

@@ -160,9 +160,9 @@ def standard_by_id(name: str, spread: str = "std") -> Standard:
                 message=f"{standard.title} does not define the range method for the standard "
                 "deviation s",
                 place="--spread",
-                expected=f"std, or one of {having}",
+                expected=f"`--spread std`, or a standard with the range method: {having}",
                 found=spread,
-                hint="give `--spread std`, or another `--standard`",
+                hint="give `--spread std`, or `--standard` with one of these standards",
             )
         )
     return standard

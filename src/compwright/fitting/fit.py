@@ -128,8 +128,8 @@ def _refuse(capacity: Capacity, request: TableRequest) -> None:
             Fault(
                 message=f"{capacity.format} has one table for both directions of this axis",
                 place="table.mode",
-                expected="single or auto",
-                found="bidirectional",
+                expected="`mode: single` or `mode: auto`",
+                found="`mode: bidirectional`",
                 hint="set `table: {mode: single}`, or leave `mode` out",
             )
         )

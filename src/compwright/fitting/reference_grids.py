@@ -83,9 +83,9 @@ def _fixed_ends(
                         "which must be inside the table"
                     ),
                     place=f"table.{name}",
-                    expected=f"{reference:.10g} {unit} or {side}",
+                    expected=f"{name}: {reference:.10g} ({unit}) or a position {side} it",
                     found=f"{value:.12g}",
-                    hint=f"set `table: {{{name}: {reference:.10g}}}` or {side}",
+                    hint=f"set `table: {{{name}: {reference:.10g}}}`, or a position {side} it",
                 )
             )
         elif not is_whole(counted):
@@ -147,10 +147,7 @@ def requested_step(spacing: float, capacity: Capacity, unit: str) -> int:
         nearest = max(1, step) * quantum
         faults.append(
             Fault(
-                message=(
-                    "the control cannot store this spacing exactly: the step must be a multiple"
-                    f" of {quantum:.10g} {unit}"
-                ),
+                message="the control cannot store this spacing exactly",
                 place="table.spacing",
                 expected=f"a multiple of {quantum:.10g} {unit}, such as {nearest:.10g}",
                 found=f"{spacing:.12g} {unit}",
@@ -205,8 +202,8 @@ def _end_faults(
                 ),
                 place=f"table.{name}",
                 expected=(
-                    f"a table that {verb} at {near} {unit}, where a point comes every "
-                    f"{step * quantum:.10g} {unit}"
+                    f"a table that {verb} at {near} {unit} (the spacing is {step * quantum:.10g} "
+                    f"{unit})"
                 ),
                 found=f"{reference + end * quantum:.12g}",
                 hint=f"set `table: {{{name}: ...}}` to one of these positions",

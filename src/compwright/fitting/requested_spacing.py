@@ -130,8 +130,8 @@ def _refused(span: Span, spacing: float, capacity: Capacity, why: str, unit: str
             message=f"the control cannot store this spacing exactly: {why}",
             place="table.spacing",
             expected=(
-                f"{' or '.join(near)} {unit} (from {span.low * quantum:.10g} to"
-                f" {span.high * quantum:.10g} {unit})"
+                f"{' or '.join(near)} {unit}, for a table from {span.low * quantum:.10g} to"
+                f" {span.high * quantum:.10g} {unit}"
             ),
             found=f"{spacing:.12g} {unit}",
             hint="set `table: {spacing: ...}` to one of these",

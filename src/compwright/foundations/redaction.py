@@ -150,8 +150,8 @@ def not_the_same(file: str, found: str) -> InputError:
     """
     return InputError(
         Fault(
-            message="the file was not copied: without the names, other numbers would be read in "
-            "the copy than in the file",
+            message="the file was not copied: with the names removed, the numbers read from the "
+            "copy would differ from those of the file",
             file=file,
             expected="the same numbers in the copy",
             found=found,

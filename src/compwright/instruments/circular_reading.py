@@ -112,10 +112,10 @@ def merge_circular(tests: Sequence[CircularTest], name: str) -> CircularTest:
     if not tests:
         raise UsageError(
             Fault(
-                message="a circular test has no file",
+                message="no measurement file is given for this circular test",
                 place=name,
-                expected="at least one",
-                hint="give `file`, or `ccw` and `cw`",
+                expected="at least one file",
+                hint="give `file`, or `ccw` and `cw`, in this entry of `circles`",
             )
         )
     faults = FaultList("")

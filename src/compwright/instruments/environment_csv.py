@@ -71,9 +71,9 @@ def read_environment(content: bytes, file: str) -> EnvironmentRecord:
     clock, times = times_of(table.of(TIME), table.place(TIME), faults)
     if clock == "time of day" and np.any(np.diff(times) < 0.0):
         faults.add(
-            "the times of day go backwards: over midnight, or in no order",
+            "the times of day go backwards: the record passes midnight, or its rows are not sorted",
             place=table.place(TIME)(int(np.argmax(np.diff(times) < 0.0)) + 1),
-            expected="times of day that rise, or dates with them",
+            expected="rising times of day, or a date with each time",
             hint="write the date with each time, here and in the measurement files",
         )
     marks = DecimalMarks(faults)

@@ -40,7 +40,7 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
                 message="the file was written for a newer version of compwright",
                 file=file,
                 place=comments.places["compwright"],
-                expected=f"positioning {_NEWEST_FORM} or older",
+                expected=f"positioning {_NEWEST_FORM} or a lower number",
                 found=form,
                 hint="install the newer version of compwright (docs/how-to/offline.md)",
             )

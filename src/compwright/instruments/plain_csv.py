@@ -138,9 +138,9 @@ def _refuse_unsigned(table: CsvTable, wide: bool, faults: FaultList) -> None:  #
     ]
     if bare:
         faults.add(
-            "traverse columns are not named by direction and run",
+            "the names of traverse columns do not show direction and run",
             place=f"line {table.line}",
-            expected="+1, -1, +2, -2, ..., or a name without a number",
+            expected="+1, -1, +2, -2, ... (the sign is the direction, the number is the run)",
             found=_listed(bare),
             hint="rename these columns +1, -1, +2, -2, ...",
         )

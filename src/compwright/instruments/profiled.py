@@ -147,7 +147,7 @@ def _refuse_contradictions(
     ):
         if stated and mine and stated != mine:
             faults.add(
-                f"the text above the table states another {what} than the profile",
+                f"the text above the table and the profile state different values of `{what}`",
                 expected=f"{mine} as in {profile.file}",
                 found=stated,
                 hint=f"correct `{what}` in the profile, or the text in the file",

@@ -335,9 +335,9 @@ def _check_block(
     inside = block.i <= positions
     for at in np.flatnonzero(~inside):
         faults.add(
-            "has no target",
+            "is a reading at a target that the file does not contain",
             place=f"line {block.lines[at]}, {name}[{block.i[at]},{block.j[at]}]",
-            expected=f"an index up to {positions}" if positions else "lines TGT_DATA[i]=",
+            expected=f"a target index up to {positions}" if positions else "lines TGT_DATA[i]=",
             hint="add the entry TGT_DATA of this target, or export the file again",
         )
     count = positions * cycles - int(inside.sum())

@@ -99,7 +99,7 @@ def _states(states: Any) -> Iterator[KeyFault]:
         if files in (NONE_WORD, [NONE_WORD]) and "active" in mapping_of(state):
             yield KeyFault(
                 ("states", name, "active"),
-                "is given for a state in which no compensation is active",
+                "has no meaning here, because this state is `none` (no compensation is active)",
                 found=shown(state["active"]),
                 hint="remove this key",
             )

@@ -72,11 +72,10 @@ def evaluate(
         if len(tests) > 1:
             raise UsageError(
                 Fault(
-                    message="the file contains more than one test; take one of them: "
-                    "evaluate(read(path)[0])",
+                    message="the file contains more than one test",
                     file=str(test),
                     found=str(len(tests)),
-                    hint="give a file with one test",
+                    hint="give one of its tests: `evaluate(read(path)[0])`",
                 )
             )
         test = tests[0]
@@ -121,17 +120,18 @@ def estimate(
     if len(given) < len(measured):
         raise UsageError(
             Fault(
-                message="a circular test shows no error of an axis by position",
-                hint="give positioning tests; `evaluate(test).diagnosis` has the circle's causes",
+                message="a circular test does not show the error at each position of an axis",
+                hint="give positioning tests; for a circular test "
+                "`evaluate(test).diagnosis` contains the causes of its deviations",
             )
         )
     axes = sorted({test.axis for test in given})
     if len(axes) > 1:
         raise UsageError(
             Fault(
-                message="the tests belong to several axes; give those of one axis",
+                message="the tests belong to several axes",
                 found=", ".join(axes),
-                hint='keep one: `[test for test in tests if test.axis == "X"]`',
+                hint='give the tests of one axis: `[test for test in tests if test.axis == "X"]`',
             )
         )
     mapped = [to_machine(test, PositionMap(sense, offset)) for test in given]

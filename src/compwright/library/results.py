@@ -129,9 +129,9 @@ class Evaluation(DocumentResult):
         if self._document["kind"] != "positioning":
             raise UsageError(
                 Fault(
-                    message="`plot` does not draw circular tests; use the command `compwright "
-                    "evaluate FILE --plot circle.svg`",
-                    hint="give a positioning test, or use this command",
+                    message="`plot` does not draw circular tests",
+                    hint="give a positioning test, or use the command `compwright evaluate FILE "
+                    "--plot circle.svg`",
                 )
             )
         chart = result_chart(self._document)

@@ -242,12 +242,11 @@ def limit_faults(
     """
     faults = [
         Fault(
-            message=f"the test {result.test.name} has no {name} under {result.standard}",
+            message=f"{result.standard} gives no value of {name} for the test {result.test.name}",
             file=job.file,
             place=f"{place}.accept.{name}",
-            expected=", ".join(
-                key for key, value in result.parameters.items() if value is not None
-            ),
+            expected="one of "
+            + ", ".join(key for key, value in result.parameters.items() if value is not None),
             found=result.not_applicable.get(name, ""),
             hint=(f"remove `{name}` from `accept`, or choose a standard that defines it"),
         )

@@ -75,14 +75,15 @@ def unknown_motions(job: Job, states: Mapping[str, ControlState]) -> Iterator[Fa
                     message=(
                         f"axis {name}: one test was taken at cutting feed, another at rapid "
                         "traverse, and no given file shows whether the control uses "
-                        "another backlash compensation at rapid traverse"
+                        "a different backlash compensation at rapid traverse"
                     ),
                     file=job.file,
                     place=f"axes.{name}.before, test {request.name}, motion",
-                    expected="the control's whole parameter file, or tests at one motion",
+                    expected="the control's whole parameter file, or all tests at the same feed",
                     found=request.motion,
                     hint=(
                         "add the control's whole parameter file to its files (`states` or "
-                        "`--state`), or keep the tests of one motion"
+                        "`--state`), or keep only the tests at cutting feed or only those at "
+                        "rapid traverse"
                     ),
                 )

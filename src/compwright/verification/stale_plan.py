@@ -52,7 +52,7 @@ def stale_fault(what: str, mine: str, theirs: str, file: str) -> Fault:
         place=what,
         expected=mine,
         found=theirs,
-        hint="run the job again with `compwright run`, or give its own plan with `--plan`",
+        hint="run the job again with `compwright run`, or give the plan of this job with `--plan`",
     )
 
 

@@ -96,8 +96,9 @@ def _always(file: str, lines: Sequence[int]) -> Fault:
     more = ", ".join(str(line) for line in lines[1:])
     return Fault(
         message=(
-            "`active: no` (never executed) is stated, but every run of the program assigns a "
-            f"compensation other than 0 in this line{f' and in line {more}' if more else ''}"
+            "the answer `active: no` (the control executed no line) cannot be right: every run of "
+            "the program assigns a compensation other than 0 in this line"
+            f"{f' and in line {more}' if more else ''}"
         ),
         file=file,
         place=f"line {lines[0]}",
@@ -213,11 +214,11 @@ def _question(file: str, first: Doubt, calls: ProgramCalls) -> Fault:
         ),
         file=file,
         place=f"line {first.line}",
-        expected=f"{program}{_EXPORT}, or an answer (`active: yes` or `active: no`)",
+        expected=f"{program}{_EXPORT}, or the answer `active: yes` or `active: no`",
         found=first.text,
         hint=(
-            "export the compensation data from the control and give that file, or answer "
-            "`active: yes` (all executed) or `active: no` (none executed) in this entry of "
-            "`states`"
+            "export the compensation data from the control and give that file, or state in this "
+            "entry of `states` whether the control executed the program: `active: yes` (every "
+            "line) or `active: no` (no line)"
         ),
     )

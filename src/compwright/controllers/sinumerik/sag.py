@@ -118,11 +118,11 @@ class Sag:
         raise UsageError(
             Fault(
                 message=(
-                    f"axis {axis} has CEC tables over its own position, and the sign of "
-                    "their values is unknown"
+                    f"axis {axis} has CEC tables over its own position, and it is not given "
+                    "whether their values are corrections or errors (opposite sign)"
                 ),
                 place="option cec_sign",
-                expected="correction or error",
+                expected="`cec_sign=correction` or `cec_sign=error`",
                 hint="give `--option cec_sign=correction` or `--option cec_sign=error`",
             )
         )
@@ -134,9 +134,10 @@ class Sag:
         if self.sign == 0 and pair[0] != pair[1]:
             raise UsageError(
                 Fault(
-                    message="the sign of the CEC values is unknown",
+                    message="it is not given whether the CEC values are corrections or errors "
+                    "(opposite sign)",
                     place="option cec_sign",
-                    expected="correction or error",
+                    expected="`cec_sign=correction` or `cec_sign=error`",
                     hint="give `--option cec_sign=correction` or `--option cec_sign=error`",
                 )
             )

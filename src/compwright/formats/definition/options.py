@@ -166,7 +166,7 @@ def axis_options(
                     expected=rule.asked,
                     found="nothing" if value is None else str(value),
                     hint=(
-                        f"add `{rule.name}` to the axis in the job, or the file of the control "
+                        f"write `{rule.name}: VALUE` into this axis of the job, or add the file "
                         "that contains it to the control's files (`states` or `--state`); without "
                         f"a job give `--option {rule.name}=VALUE`"
                     ),

@@ -91,15 +91,14 @@ class Activity:
                     file=place.occurrence.file if place is not None else "",
                     place=place.occurrence.place if place is not None else "",
                     expected=(
-                        "one answer for all tables of these files, as in states: {as_found:"
-                        " {files: [...], active: yes}}; or files with the switches as they were"
-                        " during the test"
+                        "the answer `active: yes` or `active: no` for all tables of these files, or"
+                        " files with the switches as they were during the test"
                     ),
                     found="no answer",
                     hint=(
-                        "answer with `active: yes` or `active: no` in this entry of `states` in "
-                        "the job (without a job: `--option active=yes`); if some tables were on "
-                        "and others off, give the files with the switches"
+                        "write `active: yes` or `active: no` into this entry of `states` in the "
+                        "job (without a job: `--option active=yes`); if some tables were active "
+                        "and others not, give the files with the switches"
                     ),
                 )
             )

@@ -84,7 +84,8 @@ def curves(capacity: Capacity, compensation: AxisCompensation, label: str) -> li
                 message=f"{label}: the control has no backlash value in addition to the table",
                 expected="0",
                 found=f"{compensation.backlash:g}",
-                hint=("put the reversal error into the two curves: `table: {mode: bidirectional}`"),
+                hint="include the reversal error in a table for each direction: `table: {mode: "
+                "bidirectional}`",
             )
         )
     return faults

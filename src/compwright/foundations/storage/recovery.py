@@ -198,10 +198,10 @@ def _take_back_part(session: Session, folder: Path, journal: Journal) -> None:
                     "list of its files is missing"
                 ),
                 file=str(folder / UNFINISHED),
-                expected=f"{first} in its place, or {UNFINISHED} removed, which keeps what is here",
+                expected=f"the folder {first}, or no file {UNFINISHED}",
                 hint=(
-                    f"put {first} back, or remove {folder / UNFINISHED} (this keeps "
-                    "the files as they are)"
+                    f"put the folder {first} back, or remove {folder / UNFINISHED} (the other "
+                    "files then stay as they are)"
                 ),
             )
         )

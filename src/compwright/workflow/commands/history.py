@@ -60,8 +60,8 @@ def history_of(
     if len(set(named)) < len(named):
         raise UsageError(
             Fault(
-                message="two of --json, --plot, --page, --table and --index name one file",
-                hint="give each of them a file of its own",
+                message="two of --json, --plot, --page, --table and --index name the same file",
+                hint="give each of these options a different file",
             )
         )
     folders, faults = result_folders(session, tops)

@@ -129,8 +129,8 @@ def redact_files(
         raise UsageError(
             Fault(
                 message=(
-                    "the answer of `--json` contains the original names, so it must not be "
-                    "in the folder of the copies"
+                    "the file of `--json` contains the original names, so it must not be in the "
+                    "folder of the copies"
                 ),
                 file=shown_path(json_path),
                 expected="a path outside of the folder of the copies",

@@ -252,7 +252,8 @@ def _first_test(job: Job, axis: str, spec: str, names: Mapping[str, str]) -> tup
             Fault(
                 message=f"the job has no test of axis {axis}, so this test cannot be compared",
                 place="--after",
-                expected=f"a test of {' or '.join(names.values()) or 'an axis with before'}",
+                expected="a test of "
+                f"{' or '.join(names.values()) or 'an axis that has `before` in the job'}",
                 found=spec,
                 hint="give a test of an axis that has `before` in the job",
             )

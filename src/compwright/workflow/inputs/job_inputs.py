@@ -311,17 +311,18 @@ def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Itera
                 (help_, *_) = (facts.uncounted_help for facts in pairs if facts.uncounted)
                 yield Fault(
                     message=(
-                        f"tables from other axes are active on axis {name} and are not the same "
-                        f"in all entries of `states`. A circle or a cross measurement in {state} "
-                        "therefore shows nothing about the existing tables"
+                        f"cross-axis tables correct axis {name}, and they are not the same in "
+                        f"`states: {AS_FOUND}` and `states: {state}`. A circle or a cross "
+                        f"measurement in {state} therefore does not show the effect of the tables "
+                        f"in {AS_FOUND}"
                     ),
                     file=job.file,
                     place=f"states.{state}",
-                    expected=f"a measurement in {AS_FOUND}, or {help_}",
+                    expected=f"a measurement in {AS_FOUND}, or the option {help_}",
                     found=f"{AS_FOUND}: {tables[0]}; {state}: {tables[1]}",
                     hint=(
-                        f"measure the circle or the cross measurement again in {AS_FOUND}, or "
-                        f"set {help_}"
+                        f"repeat the circle or the cross measurement in {AS_FOUND}, or set the "
+                        f"option {help_}"
                     ),
                 )
 
@@ -364,9 +365,9 @@ def _unsaid_units(
             if max(ratio, 1 / ratio) > MILLIMETRES_PER_INCH / _SAME_RANGE:
                 yield Fault(
                     message=(
-                        f"axis {axis.name}: the unit of the machine is not given. In "
+                        f"axis {axis.name}: the unit of the machine is not given. If it is "
                         f"{control.options[rule.name]}, the table in the files of `states: {name}` "
-                        "does not fit the travel"
+                        "does not fit the travel of the axis"
                     ),
                     file=job.file,
                     place=f"controller.options.{rule.name}",

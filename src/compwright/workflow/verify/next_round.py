@@ -389,12 +389,12 @@ def refuse_later_rounds(session: Session, out: Path) -> None:
         raise StorageError(
             Fault(
                 message=(
-                    "this folder contains the verification of the existing next round, so "
-                    "it is not replaced, not even with --force"
+                    f"the tables in {FOLDER} are already verified: this file is their "
+                    "verification, and is not replaced, not even with --force"
                 ),
                 file=str(gone_on),
-                expected=f"another --out, or {FOLDER} moved away",
-                hint=f"give another `--out`, or move {FOLDER} to another place",
+                expected=f"another `--out`, or no {FOLDER} in this folder",
+                hint=f"give another `--out`, or move {FOLDER} to another folder",
             )
         )
 

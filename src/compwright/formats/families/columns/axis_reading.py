@@ -292,21 +292,21 @@ class ColumnAxisReader:
             self.notes.ask(
                 Fault(
                     message=(
-                        f"{self.label}: {name} is not zero, but is active only if no table is "
-                        "selected, and the files do not show whether one is: the switch "
-                        f"{self._switch} is missing"
+                        f"{self.label}: {name} is not zero. It is active only if no table is "
+                        f"selected, and no file contains the switch {self._switch}, which shows "
+                        "whether a table is selected"
                     ),
                     file=slope.occurrence.file,
                     place=slope.occurrence.place,
                     expected=(
-                        f"{self._switch} among the files, or states: {{as_found: {{files: [...],"
-                        " active: yes}} or active: no"
+                        f"{self._switch} among the files, or the answer `active: yes` or `active: "
+                        "no`"
                     ),
                     found=slope.text,
                     hint=(
-                        f"add {self._switch} to the files, or answer `active: yes` (the table was "
-                        "selected) or `active: no` (no table was selected) in this entry of "
-                        "`states` in the job"
+                        f"give the file with {self._switch} with the control's other files, or "
+                        "write `active: yes` (a table was selected) or `active: no` (no table "
+                        "was selected) into this entry of `states` in the job"
                     ),
                 )
             )

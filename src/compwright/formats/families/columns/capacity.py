@@ -178,7 +178,8 @@ def _line_faults(
             expected="no table",
             found="a table",
             hint=(
-                "leave the table out; for a table set `method: table` in the options of this axis"
+                "leave the table out; to use a table instead of the linear parameter, set "
+                "`method: table` in the options of this axis"
             ),
         )
     if capacity.line is None and compensation.slope:

@@ -252,11 +252,11 @@ class GridReader:
                     f"axes {leading} and {partner}",
                     "the two axes of the gantry use different measuring systems",
                     None,
-                    expected="the same one, or encoder.system in the job",
+                    expected="the same measuring system for both, or the key `encoder` in the job",
                     found=f"{used[0]} and {used[1]}",
                     hint=(
-                        "select one measuring system for both in the control; or set"
-                        " `encoder: {system: 1}`, or 2, for both axes in the job"
+                        "select the same measuring system for both in the control; or set"
+                        " `encoder: {system: 1}` or `encoder: {system: 2}` for both axes in the job"
                     ),
                 )
 

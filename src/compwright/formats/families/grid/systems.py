@@ -31,11 +31,11 @@ class SystemChoice:
         if (count := self._count()) is not None and wanted > count:
             self.notes.refuse(
                 f"axis {self.address}",
-                f"measuring system {wanted} is requested, but the axis has {count} (MD30200"
-                " $MA_NUM_ENCS)",
+                f"measuring system {wanted} is requested, but the number of measuring systems of "
+                f"this axis is {count} (MD30200 $MA_NUM_ENCS)",
                 self.gathered.singles[self.address, None]["encoders"][-1],
                 expected=(
-                    f"encoder: {{system: {count}}}, or no key `encoder`"
+                    f"`encoder: {{system: {count}}}`, or no key `encoder`"
                     if count
                     else "MD30200 at least 1"
                 ),
@@ -123,13 +123,13 @@ class SystemChoice:
             self.notes.ask(
                 Fault(
                     message=(
-                        f"axis {self.address}: the files contain both measuring systems and do not "
-                        "show which one is in use"
+                        f"axis {self.address}: the files contain data of both measuring systems "
+                        "and do not show which one is in use"
                     ),
                     place="encoder.system",
                     expected=(
-                        "encoder: {system: 1} or {system: 2} (index 0 or 1 in the "
-                        "files; without a job: --option encoder_system=1)"
+                        "`encoder: {system: 1}` (index 0 in the files) or `encoder: {system: "
+                        "2}` (index 1)"
                     ),
                     found="no answer in the job, MD30200 and MD32700",
                     hint=(

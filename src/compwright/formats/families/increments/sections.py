@@ -79,10 +79,10 @@ def read_sections(values: IncrementAxisValues, kind: AxisKind) -> IncrementSecti
     if missing:
         values.wrong(
             next(name for name, found in present.items() if found is not None),
-            "parameters of the table are missing",
+            "the other parameters of this table are missing",
             ", ".join(missing),
             "no such line in the files",
-            hint=ADD_FILE,
+            hint="give the file with these parameters with the control's other files",
         )
         return None
     return _checked(values, kind)

@@ -65,15 +65,16 @@ def _sign(family: Family, request: BetweenRequest, entry: PlannedCross) -> int:
         raise UsageError(
             Fault(
                 message=(
-                    f"{error_label(entry)}: the sign of the values of kw.crosscomp is not "
-                    "documented; test it as docs/controllers/isg-kernel.md describes"
+                    f"{error_label(entry)}: it is not documented whether the values of "
+                    "kw.crosscomp are the error of the axis or its correction (opposite sign)"
                 ),
                 place=CROSS_VALUES,
-                expected="error or correction",
-                found="nothing",
+                expected=f"`{CROSS_VALUES}: error` or `{CROSS_VALUES}: correction`",
+                found="neither",
                 hint=(
-                    "find the sign as docs/controllers/isg-kernel.md describes, then give "
-                    f"`{CROSS_VALUES}` in the options of the job"
+                    "find the sign with the test that docs/controllers/isg-kernel.md describes, "
+                    f"then set `{CROSS_VALUES}: error` or `{CROSS_VALUES}: correction` in the "
+                    "options of the job"
                 ),
             )
         )

@@ -109,7 +109,7 @@ class ListsFamily(Family):
                     message=f"axis {axis.name}: the list counts in encoder increments, whose "
                     "length is unknown",
                     place="encoder_increment",
-                    expected="mm or deg",
+                    expected="the length of an encoder increment in mm or deg",
                     hint=(
                         "give `encoder_increment` in the options of the axis (without a job: "
                         "`--option encoder_increment=0.001`)"

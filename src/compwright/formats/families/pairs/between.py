@@ -136,8 +136,8 @@ def _beyond_sum(writer: CecWriter, entry: CrossCompensation) -> list[Fault]:
     return [
         Fault(
             message=(
-                f"{entry.input} on {entry.output}: the sum of all CEC tables would exceed "
-                "CEC_MAX_SUM (MD32720)"
+                f"axis {entry.output}: with the new table over {entry.input}, the sum of all CEC "
+                "tables of this axis would exceed CEC_MAX_SUM (MD32720)"
             ),
             expected=f"at most {facts.max_sum:g}",
             found=f"up to {reach:g}",
@@ -199,8 +199,8 @@ def _unsound(entry: CrossCompensation) -> list[Fault]:
                 Fault(
                     message=f"{label}: {side} its {end} point the control keeps the value of "
                     "that point",
-                    expected="hold (the end value)",
-                    found=beyond,
+                    expected=f"`{side}: hold` (the end value)",
+                    found=f"`{side}: {beyond}`",
                     hint=f"make the table cover the whole travel, or delete `{side}: {beyond}`",
                 )
             )

@@ -41,17 +41,17 @@ def sign_question(why: str) -> Fault:
         message=(
             f"{why}, and the sign of its values is not given: a wrong sign doubles the error. "
             "Siemens' manual (Extended Functions 03/2009, page 372) states that a positive value "
-            "moves the axis in -, which is cec_sign: error. The existing values may have been made "
-            "the other way round"
+            "moves the axis in - (`cec_sign: error`), but the existing values may have been "
+            "entered with the opposite sign"
         ),
         place="option cec_sign",
-        expected="cec_sign: correction or cec_sign: error",
+        expected="`cec_sign: correction` or `cec_sign: error`",
         found="not given",
         hint=(
-            "check the sign in ten minutes: with a dial gauge on the axis, MD32710 and SD41300 on, "
-            "write +0.1 into every point of one table that is known to be free, read the gauge, "
-            "write 0 again. If the axis moved by 0.1 in +, set `cec_sign: correction` in the "
-            "options, if in -, `cec_sign: error` (without a job: `--option cec_sign=error`)"
+            "check the sign at the machine: put a dial gauge on the axis, set MD32710 and SD41300 "
+            "to 1, write +0.1 into every point of one unused table, read the gauge, then write 0 "
+            "again. If the axis moved by 0.1 in +, set `cec_sign: correction` in the options; if "
+            "it moved in -, set `cec_sign: error` (without a job: `--option cec_sign=error`)"
         ),
     )
 

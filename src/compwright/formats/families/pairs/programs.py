@@ -98,15 +98,16 @@ def _executed_in_any_case(definition: Definition, programs: Sequence[Found]) -> 
             others = f" or line {', '.join(map(str, more))}" if more else ""
             yield Fault(
                 message=(
-                    "`active: no` is stated, but every run of the program executes this "
-                    f"line{others}, which sets a compensation other than 0"
+                    "the answer `active: no` (the control executed no line) cannot be right: every "
+                    f"run of the program executes this line{others}, which sets a compensation "
+                    "other than 0"
                 ),
                 file=found.file,
                 place=f"line {first}",
-                expected=f"{EXPORTED}; or active: yes if the control executed all assignments",
+                expected=f"{EXPORTED}; or `active: yes` if the control executed every line",
                 hint=(
                     "export the compensation data from the control and give that file, or set "
-                    "`active: yes` if the control executed all assignments"
+                    "`active: yes` if the control executed every line"
                 ),
             )
 
@@ -209,15 +210,15 @@ def _omitted_value(found: Found) -> Iterator[Fault]:
     for line, past in ways.unreached():
         yield Fault(
             message=(
-                f"`active: yes` is stated, but line {past} of the program always jumps past "
-                "this line: the control never executes it"
+                "the answer `active: yes` (the control executed every line) cannot be right: line "
+                f"{past} of the program always jumps past this line"
             ),
             file=found.file,
             place=f"line {line}",
-            expected=f"{EXPORTED}; or active: no if the control executed no assignment",
+            expected=f"{EXPORTED}; or `active: no` if the control executed no line",
             hint=(
                 "export the compensation data from the control and give that file, or set "
-                "`active: no` if the control executed no assignment"
+                "`active: no` if the control executed no line"
             ),
         )
         return
@@ -225,8 +226,8 @@ def _omitted_value(found: Found) -> Iterator[Fault]:
     if pair is not None:
         yield Fault(
             message=(
-                "`active: yes` is stated, but no run of the program executes both line "
-                f"{pair[0]} and this line"
+                "the answer `active: yes` (the control executed every line) cannot be right: no "
+                f"run of the program executes both line {pair[0]} and this line"
             ),
             file=found.file,
             place=f"line {pair[1]}",
@@ -241,15 +242,16 @@ def _omitted_value(found: Found) -> Iterator[Fault]:
     if left_out is not None:
         yield Fault(
             message=(
-                "`active: yes` is stated, but because of the conditions in the program no "
-                "run executes both this line and all other values"
+                "the answer `active: yes` (the control executed every line) cannot be right: no "
+                "run of the program executes this line and also every other line that sets a "
+                "value"
             ),
             file=found.file,
             place=f"line {left_out}",
-            expected=f"{EXPORTED}; or active: no if the control executed no assignment",
+            expected=f"{EXPORTED}; or `active: no` if the control executed no line",
             hint=(
                 "export the compensation data from the control and give that file, or set "
-                "`active: no` if the control executed no assignment"
+                "`active: no` if the control executed no line"
             ),
         )
 
@@ -368,13 +370,13 @@ def _question(found: Found) -> Fault:
         file=file,
         place=f"line {doubts[0].line}",
         expected=(
-            f"{files}{EXPORTED}; or states: {{as_found: {{files: [...], active: yes}}}} or active:"
-            " no"
+            f"{files}{EXPORTED}; or the answer `active: yes` or `active: no` in this entry of "
+            "`states`"
         ),
         found=repr(doubts[0].text),
         hint=(
-            "export the compensation data from the control and give that file, or answer "
-            "`active: yes` (all were executed) or `active: no` (none was) in this entry "
-            "of `states` in the job (without a job: `--option active=yes`)"
+            "export the compensation data from the control and give that file, or state in this "
+            "entry of `states` in the job whether the control executed the program: `active: yes` "
+            "(every line) or `active: no` (no line) (without a job: `--option active=yes`)"
         ),
     )

@@ -56,7 +56,7 @@ class Switches:
                     ),
                     file=places[-1].occurrence.file,
                     place=places[-1].occurrence.place,
-                    expected="1, or SD41300 = 0 for the other tables on this axis",
+                    expected="MD32710 = 1, or SD41300 = 0 for the other tables on this axis",
                     found="0",
                     hint=(
                         "set SD41300 = 0 for these tables in the control, then export its files "
@@ -166,7 +166,7 @@ class Switches:
                 ),
                 file=place.occurrence.file,
                 place=place.occurrence.place,
-                expected="1: metric",
+                expected="1 (metric)",
                 found=place.text,
                 hint=(
                     "remove this axis from `cross`, or set MD32711 to 1 in the control and "

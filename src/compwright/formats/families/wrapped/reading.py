@@ -341,10 +341,10 @@ class WrappedStateReader:
             return
         self.notes.faults.append(
             Fault(
-                message=f"motor {motor}: one turn of the endless axis is not a whole multiple "
-                "of the table's length",
-                expected=f"{turn:g} or a part of it",
-                found=f"a table that repeats after {period:.10g}",
+                message=f"motor {motor}: the table must repeat once per turn of the endless axis, "
+                "or a whole number of times",
+                expected=f"a table length of {turn:g}, or {turn:g} divided by a whole number",
+                found=f"a table length of {period:.10g}",
                 hint="correct the length of the table in the control and save its script again",
             )
         )
