@@ -758,7 +758,7 @@ class TestContradictions:
                 changed("_STEP[1]=400.0", "_STEP[1]=0.000000059604644775390625")
                 .replace("_MIN[1]=0.0", "_MIN[1]=536870912")
                 .replace("_MAX[1]=800.0", "_MAX[1]=536870912.00000011920928955078125"),
-                "lost in the size of MIN",
+                "too small to change a position as large as MIN",
             ),
             ("$AN_CEC_STEP[3]=0\n$AN_CEC_MIN[3]=0\n", "CEC table 3 is incomplete"),
             (

@@ -157,7 +157,7 @@ def _not_sent(card: Card, request: Request) -> list[Fault]:
             if not motor or request.is_under_work(str(motor))
         ]
     return [
-        place.fault("is in a conditional block: say with `active` whether it was sent")
+        place.fault("is in a conditional block: state with `active` whether it was sent")
         for motor, place in card.left_out
         if not motor or request.is_under_work(str(motor))
     ]

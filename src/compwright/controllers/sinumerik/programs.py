@@ -145,7 +145,7 @@ def _out_of_order(
             yield last.fault(
                 f"{last.variable} is assigned in {other.file}, line {other.line} too, and one of"
                 " these programs calls the other: the last one in the files is not the last one"
-                " that the control carries out",
+                " that the control executes",
                 expected=_EXPORT,
             )
 
@@ -158,8 +158,12 @@ def _not_all(placed: PlacedBlock, calls: ProgramCalls) -> Iterator[Fault]:
     pair = conflicts(calls.trail(block))
     if pair is not None:
         line, other = pair
-        why = f"a run that executes line {other} skips this line" if other else "no run executes it"
-        why = "no run executes this line and all other assignments" if other == line else why
+        why = (
+            f"a run that executes line {other} skips this line"
+            if other
+            else "no run executes this line"
+        )
+        why = "no run executes this line and every other assignment" if other == line else why
         yield Fault(
             message=f"the control cannot have executed the whole program: {why}",
             file=placed.content.name,
@@ -198,7 +202,7 @@ def _in_two_branches(block: ProgramBlock, given: Sequence[VariableAssignment]) -
         if before is not None and block.branches[before.line] != branch:
             yield entry.fault(
                 f"{entry.variable} is assigned in another branch too (line {before.line}); the"
-                " control carried out one of them",
+                " control executed only one of them",
                 expected=_EXPORT,
             )
         seen[entry.variable.upper()] = entry

@@ -187,7 +187,7 @@ def _impossible(first: VariableAssignment, label: str, table: CompensationTable)
     if np.any(np.diff(table.positions()) <= 0.0):
         return [
             first.fault(
-                f"STEP of the {label} is lost in the size of MIN",
+                f"STEP of the {label} is too small to change a position as large as MIN",
                 found=f"STEP {table.step!r}, MIN {table.lowest!r}",
             )
         ]

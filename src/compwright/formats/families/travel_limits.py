@@ -40,7 +40,7 @@ def check_travel(
     start, end = axis.travel
     if min(end, high) - max(start, low) <= _OUTSIDE * (end - start):
         refuse(
-            f"the travel of the job lies where the axis cannot go by its limits ({names})",
+            f"the travel in the job is outside of the travel limits of the axis ({names})",
             f"{low:g} to {high:g}: travel and targets in machine coordinates",
             f"{start:g} to {end:g}",
         )

@@ -195,10 +195,10 @@ def _check_range(values: GridAxisValues, axis: Axis, found: FoundValue) -> None:
     if axis.modulo is None:
         values.notes.refuse(
             values.label,
-            "the control's files say that the axis is endless (MD30310), the job that it has ends",
+            "the axis is endless in the control's files (MD30310), but has ends in the job",
             found,
-            expected=f"modulo: {turn or 360.0:g} in the job",
-            found="no modulo",
+            expected=f"`modulo: {turn or 360.0:g}` in the job",
+            found="no key `modulo`",
             hint=f"set `modulo: {turn or 360.0:g}` for the axis in the job",
         )
     elif turn is not None and abs(turn - axis.modulo) > SAME_TURN:
@@ -249,7 +249,8 @@ def _check_beginning(values: GridAxisValues, table: GridTable) -> None:
         values.notes.refuse(
             values.label,
             "its table repeats and does not begin where the modulo range of the control begins"
-            " (MD30340): whether the control reads the part before it is not known",
+            " (MD30340): it is unknown whether the control uses the part of the table before"
+            " this position",
             values.single("table_start"),
             expected=(
                 f"MIN = {start:g}"

@@ -108,8 +108,8 @@ class IncrementReader:
             if table.period is not None and period is None and sums[0] != sums[-1]:
                 self.values.wrong(
                     "last_number",
-                    "inclination that does not close round the turn cannot be counted",
-                    "5871 to 5874 alike at both ends of the turn",
+                    "the inclination compensation is not the same at both ends of the turn",
+                    "5871 to 5874 with the same amount at both ends of the turn",
                     hint=NOT_COUNTED,
                 )
             others.append(

@@ -44,8 +44,9 @@ class SmoothBacklash:
         if reach <= NEAR:
             return
         fault = farthest.fault(
-            f"{label}: smooth backlash compensation divides 1851 into stages, perhaps up to"
-            f" {reach:g} {kind.unit} behind a reversal: what a target of a test saw is not known",
+            f"{label}: smooth backlash compensation divides 1851 into stages, perhaps up to "
+            f"{reach:g} {kind.unit} behind a reversal: the backlash at the targets of a test is "
+            "unknown",
             f"at most {NEAR:g} {kind.unit} in detection units of {unit:g}, or 0 and a new test",
         )
         notes.faults.append(fault)

@@ -150,16 +150,16 @@ def check_diameter(values: IncrementAxisValues, kind: AxisKind) -> None:
     if in_diameter is True and job == "radius":
         values.wrong(
             "diameter",
-            "1006#3 says diameter programming, the job does not",
-            "programmed: diameter in the job",
+            "1006#3 states diameter programming, but the job states radius programming",
+            "`programmed: diameter` in the job",
             "radius",
             hint="set `programmed: diameter` for the axis in the job",
         )
     if in_diameter is False and job == "diameter":
         values.wrong(
             "diameter",
-            "1006#3 says radius programming, the job diameter",
-            "programmed: radius in the job",
+            "1006#3 states radius programming, but the job states diameter programming",
+            "`programmed: radius` in the job",
             "diameter",
             hint="set `programmed: radius` for the axis in the job",
         )

@@ -25,7 +25,7 @@ def refusals(own: AxisParameters) -> Iterator[Fault]:
     if totals is not None and totals.nonzero:
         yield totals.fault(
             f"{own.label}: the pitch data may be totals instead of increments",
-            "0: what a number then means is not known",
+            "0 (increments): how the control counts totals is unknown",
         )
 
 
@@ -49,7 +49,7 @@ def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
         yield value.fault(
             f"{own.label}: another function uses its point numbers {numbers.start} to"
             f" {numbers.stop - 1}",
-            "numbers of its own",
+            "point numbers that only this table uses",
         )
 
 

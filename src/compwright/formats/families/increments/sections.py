@@ -95,8 +95,8 @@ def _note_switched_off(values: IncrementAxisValues) -> None:
     if values.axis is not None:
         values.wrong(
             "compensation_off",
-            f"stored pitch error compensation is off on this control ({number}#0), a table would"
-            " not act",
+            f"stored pitch error compensation is off on this control ({number}#0), so a table"
+            " would not be active",
             f"{number}#0 = 0 (it needs the option), then a power cycle and a new measurement",
             f"{number}#0 = 1",
             hint=(

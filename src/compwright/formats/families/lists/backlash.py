@@ -56,7 +56,11 @@ def _checked_backlash(
     if number != int(number) or abs(number) > _MOST:
         expected = f"a whole number, {-_MOST} to {_MOST}"
         of.notes.refuse(
-            of.label, "a backlash must be whole", place, expected=expected, hint=CORRECT_VALUE
+            of.label,
+            "a backlash must be a whole number",
+            place,
+            expected=expected,
+            hint=CORRECT_VALUE,
         )
     elif number < 0:
         message = "a backlash less than 0 (play before the measuring system) is not understood"

@@ -74,7 +74,7 @@ _ARCHIVE = (
     "an archive in a container, which is never written: a control may refuse an archive that was"
     " edited"
 )
-_PROGRAM = "a program that may leave values out: what is patched in it may not be carried out"
+_PROGRAM = "a program of which the control may not execute every line, such as a changed one"
 _BLANK = "a file with a blank in place of the equals sign, a form that no manual shows"
 _LISTING = "a listing with decimal commas, which the control does not take"
 

@@ -239,8 +239,8 @@ def _other_ends(
     for number, (word, end) in last_of.items():
         if folder and script.files[number].folder == folder and end != ends[-1]:
             yield words[-1].fault(
-                f"{name}: {word.file}, line {word.line}, says {_shown(word)}, and what is sent last"
-                " counts: a folder has no order",
+                f"{name}: {word.file}, line {word.line}, says {_shown(word)}. The script that was"
+                " sent last decides, but a folder has no order",
                 expected="the scripts named one by one, in the order in which they are sent",
                 found=_shown(words[-1]),
             )
