@@ -570,7 +570,7 @@ def test_zero_between_nodes_holds_on_the_curve() -> None:
     [
         (
             {"spacing": 30.0},
-            r"26\.6667 steps long.*expected 25 or 32 mm \(from -800 to 0 mm\), found 30 mm",
+            r"26\.6667 steps long.*expected 25 or 32 mm, for a table from -800 to 0 mm, found 30 mm",
         ),
         (
             {"spacing": 1.0},

@@ -123,7 +123,7 @@ def test_a_foreign_sheet_by_a_profile() -> None:
         ([LONG, (0, "+", 1, "=A1*2")], "contains a formula without a result"),
         ([LONG, (0, "+", 1, "n/a")], "x.xlsx, sheet S: line 2, column deviation_um"),
         ([LONG, ("#DIV/0!", "+", 1, 0.5)], "is not a number"),
-        ([("target_mm", 1, -1), (0, 0.1, 0.2)], "are not named by direction and run"),
+        ([("target_mm", 1, -1), (0, 0.1, 0.2)], "do not show direction and run"),
         ([("a", "b"), (1, 2)], "no sheet contains a test"),
         ([], "empty sheets"),
     ],

@@ -155,7 +155,11 @@ def test_a_limit_on_what_the_test_does_not_have_is_a_fault_of_the_job() -> None:
     with pytest.raises(UsageError) as caught:
         check_limits(job_of(axis_of()), entry, (result,))
     (fault,) = caught.value.faults
-    assert (fault.place, fault.expected, fault.found) == ("axes.X.accept.M", "A", "one direction")
+    assert (fault.place, fault.expected, fault.found) == (
+        "axes.X.accept.M",
+        "one of A",
+        "one direction",
+    )
     check_limits(job_of(axis_of()), replace(entry, accept=None), (result,))
 
 
