@@ -46,6 +46,16 @@ def test_a_drift_is_told_once() -> None:
     assert [code for code in told if code in ("CW-T012", "CW-E020")] == ["CW-E020"]
 
 
+def test_one_test_does_not_show_whether_its_drift_repeats_and_two_do() -> None:
+    for tests, stated in (
+        ((drifting(),), "knows only this one test"),
+        ((drifting(), drifting("y", 5.0)), "contains how the drift differs between the tests"),
+    ):
+        messages = [one.message for one in started(*tests).findings if one.code == "CW-E020"]
+        assert messages
+        assert all(stated in message for message in messages)
+
+
 def test_a_drift_of_a_test_that_does_not_count_is_told_by_the_evaluation() -> None:
     """The second shows ten times the error the other way."""
     first = drifting()

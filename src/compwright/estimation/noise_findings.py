@@ -79,7 +79,12 @@ def _drifts(test: PositioningTest, draws: Sequence[NoiseState]) -> Iterator[Find
         shown_odds = _odds_text(odds)
         if kind == DRIFT:
             yield Finding.of(
-                "CW-E020", "warning", drift=_signed(size, test), odds=shown_odds, flattens=flattens
+                "CW-E020",
+                "warning",
+                drift=_signed(size, test),
+                odds=shown_odds,
+                flattens=flattens,
+                alone=True,
             )
         else:
             yield Finding.of(
@@ -89,6 +94,7 @@ def _drifts(test: PositioningTest, draws: Sequence[NoiseState]) -> Iterator[Find
                 upper=_signed(size, test),
                 odds=shown_odds,
                 flattens=flattens,
+                alone=True,
             )
 
 

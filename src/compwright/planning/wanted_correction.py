@@ -80,7 +80,9 @@ class MeasuredError:
     @property
     def findings(self) -> tuple[Finding, ...]:
         """The findings of the estimation about noise, periods and jumps of the error."""
-        return self.own.findings
+        if len(self.alike) < 2:
+            return self.own.findings
+        return tuple(map(_of_several_tests, self.own.findings))
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
         """Return mean and standard deviation of the deviation at ``positions`` (g,), with the
@@ -120,6 +122,14 @@ class MeasuredError:
             positive=draws.positive + self.active.at(positions, Direction.POSITIVE),
             negative=draws.negative + self.active.at(positions, Direction.NEGATIVE),
         )
+
+
+def _of_several_tests(finding: Finding) -> Finding:
+    """Return a finding about drift as it holds where several tests show how drift differs."""
+    if "alone" not in finding.values:
+        return finding
+    values = {**finding.values, "alone": False}
+    return replace(finding, sentence=replace(finding.sentence, values=tuple(values.items())))
 
 
 def observed_tests(

@@ -137,21 +137,22 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E020": (
         "The readings drift by {drift} from the first run to the last ({odds}){flattens:if|, and"
-        " the drift flattens out}. The prediction knows only this one test. It assumes that a test"
-        " repeated in the same way, from an equally cold axis, drifts by the same amount (to within"
-        " about 10 %). If the next test drifts differently, or not at all because the axis is warm,"
-        " its results can lie outside the predicted band. With a second test, measured in the same"
-        " way, the predicted band allows for such a difference. To see the axis without the drift,"
+        " the drift flattens out}. {alone:if|The prediction knows only this one test. It assumes"
+        " that a test repeated in the same way, from an equally cold axis, drifts by the same"
+        " amount (to within about 10 %). If the next test drifts differently, or not at all because"
+        " the axis is warm, its results can lie outside the predicted band. With a second test,"
+        " measured in the same way, the predicted band allows for such a difference|The prediction"
+        " contains how the drift differs between the tests}. To see the axis without the drift,"
         " warm it up and measure again"
     ),
     "CW-E021": (
         "The readings drift along the travel as in thermal expansion: by {lower} at the lower end"
         " and {upper} at the upper end, from the first run to the last ({odds}){flattens:if|. The"
-        " drift flattens out}. The prediction is valid for a test that is repeated in the same way"
-        " from an equally cold axis, and drifts by the same amount (to within about 10 %). If the"
-        " next test drifts differently, or not at all because the axis is warm, its results can lie"
-        " outside the predicted band. To see the axis without the drift, warm it up and measure"
-        " again"
+        " drift flattens out}. {alone:if|The prediction is valid for a test that is repeated in the"
+        " same way from an equally cold axis, and drifts by the same amount (to within about 10 %)."
+        " If the next test drifts differently, or not at all because the axis is warm, its results"
+        " can lie outside the predicted band|The prediction contains how the drift differs between"
+        " the tests}. To see the axis without the drift, warm it up and measure again"
     ),
     "CW-E022.all": (
         "{pattern:choose|traverses=The single runs are shifted against each other|runs=The runs,"

@@ -136,21 +136,23 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E020": (
         "Les mesures dérivent de {drift} du premier au dernier parcours ({odds}){flattens:if|, et"
-        " la dérive s'atténue}. La prévision ne connaît que cet essai. Elle suppose qu'un essai"
-        " répété de la même façon, à partir d'un axe aussi froid, dérive d'autant (à environ 10 %"
-        " près). Si l'essai suivant dérive autrement, ou pas du tout parce que l'axe est chaud, ses"
-        " résultats peuvent sortir de la bande prévue. Avec un deuxième essai fait de la même"
-        " façon, la bande prévue tient compte de telles différences. Pour voir l'axe sans dérive,"
-        " le mettre en température et mesurer de nouveau"
+        " la dérive s'atténue}. {alone:if|La prévision ne connaît que cet essai. Elle suppose qu'un"
+        " essai répété de la même façon, à partir d'un axe aussi froid, dérive d'autant (à environ"
+        " 10 % près). Si l'essai suivant dérive autrement, ou pas du tout parce que l'axe est"
+        " chaud, ses résultats peuvent sortir de la bande prévue. Avec un deuxième essai fait de la"
+        " même façon, la bande prévue tient compte de telles différences|La prévision contient ce"
+        " qui diffère de la dérive entre les essais}. Pour voir l'axe sans dérive, le mettre en"
+        " température et mesurer de nouveau"
     ),
     "CW-E021": (
         "Les mesures dérivent le long de la course comme dans une dilatation thermique : de {lower}"
         " à l'extrémité inférieure et de {upper} à l'extrémité supérieure, du premier au dernier"
-        " parcours ({odds}){flattens:if|. La dérive s'atténue}. La prévision vaut pour un essai"
-        " répété de la même façon à partir d'un axe aussi froid, et qui dérive d'autant (à environ"
-        " 10 % près). Si l'essai suivant dérive autrement, ou pas du tout parce que l'axe est"
-        " chaud, ses résultats peuvent sortir de la bande prévue. Pour voir l'axe sans dérive, le"
-        " mettre en température et mesurer de nouveau"
+        " parcours ({odds}){flattens:if|. La dérive s'atténue}. {alone:if|La prévision vaut pour un"
+        " essai répété de la même façon à partir d'un axe aussi froid, et qui dérive d'autant (à"
+        " environ 10 % près). Si l'essai suivant dérive autrement, ou pas du tout parce que l'axe"
+        " est chaud, ses résultats peuvent sortir de la bande prévue|La prévision contient ce qui"
+        " diffère de la dérive entre les essais}. Pour voir l'axe sans dérive, le mettre en"
+        " température et mesurer de nouveau"
     ),
     "CW-E022.all": (
         "{pattern:choose|traverses=Les parcours sont décalés les uns par rapport aux"

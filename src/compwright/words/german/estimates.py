@@ -140,21 +140,23 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E020": (
         "Die Messwerte driften um {drift} vom ersten zum letzten Lauf ({odds}){flattens:if|, und"
-        " die Drift flacht ab}. Die Vorhersage kennt nur diese eine Prüfung. Sie nimmt an, dass"
-        " eine gleich wiederholte Prüfung bei ebenso kalter Achse um denselben Betrag driftet (auf"
-        " etwa 10 % genau). Driftet die nächste Prüfung anders, oder bei warmer Achse gar nicht,"
-        " können ihre Werte außerhalb des vorhergesagten Bandes liegen. Mit einer zweiten, auf"
-        " dieselbe Art gemessenen Prüfung berücksichtigt das vorhergesagte Band solche"
-        " Unterschiede. Um die Achse ohne Drift zu sehen, sie warmfahren und neu messen"
+        " die Drift flacht ab}. {alone:if|Die Vorhersage kennt nur diese eine Prüfung. Sie nimmt"
+        " an, dass eine gleich wiederholte Prüfung bei ebenso kalter Achse um denselben Betrag"
+        " driftet (auf etwa 10 % genau). Driftet die nächste Prüfung anders, oder bei warmer Achse"
+        " gar nicht, können ihre Werte außerhalb des vorhergesagten Bandes liegen. Mit einer"
+        " zweiten, auf dieselbe Art gemessenen Prüfung berücksichtigt das vorhergesagte Band solche"
+        " Unterschiede|Die Vorhersage enthält, wie die Drift sich zwischen den Prüfungen"
+        " unterscheidet}. Um die Achse ohne Drift zu sehen, sie warmfahren und neu messen"
     ),
     "CW-E021": (
         "Die Messwerte driften über den Verfahrweg wie bei einer Wärmedehnung: um {lower} am"
         " unteren und {upper} am oberen Ende, vom ersten zum letzten Lauf ({odds}){flattens:if|."
-        " Die Drift flacht ab}. Die Vorhersage gilt für eine Prüfung, die bei ebenso kalter Achse"
-        " gleich wiederholt wird und um denselben Betrag driftet (auf etwa 10 % genau). Driftet die"
-        " nächste Prüfung anders, oder bei warmer Achse gar nicht, können ihre Werte außerhalb des"
-        " vorhergesagten Bandes liegen. Um die Achse ohne Drift zu sehen, sie warmfahren und neu"
-        " messen"
+        " Die Drift flacht ab}. {alone:if|Die Vorhersage gilt für eine Prüfung, die bei ebenso"
+        " kalter Achse gleich wiederholt wird und um denselben Betrag driftet (auf etwa 10 %"
+        " genau). Driftet die nächste Prüfung anders, oder bei warmer Achse gar nicht, können ihre"
+        " Werte außerhalb des vorhergesagten Bandes liegen|Die Vorhersage enthält, wie die Drift"
+        " sich zwischen den Prüfungen unterscheidet}. Um die Achse ohne Drift zu sehen, sie"
+        " warmfahren und neu messen"
     ),
     "CW-E022.all": (
         "{pattern:choose|traverses=Einzelne Läufe sind gegeneinander verschoben|runs=Läufe sind"
