@@ -80,15 +80,17 @@ class MeasuredError:
     @property
     def findings(self) -> tuple[Finding, ...]:
         """The findings of the estimation about noise, periods and jumps of the error."""
-        if len(self.alike) < 2:
-            return self.own.findings
-        return tuple(map(_of_several_tests, self.own.findings))
+        return self._reported(self.own.findings)
+
+    def _reported(self, findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
+        return findings if len(self.alike) < 2 else tuple(map(_of_several_tests, findings))
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
         """Return mean and standard deviation of the deviation at ``positions`` (g,), with the
         correction of the first test active.
         """
         estimate = self.own.summary(positions)
+        estimate = replace(estimate, findings=self._reported(estimate.findings))
         if self.active is None:
             return estimate
         return replace(
