@@ -293,7 +293,15 @@ def test_what_is_left_after_a_table_that_helps_is_named() -> None:
     )
     ((code, message),) = said(known, axis=axis_of(reference=500.0), **ONE_CURVE)
     assert code == "CW-P151"
-    assert f"Most of the rest is {REVERSAL}" in message
+    assert "Most of the rest is reversal that changes along the travel" in message
+
+
+def test_a_cause_has_its_name_in_the_language_of_the_page() -> None:
+    work = fitted(Restless({"drift": 10.0 * UM}))
+    (finding,) = verdict(work.planned.axis, limits_of(work), tabled=True, refused=False)
+    assert "größte Ursache: Drift (" in finding.sentence.text("de")
+    assert "plus grande cause : dérive (" in finding.sentence.text("fr")
+    assert "причина — дрейф (" in finding.sentence.text("ru")
 
 
 def test_directions_are_those_of_the_machine() -> None:

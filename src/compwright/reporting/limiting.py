@@ -14,23 +14,6 @@ Document = Mapping[str, Any]
 _WIDTH: Final = 200.0
 #: Below this (µm, arcsec) a cause is not worth a word at the terminal.
 _LEAST_SHOWN: Final = 0.005
-#: The names at the terminal that differ from those in the document.
-_SHORT: Final = {
-    "no table is written": "error that no table corrects",
-    "error that the test leaves open": "error that the test did not show (between targets or in"
-    " the scatter)",
-    "periods that the test leaves open": "periodic error that these targets cannot show",
-    "temperature within its uncertainty": "uncertainty of the temperature",
-    "one table for both directions": "reversal that changes along the travel",
-    "no backlash value": "reversal that the control cannot correct",
-    "number of points": "too few table points",
-    "spacing of the points": "spacing of the table points",
-    "quantum": "resolution of the table values",
-    "value range": "largest table value of the control",
-    "backlash range": "largest reversal value of the control",
-    "largest increment": "largest step between table points",
-    "a straight line instead of a table": "the control has a straight line, no table",
-}
 
 
 def limits_block(predicted: Document, unit: object) -> dict[str, Any] | None:
@@ -75,7 +58,7 @@ def limits_line(axis: Document) -> str:
         return ""
     unit = unit_text(axis["unit"])
     causes = [
-        f"{_SHORT.get(cause['cause'], cause['cause'])} {number(cause['value'])}"
+        f"{say('limits.name', cause=cause['cause'])} {number(cause['value'])}"
         for cause in axis["limits"]
         if cause["value"] >= _LEAST_SHOWN
     ]

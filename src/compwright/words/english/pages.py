@@ -168,6 +168,18 @@ SENTENCES: Final[dict[str, str]] = {
         " part of the error: the control has a straight line, no table|={cause}}"
     ),
     "limits.left": "Left by the control",
+    "limits.name": (
+        "{cause:choose|temperature within its uncertainty=uncertainty of the temperature|error that"
+        " the test leaves open=error that the test did not show (between targets or in the"
+        " scatter)|periods that the test leaves open=periodic error that these targets cannot"
+        " show|no table is written=error that no table corrects|spacing of the points=spacing of"
+        " the table points|number of points=too few table points|one table for both"
+        " directions=reversal that changes along the travel|no backlash value=reversal that the"
+        " control cannot correct|quantum=resolution of the table values|value range=largest table"
+        " value of the control|backlash range=largest reversal value of the control|largest"
+        " increment=largest step between table points|a straight line instead of a table=the"
+        " control has a straight line, no table|={cause}}"
+    ),
     "limits.note": (
         "Each bar shows how much smaller {parameter} would be without this one cause, calculated on"
         " the same simulated tests. The bars do not add up, because {parameter} is a range, the"

@@ -178,6 +178,23 @@ SENTENCES: Final[dict[str, str]] = {
         " table|={cause}}"
     ),
     "limits.left": "Reste dû à la commande",
+    "limits.name": (
+        "{cause:choose|noise=dispersion des mesures|single outliers=valeurs aberrantes"
+        " isolées|shifts between traverses=décalages entre parcours|drift=dérive|temperature within"
+        " its uncertainty=incertitude de la température|error that the test leaves open=erreur que"
+        " l'essai n'a pas montrée (entre les points visés ou dans la dispersion)|periods that the"
+        " test leaves open=erreur périodique que ces points visés ne peuvent pas montrer|steps that"
+        " the control never applies=sauts que la commande n'applique jamais|no table is"
+        " written=erreur qu'aucune table ne corrige|spacing too wide for the period=points trop"
+        " espacés pour la période|spacing of the points=pas des points de la table|number of"
+        " points=trop peu de points de table|one table for both directions=réversibilité qui varie"
+        " le long de la course|no backlash value=réversibilité que la commande ne peut pas"
+        " corriger|quantum=résolution des valeurs de la table|value range=plus grande valeur de"
+        " table de la commande|backlash range=plus grande valeur de jeu de la commande|largest"
+        " increment=plus grand pas entre points de table|a straight line instead of a table=la"
+        " commande a une droite, pas de table|what no table of this control takes away=ce qu'aucune"
+        " table de cette commande n'enlève|={cause}}"
+    ),
     "limits.note": (
         "Chaque barre montre de combien {parameter} serait plus petit sans cette seule cause,"
         " calculé sur les mêmes essais simulés. Les barres ne s'additionnent pas, car {parameter}"

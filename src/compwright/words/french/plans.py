@@ -254,11 +254,11 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P150": (
         "Axe {axis} : une table n'aidera pas ici. {parameter} à de nouveaux points visés, entre les"
         " points mesurés, est {now}{with_table:if| sans table et {with_table} avec une table}. La"
-        " plus grande cause est {cause} ({value:.2f} {unit}, {share:.0%}) : {advice}"
+        " plus grande cause : {cause} ({value:.2f} {unit}, {share:.0%}) : {advice}"
     ),
     "CW-P151.cause": (
         "Axe {axis} : {parameter} à de nouveaux points visés, entre les points mesurés, est de"
-        " {now} à présent, et la table le réduit de {taken:.0%}. La plus grande part du reste est"
+        " {now} à présent, et la table le réduit de {taken:.0%}. La plus grande part du reste :"
         " {cause} ({value:.2f} sur {left}) : {advice}"
     ),
     "CW-P151.scatter": (

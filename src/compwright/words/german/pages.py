@@ -171,6 +171,23 @@ SENTENCES: Final[dict[str, str]] = {
         " instead of a table=Krümmung: Die Steuerung hat eine Gerade, keine Tabelle|={cause}}"
     ),
     "limits.left": "Rest der Steuerung",
+    "limits.name": (
+        "{cause:choose|noise=Streuung der Messwerte|single outliers=einzelne Ausreißer|shifts"
+        " between traverses=verschobene Läufe|drift=Drift|temperature within its"
+        " uncertainty=Unsicherheit der Temperatur|error that the test leaves open=Fehler, den die"
+        " Prüfung nicht zeigte (zwischen den Zielpositionen oder in der Streuung)|periods that the"
+        " test leaves open=periodischer Fehler, den diese Zielpositionen nicht zeigen können|steps"
+        " that the control never applies=Stufen, die die Steuerung nie ausführt|no table is"
+        " written=Fehler, den keine Tabelle korrigiert|spacing too wide for the period=zu weite"
+        " Punkte für die Periode|spacing of the points=Abstand der Tabellenpunkte|number of"
+        " points=zu wenige Tabellenpunkte|one table for both directions=Umkehrspanne, die sich über"
+        " den Verfahrweg ändert|no backlash value=Umkehrspanne, die die Steuerung nicht korrigieren"
+        " kann|quantum=Auflösung der Tabellenwerte|value range=größter Tabellenwert der"
+        " Steuerung|backlash range=größter Umkehrwert der Steuerung|largest increment=größter"
+        " Schritt zwischen Tabellenpunkten|a straight line instead of a table=die Steuerung hat"
+        " eine Gerade, keine Tabelle|what no table of this control takes away=was keine Tabelle"
+        " dieser Steuerung wegnimmt|={cause}}"
+    ),
     "limits.note": (
         "Jeder Balken zeigt, um wie viel {parameter} ohne diese eine Ursache kleiner wäre,"
         " berechnet an denselben simulierten Prüfungen. Die Balken ergeben nicht die Summe, denn"

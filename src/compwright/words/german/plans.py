@@ -269,11 +269,11 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P150": (
         "Achse {axis}: Eine Tabelle hilft hier nicht. {parameter} an neuen Zielpositionen, zwischen"
         " den gemessenen, ist {now}{with_table:if| ohne Tabelle und {with_table} mit einer}. Die"
-        " größte Ursache ist {cause} ({value:.2f} {unit}, {share:.0%}): {advice}"
+        " größte Ursache: {cause} ({value:.2f} {unit}, {share:.0%}): {advice}"
     ),
     "CW-P151.cause": (
         "Achse {axis}: {parameter} an neuen Zielpositionen, zwischen den gemessenen, ist jetzt"
-        " {now}, und die Tabelle verringert es um {taken:.0%}. Das meiste vom Rest ist {cause}"
+        " {now}, und die Tabelle verringert es um {taken:.0%}. Das meiste vom Rest: {cause}"
         " ({value:.2f} von {left}): {advice}"
     ),
     "CW-P151.scatter": (

@@ -164,6 +164,23 @@ SENTENCES: Final[dict[str, str]] = {
         " of a table=изгиб: в УЧПУ прямая, а не таблица|={cause}}"
     ),
     "limits.left": "Остаток УЧПУ",
+    "limits.name": (
+        "{cause:choose|noise=разброс отсчётов|single outliers=отдельные выбросы|shifts between"
+        " traverses=сдвиги между проходами|drift=дрейф|temperature within its"
+        " uncertainty=неопределённость температуры|error that the test leaves open=погрешность,"
+        " которую проверка не показала (между заданными позициями или в разбросе)|periods that the"
+        " test leaves open=периодическая погрешность, которую эти заданные позиции не могут"
+        " показать|steps that the control never applies=ступени, которые УЧПУ никогда не"
+        " выполняет|no table is written=погрешность, которую не исправит ни одна таблица|spacing"
+        " too wide for the period=точки слишком редки для периода|spacing of the points=шаг точек"
+        " таблицы|number of points=слишком мало точек таблицы|one table for both directions=зона"
+        " нечувствительности, меняющаяся вдоль хода|no backlash value=зона нечувствительности,"
+        " которую УЧПУ не может исправить|quantum=дискретность значений таблицы|value"
+        " range=наибольшее табличное значение УЧПУ|backlash range=наибольшее значение люфта"
+        " УЧПУ|largest increment=наибольший шаг между точками таблицы|a straight line instead of a"
+        " table=в УЧПУ прямая, а не таблица|what no table of this control takes away=то, что не"
+        " убирает ни одна таблица этого УЧПУ|={cause}}"
+    ),
     "limits.note": (
         "Каждая полоса показывает, насколько {parameter} был бы меньше без одной этой причины, по"
         " тем же смоделированным проверкам. Полосы не складываются, потому что {parameter} —"
