@@ -106,6 +106,16 @@ def test_expansion_at_the_moment_of_each_reading(tmp_path: Path) -> None:
     assert change["values"]["rest"] == pytest.approx(0.0, abs=0.003)
 
 
+def test_a_temperature_of_the_material_that_the_job_does_not_use_is_named(tmp_path: Path) -> None:
+    environment = f"{{files: hall.csv, instrument_air: {DISPLAY}}}"
+    result = evaluated(tmp_path, readings(alpha=11.5), environment)
+    [change] = [one for one in result["findings"] if one["code"] == "CW-T029"]
+    # the expansion of 23 µm/m from 0 to 1 m is left, on average half of it
+    assert change["values"]["rest"] == pytest.approx(11.5, rel=0.25)
+    assert "Both were removed" not in change["message"]
+    assert "add `thermal` with `alpha_m`" in change["message"]
+
+
 def test_display_that_counts_in_vacuum(tmp_path: Path) -> None:
     """A display in wavelengths of vacuum is 272 µm/m too long in air."""
     moved = []

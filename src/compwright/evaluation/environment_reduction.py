@@ -93,7 +93,8 @@ def reduce_by_record(
     if times is None:
         findings += _untimed(environment, test, None if own_temperature else thermal)
     else:
-        findings += _changes(times, split, light, expansion, readings - removed)
+        unused = thermal is None and MATERIAL in at
+        findings += _changes(times, split, light, expansion, readings - removed, unused=unused)
     return replace(
         test,
         positive=test.positive - removed[:, :split],
@@ -280,10 +281,18 @@ def _untimed(
 
 
 def _changes(
-    times: FloatArray, split: int, light: FloatArray, expansion: FloatArray, rest: FloatArray
+    times: FloatArray,
+    split: int,
+    light: FloatArray,
+    expansion: FloatArray,
+    rest: FloatArray,
+    *,
+    unused: bool,
 ) -> Iterator[Finding]:
     """Yield a finding about the changes of the readings in the test, µm: the change by the air, the
     change by thermal expansion, and the remaining change.
+
+    ``unused``: whether the record has a temperature of the material that the job does not use.
 
     Each change is the slope of a straight line over time through the readings of each target and
     direction, times the duration. Air and expansion: at the target with the largest change. Others:
@@ -309,6 +318,7 @@ def _changes(
         expansion=float(of_expansion[at]),
         rest=float(np.mean(of_rest)),
         std_error=float(np.std(of_rest, ddof=1) / np.sqrt(count)) if count > 1 else None,
+        unused=unused,
     )
 
 

@@ -259,10 +259,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T029": (
         "At the target with the largest change, the air changed the readings by {light:+.2f} µm"
-        " (laser wavelength) and thermal expansion by {expansion:+.2f} µm from the first reading"
-        " to the last. Both were removed. The mean over the targets still changed by"
-        " {rest:+.2f}{std_error:if| ± {std_error:.2f}|} µm: the machine itself or the set-up"
-        " drifted."
+        " (laser wavelength){expansion:if| and thermal expansion by {expansion:+.2f} µm} from the"
+        " first reading to the last. {expansion:if|Both were|This was} removed. The mean over the"
+        " targets still changed by {rest:+.2f}{std_error:if| ± {std_error:.2f}|} µm: {unused:if|the"
+        " expansion of the scale, which is not removed because the job has no `thermal`, or a drift"
+        " of the machine or the set-up. To use the column material_c, add `thermal` with"
+        " `alpha_m`|the machine itself or the set-up drifted}."
     ),
     "CW-T030.certain": "The readings cannot be right: {why}. Check their unit.",
     "CW-T030.small": (

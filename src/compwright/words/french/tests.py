@@ -270,10 +270,13 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T029": (
         "Au point visé où le changement est le plus grand, l'air a changé les mesures de"
-        " {light:+.2f} µm (longueur d'onde du laser) et la dilatation de {expansion:+.2f} µm, de"
-        " la première à la dernière. Les deux ont été retirés. La moyenne sur les points visés a"
-        " encore changé de {rest:+.2f}{std_error:if| ± {std_error:.2f}|} µm : la machine"
-        " elle-même ou le montage a dérivé."
+        " {light:+.2f} µm (longueur d'onde du laser){expansion:if| et la dilatation de"
+        " {expansion:+.2f} µm}, de la première à la dernière. {expansion:if|Les deux ont été"
+        " retirés|Cela a été retiré}. La moyenne sur les points visés a encore changé de"
+        " {rest:+.2f}{std_error:if| ± {std_error:.2f}|} µm : {unused:if|la dilatation de la règle,"
+        " non retirée parce que le dossier de travail n'a pas de `thermal`, ou une dérive de la"
+        " machine ou du montage. Pour utiliser la colonne material_c, ajouter `thermal` avec"
+        " `alpha_m`|la machine elle-même ou le montage a dérivé}."
     ),
     "CW-T030.certain": "Les mesures ne peuvent pas être justes : {why}. Vérifier leur unité.",
     "CW-T030.small": (

@@ -268,10 +268,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T029": (
         "An der Zielposition mit der größten Änderung änderte die Luft die Messwerte vom ersten"
-        " zum letzten um {light:+.2f} µm (Laserwellenlänge) und die Wärmeausdehnung um"
-        " {expansion:+.2f} µm. Beides wurde entfernt. Das Mittel über die Zielpositionen änderte"
-        " sich noch um {rest:+.2f}{std_error:if| ± {std_error:.2f}|} µm: Maschine oder Aufbau"
-        " drifteten."
+        " zum letzten um {light:+.2f} µm (Laserwellenlänge){expansion:if| und die Wärmeausdehnung"
+        " um {expansion:+.2f} µm}. {expansion:if|Beides|Das} wurde entfernt. Das Mittel über die"
+        " Zielpositionen änderte sich noch um {rest:+.2f}{std_error:if| ± {std_error:.2f}|} µm:"
+        " {unused:if|die Dehnung des Maßstabs, die nicht entfernt wird, weil der Auftrag kein"
+        " `thermal` hat, oder eine Drift von Maschine oder Aufbau. Um die Spalte material_c zu"
+        " verwenden, `thermal` mit `alpha_m` ergänzen|Maschine oder Aufbau drifteten}."
     ),
     "CW-T030.certain": "Die Messwerte können nicht stimmen: {why}. Ihre Einheit prüfen.",
     "CW-T030.small": (
