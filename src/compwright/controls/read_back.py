@@ -117,7 +117,10 @@ def read_back_differences(
         {name: tuple(found) for name, found in own.items()},
         Others(tuple(others), tuple(_elsewhere(whole)), tuple(one.entry.name for one in ignored)),
         tuple(dict.fromkeys((*whole.findings, *_ignored(whole, known, len(ignored))))),
-        (*pairs_not_read_back(planned, whole, found).values(), *_assumed_instead(expected, found)),
+        (
+            *pairs_not_read_back(planned, whole, found).values(),
+            *(_assumed_instead(expected, found) if lost else ()),
+        ),
     )
 
 
