@@ -25,8 +25,8 @@ SENTENCES: Final[dict[str, str]] = {
     "doubts.first": "Check first: the result depends on these findings",
     "doubts.step": (
         "Nothing is decided until these findings are cleared up. Correct the test or the job and"
-        " run again. If the measurement is right as it is, write in the job why a finding is"
-        " harmless: `acknowledged: {{{codes:join|: reason, }: reason}}`"
+        " run again. If the measurement is right as it is, write in the job why: `acknowledged:"
+        " {{{codes:join|: reason, }: reason}}`"
     ),
     "in_direction": "{value} in {direction}",
     "increments": "{symmetric:if|±{largest}|{least} to {largest}}",
