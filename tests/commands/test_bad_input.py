@@ -472,7 +472,7 @@ WORDS = {
     ),
     "option": (
         ["decode", "x.csv", "--format", "linuxcnc", "--option", "units"],
-        ["--option", "KEY=VALUE", "found units"],
+        ["--option", "KEY=VALUE", "found 'units'"],
     ),
     "format": (["formats", "show", "fanux"], ["fanux", "nearest", "fanuc-30i", "linuxcnc"]),
     "maker": (["formats", "show", "fanuc"], ["several", "fanuc-30i", "fanuc-0i-f"]),

@@ -71,7 +71,7 @@ KINDS = {
     "an unknown format": job("no such control format", "formats list", JOB.replace("linuxcnc", "linuxnc")),
     "an unknown option": job("has no option", "leave this option out", JOB.replace("linuxcnc", "linuxcnc, options: {unit: mm}")),
     "a wrong option": job("has a wrong value", "correct the value", JOB.replace("linuxcnc", "linuxcnc, options: {units: ell}"), JOB.replace("linuxcnc", "linuxcnc, options: {units: mm}")),
-    "no detection unit": job("the detection unit of the axis", "add `detection_unit`", FANUC.replace("detection_unit: 0.001, ", ""), FANUC),
+    "no detection unit": job("the detection unit of the axis", "write `detection_unit: VALUE`", FANUC.replace("detection_unit: 0.001, ", ""), FANUC),
     "no axis number": job("needs the number", "add `address: 1`", FANUC.replace("address: 0", "address: X"), FANUC.replace("address: 0", "address: 1")),
     "no free number": job("free point numbers", "`first_point: 1`", FANUC.replace(", first_point: 1", "").replace("address: 0", "address: 1"), FANUC.replace("address: 0", "address: 1")),
     "one address twice": job("the same address", "correct `axes.Y.address`", JOB + JOB.partition("axes:\n")[2].replace("X:", "Y:"), JOB + JOB.partition("axes:\n")[2].replace("X:", "Y:").replace("address: 0", "address: 1")),
