@@ -824,6 +824,26 @@ def test_cross_tables_need_the_option_free_memory_and_room() -> None:
         write_cross(SIEMENS, [cross([0.0, 0.001, 0.002])], options, state, given)
 
 
+def test_an_empty_table_of_another_ncu_is_not_free() -> None:
+    options = {"cec": "available", "cec_tables": [1], "cec_sign": "correction"}
+    empty = "".join(
+        f"$AN_CEC{name}=0\n"
+        for name in ("[1,0]", "[1,1]", "_STEP[1]", "_MIN[1]", "_MAX[1]", "_DIRECTION[1]")
+    )
+    empty += "$AN_CEC_INPUT_AXIS[1]=(AX1)\n$AN_CEC_OUTPUT_AXIS[1]=(AX2)\n"
+    for unit in (1, 2):
+        given = files(
+            A__INI=f"{empty}$AN_CEC_OUTPUT_NCU[1]={unit}\n{RAMP}$MA_CEC_ENABLE[AX2]=1\n"
+            "$MN_MM_CEC_MAX_POINTS[1]=2\n$MA_BACKLASH[0,AX2]=0\nM17\n"
+        )
+        state = control_format(SIEMENS, {"cec_sign": "correction"}).read(given)
+        if unit == 1:
+            assert write_cross(SIEMENS, [cross([0.0, 0.004])], options, state, given)
+        else:
+            with pytest.raises(CapacityError, match="cec_tables"):
+                write_cross(SIEMENS, [cross([0.0, 0.004])], options, state, given)
+
+
 def test_cross_tables_and_a_pair_of_one_run_do_not_meet() -> None:
     options = {"cec": "available", "cec_tables": [2, 3, 5], "cec_sign": "correction"}
     axis = axis_of("AX1")

@@ -23,6 +23,8 @@ BETWEEN = ("cross_input", "cross_output")
 #: absent.
 NEEDED = (*BETWEEN, *AS_TABLE, "cross_direction")
 DATA = (*NEEDED, "cross_multiplier", "cross_repeats")
+#: The NCU of the input axis and that of the output axis: 0 or 1 for this one.
+NCUS = ("cross_input_ncu", "cross_output_ncu")
 
 #: What the control adds to the values of point 0 and point 1.
 ADDED = ("cross_first_added", "cross_second_added")
@@ -74,9 +76,13 @@ def is_whole(places: Places) -> bool:
 
 
 def is_unused(places: Places) -> bool:
-    """Return whether all numbers of a table are zero, as by default in a control without it."""
+    """Return whether all numbers of a table are zero, as by default in a control without it, and
+    its axes belong to this NCU.
+    """
     numbers = [place.text for name in AS_TABLE for place in places.get(name, ())]
-    return bool(numbers) and all(Decimal(number) == 0 for number in numbers)
+    units = [place.text for name in NCUS for place in places.get(name, ())]
+    here = all(Decimal(unit) <= 1 for unit in units)
+    return here and bool(numbers) and all(Decimal(number) == 0 for number in numbers)
 
 
 def is_zero(places: Places) -> bool:
