@@ -186,7 +186,7 @@ def test_the_page_of_the_verification_shows_the_next_round(rounds: Rounds) -> No
         mark = (
             "table for the next round"
             if then["axes"]["X"]["table"]
-            else "no table for the next round"
+            else "no new table for the next round"
         )
         shown = then["axes"]["X"]["reason"].replace("um", "µm")
         assert f"Next round {then['reason']}. X {mark} {shown}" in words

@@ -49,7 +49,7 @@ def test_a_drift_is_told_once() -> None:
 def test_one_test_does_not_show_whether_its_drift_repeats_and_two_do() -> None:
     for tests, stated in (
         ((drifting(),), "knows only this one test"),
-        ((drifting(), drifting("y", 5.0)), "contains how the drift differs between the tests"),
+        ((drifting(), drifting("y", 5.0)), "allows for a drift that differs from test to test"),
     ):
         messages = [one.message for one in started(*tests).findings if one.code == "CW-E020"]
         assert messages

@@ -81,9 +81,9 @@ def partner_questions(
                 Fault(
                     message=(
                         f"`table: change` keeps the difference between the compensation of "
-                        f"{axis.address} and {axis.gantry}, but this difference is not the same "
-                        f"during the first test (`states: {measured_in[0]}`) and in the control "
-                        f"now (`states: {AS_FOUND}`)"
+                        f"{axis.address} and {axis.gantry}, but this difference has changed since"
+                        f" the first test, which was measured in the state `{measured_in[0]}`; the"
+                        f" control is now in the state `{AS_FOUND}`"
                     ),
                     file=job.file,
                     place=place,

@@ -428,7 +428,7 @@ def of_the_spike(taken: FloatArray, spike: FloatArray, lost: FloatArray) -> Floa
 
 
 class _Recorder:
-    """Collector of the drawn spikes of one reversal point."""
+    """Collector of the random draws of the spike at one reversal point."""
 
     def __init__(self, problem: CircleProblem, reversal: Reversal) -> None:
         self.reversal = reversal

@@ -60,7 +60,7 @@ def read_environment(content: bytes, file: str) -> EnvironmentRecord:
         faults.add(
             "is not a record of the environment",
             place=f"line {table.line}",
-            expected=f"a column {TIME}, and all of {', '.join(AIR)}, or {MATERIAL}, or both",
+            expected=f"a column {TIME}, and the column {MATERIAL} or all of {', '.join(AIR)}",
             found=shown(", ".join(table.columns)),
             hint=(
                 "give the columns these names in the header row; remove air columns if the"

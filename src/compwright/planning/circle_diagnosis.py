@@ -38,8 +38,8 @@ def _diagnosed(test: CircularTest) -> Diagnosis:
             return diagnosis
     raise InputError(
         Fault(
-            message="the samples cannot separate the causes of deviation, because they have "
-            "no noise or because the arc is too short",
-            hint="measure a full circle in both directions",
+            message="the samples cannot separate the causes of deviation: the arc is too short, "
+            "or the samples have no noise, as smoothed or calculated ones",
+            hint="measure a full circle in both directions, and give its unfiltered samples",
         )
     )

@@ -22,8 +22,8 @@ class LimitingCause:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LimitingCauses:
-    """The causes that keep a ``parameter`` from being smaller, as it is expected in a new test at
-    new targets, mm or deg.
+    """The causes that keep a ``parameter`` from being smaller. Its values, in mm or deg, are those
+    expected in a new test at new targets.
 
     ``now`` with what is in the control, ``then`` with what is written, ``least`` of an axis without
     any error, by its scatter alone.

@@ -87,7 +87,9 @@ class Sag:
     uncounted: tuple[str, ...] = ()
 
     def pairs(self) -> tuple[Pair, ...]:
-        """Return (input axis, output axis) of all tables, by table index, each pair once."""
+        """Return the pairs (input axis, output axis) of all tables in the order of their indices,
+        each once.
+        """
         return tuple(self.by_pair)
 
     def nodes(self, pair: Pair) -> FloatArray:

@@ -38,10 +38,8 @@ class Activity:
     def was_active(
         self, label: str, switches: str, word: str | None, place: FoundValue | None, notes: Notes
     ) -> bool | None:
-        """Return whether a table with values other than zero was active during the test; None if
-        that is unknown and not required.
-
-        None: neither the files nor the job state it, and the answer is not required.
+        """Return whether a table with values other than zero was active during the test. None:
+        neither the files nor the job state it, and no answer is required.
 
         ``word``: the last value of ``switches`` in the files (``yes``, ``no``, None: not in them),
         at ``place``.

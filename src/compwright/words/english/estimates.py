@@ -142,7 +142,7 @@ SENTENCES: Final[dict[str, str]] = {
         " amount (to within about 10 %). If the next test drifts differently, or not at all because"
         " the axis is warm, its results can lie outside the predicted band. With a second test,"
         " measured in the same way, the predicted band allows for such a difference|The prediction"
-        " contains how the drift differs between the tests}. To see the axis without the drift,"
+        " allows for a drift that differs from test to test}. To see the axis without the drift,"
         " warm it up and measure again"
     ),
     "CW-E021": (
@@ -151,8 +151,8 @@ SENTENCES: Final[dict[str, str]] = {
         " drift flattens out}. {alone:if|The prediction is valid for a test that is repeated in the"
         " same way from an equally cold axis, and drifts by the same amount (to within about 10 %)."
         " If the next test drifts differently, or not at all because the axis is warm, its results"
-        " can lie outside the predicted band|The prediction contains how the drift differs between"
-        " the tests}. To see the axis without the drift, warm it up and measure again"
+        " can lie outside the predicted band|The prediction allows for a drift that differs from"
+        " test to test}. To see the axis without the drift, warm it up and measure again"
     ),
     "CW-E022.all": (
         "{pattern:choose|traverses=The single runs are shifted against each other|runs=The runs,"

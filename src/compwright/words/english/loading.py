@@ -304,9 +304,10 @@ SENTENCES: Final[dict[str, str]] = {
         " first, then run a new job"
     ),
     "next.squareness_alone": (
-        "no axis gets a new table, and the squareness after loading is not proven either."
-        " {measured:if|Measure at least one axis that has a table after loading, and give its test"
-        " with --after together with the circles|To correct the remaining squareness, make a new"
+        "no axis gets a new table, and no test shows that the squareness was loaded."
+        " {measured:if|After loading, measure at least one axis that has a table, and give its"
+        " test with --after together with the circles|To correct the remaining squareness, make a"
+        " new"
         " job: give the files that were read back as as_found, and the circles that were measured"
         " after loading}"
     ),

@@ -392,7 +392,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "verify.look_at": "Look at:",
     "verify.next_round": "{written:if|Next round|No next round}",
-    "verify.no_further_table": "no table for the next round",
+    "verify.no_further_table": "no new table for the next round",
     "verify.outside": "outside",
     "verify.shift": "shift in points",
     "verify.table_of": "table of axis",

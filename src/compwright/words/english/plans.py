@@ -377,7 +377,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P165.scatter": (
         "the scatter of one reading is {least} to {most}, depending on the run, and the prediction"
-        " assumes the same mixture in the next test"
+        " assumes that the next test has as many runs of each scatter"
     ),
     "CW-P166": (
         "{plane:if|The squareness of plane {plane}|The scale of axis {axis}} is corrected, but is"

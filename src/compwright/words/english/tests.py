@@ -143,7 +143,8 @@ SENTENCES: Final[dict[str, str]] = {
         "Readings are missing: {where:join|; } have fewer readings than the others. Each target"
         " is evaluated with the readings that it has."
     ),
-    "CW-T010.direction": "in {direction} {fewer} of {targets} targets ({at}{more:if| ...})",
+    "CW-T010.direction": "approached in {direction}, {fewer} of {targets} targets ({at}{more:if|"
+    " ...})",
     "CW-T011.rows": (
         "In traverse {traverses}{more:if| and {more} more}, up to {targets} neighbouring targets"
         " are exactly zero, while the other readings scatter. Probably they were not measured and"

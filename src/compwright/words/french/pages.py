@@ -422,7 +422,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "verify.look_at": "À vérifier :",
     "verify.next_round": "{written:if|Tour suivant|Pas de tour suivant}",
-    "verify.no_further_table": "pas de table pour la prochain tour",
+    "verify.no_further_table": "pas de nouvelle table pour le prochain tour",
     "verify.outside": "hors",
     "verify.shift": "décalage en points",
     "verify.table_of": "table de l'axe",

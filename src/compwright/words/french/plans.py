@@ -382,7 +382,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P165.scatter": (
         "la dispersion d'une mesure est de {least} à {most} selon le parcours, et la prévision"
-        " suppose le même mélange dans le prochain essai"
+        " suppose que le prochain essai a autant de parcours de chaque dispersion"
     ),
     "CW-P166": (
         "{plane:if|La perpendicularité du plan {plane}|L'échelle de l'axe {axis}} est corrigée,"

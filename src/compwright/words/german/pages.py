@@ -417,7 +417,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "verify.look_at": "Zu prüfen:",
     "verify.next_round": "{written:if|Nächste Runde|Keine nächste Runde}",
-    "verify.no_further_table": "keine Tabelle für die nächste Runde",
+    "verify.no_further_table": "keine neue Tabelle für die nächste Runde",
     "verify.outside": "außerhalb",
     "verify.shift": "Verschiebung in Tabellenpunkten",
     "verify.table_of": "Tabelle der Achse",

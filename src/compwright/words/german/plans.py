@@ -399,8 +399,8 @@ SENTENCES: Final[dict[str, str]] = {
         " Achse an einer von zwei Stellen ({probability:.0%})"
     ),
     "CW-P165.scatter": (
-        "Die Streuung eines Messwerts ist je nach Lauf {least} bis {most}, und die Vorhersage nimmt"
-        " dieselbe Mischung in der nächsten Prüfung an"
+        "Die Streuung eines Messwerts ist je nach Lauf {least} bis {most}, und die Vorhersage"
+        " nimmt an, dass die nächste Prüfung gleich viele Läufe jeder Streuung hat"
     ),
     "CW-P166": (
         "{plane:if|Die Rechtwinkligkeit der Ebene {plane}|Der Maßstab der Achse {axis}} wird"

@@ -399,7 +399,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "verify.look_at": "Проверить:",
     "verify.next_round": "{written:if|Следующий цикл|Следующего цикла нет}",
-    "verify.no_further_table": "таблицы для следующего шага нет",
+    "verify.no_further_table": "новой таблицы для следующего шага нет",
     "verify.outside": "вне",
     "verify.shift": "сдвиг в точках",
     "verify.table_of": "таблица оси",
