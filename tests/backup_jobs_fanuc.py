@@ -34,7 +34,7 @@ class Physics:
     unit: float = 1e-3
 
     def error(self, x: Floats, direction: int) -> Floats:
-        """Lost motion: the axis lags its direction."""
+        """Lost motion: the axis stays behind in its direction of motion."""
         total = self.slope * x - direction * self.lost / 2
         for height, period, phase in self.waves:
             total = total + height * np.sin(2 * np.pi * x / period + phase)

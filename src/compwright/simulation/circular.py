@@ -33,7 +33,7 @@ class CircleAxis:
     relative to the centre.
 
     ``scale`` (relative, > 0 travels too far). ``lost_motion`` (mm; at u > 0, at u < 0): the axis
-    lags its direction by half of it. ``lag`` (s): dead time. ``gain`` (1/s): Kv of a first-order
+    stays behind by half of it. ``lag`` (s): dead time. ``gain`` (1/s): Kv of a first-order
     servo, None for an ideal one. ``lateral_play`` (mm): the other axis shifts by half of it toward
     + while this one moves toward +, toward - while it moves toward -. ``spike`` (mm): outward
     displacement at a reversal, which decays over ``spike_length`` (mm along the path). ``cyclic``
