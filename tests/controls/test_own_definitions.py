@@ -332,6 +332,7 @@ def test_corrections_worked_by_hand_for_another_control_are_called_that(
     card = (tmp_path / "job/card/card.md").read_text(encoding="utf-8")
     assert doubt["message"] in card[: card.index("## Steps")]
     tutorial(tmp_path / "nc7.yaml")
+    capsys.readouterr()
     assert compwright(["formats", "check", str(tmp_path / "nc7.yaml")]) == 0
     assert "none of its own" not in capsys.readouterr().out
 

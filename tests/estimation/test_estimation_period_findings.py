@@ -108,7 +108,7 @@ def test_known_periods_that_the_data_do_not_tell_are_counted() -> None:
     [
         (5.0, AxisKind.LINEAR, "twice in 10 mm: a screw lead of 10 mm"),
         (12.7, AxisKind.LINEAR, "0.5 inch"),
-        (5.0, AxisKind.ROTARY, "1/72"),
+        (5.0, AxisKind.ROTARY, "72 turns for one turn of the table"),
         (17.77, AxisKind.LINEAR, "no usual screw"),
         (7.77, AxisKind.ROTARY, "repeats 46.33 times per turn"),
     ],

@@ -315,7 +315,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S087.assumed": (
         "{fact}: counted as {value} ({evidence}). The plan's files state it, those read back do"
-        " not. It is unknown whether the tables are active. Read this value of the control back"
+        " not, so the comparison depends on this assumption. Read this value of the control back"
         " too, and give its file with `--loaded`."
     ),
 }

@@ -333,7 +333,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S087.assumed": (
         "{fact} : compté comme {value} ({evidence}). Les fichiers du plan le donnent, les fichiers"
-        " relus non. On ne sait pas si les tables sont actives. Relire aussi cette valeur de la"
+        " relus non : la comparaison dépend de cette hypothèse. Relire aussi cette valeur de la"
         " commande, et donner son fichier avec `--loaded`."
     ),
 }

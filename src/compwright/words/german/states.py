@@ -336,7 +336,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S087.assumed": (
         "{fact}: als {value} gezählt ({evidence}). In den Dateien des Plans ist es angegeben, in"
-        " den ausgelesenen nicht. Ob die Tabellen aktiv sind, ist nicht bekannt. Auch diesen Wert"
+        " den ausgelesenen nicht; der Vergleich hängt von dieser Annahme ab. Auch diesen Wert"
         " aus der Steuerung auslesen und seine Datei mit `--loaded` angeben."
     ),
 }
