@@ -156,7 +156,7 @@ def rule_lines(accept: Mapping[str, Any], unit: str, *, after: bool = False) -> 
 
 
 def assumed(facts: Iterable[Document] | None) -> list[dict[str, Any]]:
-    """Return the assumptions as rows of text. Assumptions that nobody has confirmed are marked and
+    """Return the assumptions as rows of text. Assumptions that are not confirmed are marked and
     come first.
     """
     rows: dict[tuple[str, str], list[Document]] = {}

@@ -105,8 +105,8 @@ def recorded_run(
 def _own_job(
     given: Sequence[GivenFile], out: Path, earlier: Mapping[str, Any] | None
 ) -> dict[str, bytes]:
-    """Return the job file in the result folder if an earlier run wrote this file and nobody has
-    changed it since.
+    """Return the job file in the result folder if an earlier run wrote this file and it was not
+    changed since.
     """
     listed = {} if earlier is None else {each["file"]: each["sha256"] for each in earlier["files"]}
     return {

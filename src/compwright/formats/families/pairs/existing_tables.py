@@ -12,6 +12,7 @@ from compwright.formats.families.pairs.places import (
     DATA,
     Pair,
     Places,
+    is_elsewhere,
     is_unused,
     is_zero,
     of_axis,
@@ -49,7 +50,8 @@ class ExistingTables:
         return {
             index: (self._axis_in(places, "cross_input"), self._axis_in(places, "cross_output"))
             for index, places in self.places.items()
-            if any(name in places for name in DATA) and not is_unused(places)
+            if is_elsewhere(places)
+            or (any(name in places for name in DATA) and not is_unused(places))
         }
 
     def _axis_in(self, places: Places, quantity: str) -> str:

@@ -76,13 +76,15 @@ def is_whole(places: Places) -> bool:
 
 
 def is_unused(places: Places) -> bool:
-    """Return whether all numbers of a table are zero, as by default in a control without it, and
-    its axes belong to this NCU.
-    """
+    """Return whether all numbers of a table are zero, as by default in a control without it."""
     numbers = [place.text for name in AS_TABLE for place in places.get(name, ())]
+    return bool(numbers) and all(Decimal(number) == 0 for number in numbers)
+
+
+def is_elsewhere(places: Places) -> bool:
+    """Return whether the files assign the input axis or output axis of a table to another NCU."""
     units = [place.text for name in NCUS for place in places.get(name, ())]
-    here = all(Decimal(unit) <= 1 for unit in units)
-    return here and bool(numbers) and all(Decimal(number) == 0 for number in numbers)
+    return any(Decimal(unit) > 1 for unit in units)
 
 
 def is_zero(places: Places) -> bool:
