@@ -92,6 +92,8 @@ NO_CORRECTIONS = ActiveCorrections({}, {})
 def correction_in_motion(
     correction: Correction, positions: FloatArray, moves: FloatArray
 ) -> FloatArray:
-    """Return the correction at ``positions`` (n,) of an axis that moves in directions ``moves``."""
+    """Return the correction of an axis at ``positions`` (n,). ``moves`` (n,): the direction in
+    which the axis moves there, above 0 for +, else −.
+    """
     either = [correction(positions, direction) for direction in Direction]
     return np.where(moves > 0.0, *either)

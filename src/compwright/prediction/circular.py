@@ -100,8 +100,8 @@ def moved_test(
 def predict_circle(
     before: CircularResult, expected: CircularResult, rng: np.random.Generator, draws: int
 ) -> CirclePrediction:
-    """Predict a repeated circular test. ``expected``: the result of the test ``before``,
-    recalculated with the changed tables.
+    """Return the prediction for a repetition of the circular test ``before``, made from ``draws``
+    simulated tests. ``expected``: the result of ``before``, recalculated with the changed tables.
 
     Parameters come from ``draws`` tests with fresh noise; causes, which are linear in the readings,
     from the standard errors of both tests. A parameter that ``before`` does not have is left out.

@@ -24,8 +24,8 @@ _PLACES = 501
 
 
 def applied_compensation(compensation: AxisCompensation, axis: Axis) -> AxisCompensation:
-    """Return the compensation without the steps that the control suppresses in its dead zone, as
-    reached in traverses over the whole travel and back.
+    """Return the compensation that the control really applies when the axis runs over the whole
+    travel and back: without the steps that are in the control's dead zone.
     """
     if axis.unapplied_steps is None or compensation.positions.size == 0:
         return compensation
@@ -81,9 +81,9 @@ def _traversed(
     nodes: FloatArray, table: FloatArray, before: float, axis: Axis
 ) -> tuple[FloatArray, FloatArray]:
     """Return the positions of one traverse in the order of motion, and the compensation that the
-    control applies at each.
+    control applies at each. ``before``: the compensation that it applied at the turn.
 
-    ``before``: what was applied at the turn. The nodes alone: the table is applied at once.
+    The positions are the nodes alone if the table is applied at once.
     """
     if axis.unapplied_steps is None:
         raise TypeError("every step is applied")

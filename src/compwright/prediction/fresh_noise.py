@@ -43,8 +43,9 @@ def fresh_noise(
     negative: int,
     rng: np.random.Generator,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the noise of simulated tests at ``targets`` (m,), mm or deg, one test per draw:
-    (count, m, positive) in + and (count, m, negative) in −.
+    """Return the noise (mm or deg) of simulated tests at ``targets`` (m,), one test for each of the
+    s ``draws``, with ``positive`` runs in + and ``negative`` runs in −: arrays (s, m, positive) and
+    (s, m, negative).
 
     Scatter, tails, offsets and tilts of the traverses are drawn anew. Drift comes again as the
     first test showed it, but for `_DIFFERS`; the means differ by so much of what drifts within a
@@ -74,10 +75,9 @@ def fresh_noise(
 def _drifts(
     draws: NoiseDraws, share: FloatArray, u: FloatArray, positive: int, negative: int
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the drift in the readings of simulated tests, (count, m, positive) in + and (count, m,
-    negative) in −.
-
-    At ``u`` (m,), -1 to 1, of fresh tests that drift by ``share`` (count,) as the first one did.
+    """Return the drift of the readings in simulated tests, (s, m, positive) in + and (s, m,
+    negative) in −. ``share`` (s,): the drift of each test as a multiple of the first test's; ``u``
+    (m,): the targets, scaled to −1 to 1.
     """
     both, most = positive > 0 and negative > 0, max(positive, negative)
     slack = slackening(most, draws.drift_rate, u, returns=both)
@@ -100,8 +100,9 @@ def _drifts(
 def _traverses(
     draws: NoiseDraws, positive: int, negative: int, rng: np.random.Generator
 ) -> tuple[tuple[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]:
-    """Return the random offset and tilt of each simulated traverse in + (count, positive) and in −
-    (count, negative).
+    """Return the random offsets and the random tilts of all simulated traverses. Each is a pair of
+    arrays: one for the ``positive`` runs in +, (s, positive), one for the ``negative`` runs in −,
+    (s, negative).
     """
     shape = draws.count, positive + negative
     units = rng.standard_normal(shape) * (rng.random(shape) < draws.moved[:, np.newaxis])
@@ -120,8 +121,8 @@ def _traverses(
 
 
 def _few(positive: int, negative: int) -> tuple[int, int]:
-    """Return the number of traverses in + and in − for which a slow disturbance is simulated. For
-    further traverses the disturbance is interpolated.
+    """Return the number of traverses in + and in − for which a slow disturbance is simulated: all
+    of them, or a few of many. For the other traverses the disturbance is interpolated.
     """
     return min(positive, _MOST_WAVED), min(negative, _MOST_WAVED)
 
@@ -129,7 +130,8 @@ def _few(positive: int, negative: int) -> tuple[int, int]:
 @functools.lru_cache(maxsize=8)
 def _wave_root(positive: int, negative: int, pace: float) -> FloatArray:
     """Return the Cholesky factor of the covariance matrix of the traverses' offsets and tilts that
-    a slow disturbance causes.
+    a slow disturbance causes. ``pace``: the correlation time of the disturbance, as a fraction of
+    the duration of the test.
     """
     few = _few(positive, negative)
     signs = np.repeat([1.0, -1.0], few)
@@ -168,10 +170,11 @@ def _moved(
     draws: NoiseDraws, std: FloatArray, unit: FloatArray, order: tuple[IndexArray, IndexArray]
 ) -> tuple[FloatArray, FloatArray]:
     """Return a random shift of each traverse, in + and in −, with the standard deviation ``std``
-    (count,) in each draw.
+    (s,) in each draw. ``unit``: the random numbers of unit variance from which it is made;
+    ``order``: when each traverse in + and in − takes place.
 
-    It is made of ``unit`` (count, positive + negative) by the pattern of each draw, such as a
-    random walk; ``order``: the places of the traverses in time.
+    It is made of ``unit`` (s, positive + negative) by the pattern of each draw, such as a random
+    walk.
     """
     walked, steps = np.cumsum(unit, axis=1), draws.pattern[:, np.newaxis]
     walked = walked - walked[:, [unit.shape[1] // 2]]  # set to nothing in the middle of the test
@@ -186,7 +189,8 @@ def _moved(
 def _errors(
     draws: NoiseDraws, scale: FloatArray, way: int, runs: int, rng: np.random.Generator
 ) -> FloatArray:
-    """Return random errors of single readings (count, m, runs), relative to ``scale`` (count, m).
+    """Return random errors of single readings (s, m, runs) in units of the scatter ``scale`` (s, m)
+    at each target. ``way``: the index of the direction of approach.
 
     Normal, Student's (a normal one over the root of a mean square; Gelman et al., Bayesian Data
     Analysis, 3rd ed. 2013, section 17.2), or of a mixture with outliers (Tukey 1960).

@@ -42,14 +42,14 @@ def predict_test(
     vdi: bool = False,
     only: str | None = None,
 ) -> Mapping[str, Quantiles]:
-    """Return the predicted quantiles of each parameter of a repeated test after the correction has
-    changed.
+    """Return the predicted quantiles of each parameter (with ``only``: of that parameter alone) of
+    a repeated test after the correction was changed by ``change_*``. With ``vdi`` the parameters
+    are those of VDI 3441.
 
     ``draws_positive``, ``draws_negative`` (s, m): s joint draws of the deviation in the state that
     was measured, + and -; ``scatter``: what the readings of a fresh test add to each, drawn with
     them (`fresh_scatter`); ``change_*`` (m,): new minus old correction at the targets. All in one
     unit (mm or deg), which is the result's. ``coverage`` is the k of the standard (2 or 3).
-    ``only``: the one parameter that is asked for.
 
     Each draw is one test of its own. A new datum of the instrument moves all readings alike and no
     parameter depends on it. Only the parameters that such a test has are in the result, by their
@@ -76,11 +76,12 @@ def fresh_parameters(
     vdi: bool = False,
     only: str | None = None,
 ) -> dict[str, FloatArray]:
-    """Return the values (s,) of each parameter in s simulated tests, by the parameter's name in the
-    JSON.
+    """Return the values (s,) of each parameter (with ``only``: of that parameter of ISO 230-2
+    alone) in s simulated tests, by the parameter's name in the JSON. With ``vdi`` the parameters
+    are those of VDI 3441.
 
     The deviations of their axes are ``positive``, ``negative`` (s, m); parameters that such a test
-    does not have are left out. ``only``: the others of ISO 230-2 are not worked out.
+    does not have are left out.
     """
     means = (positive + scatter.mean_positive, negative + scatter.mean_negative)
     if vdi:
@@ -94,8 +95,8 @@ def fresh_parameters(
 def fresh_slopes(
     positions: FloatArray, count: int, slope_std: float, rng: np.random.Generator
 ) -> FloatArray:
-    """Return the deviations (count, m), mm, that other temperatures add to simulated tests as a
-    slope.
+    """Return the deviations (count, m), mm, of ``count`` simulated tests that come from a
+    temperature different from that of the measured test: a random slope over ``positions`` in each.
 
     At ``positions`` (m,) or (count, m), mm. Each test has a slope of standard deviation
     ``slope_std`` (mm/mm), the same in both directions. No parameter depends on where it is zero.
@@ -115,7 +116,8 @@ def _quantiles(draws: FloatArray) -> Quantiles:
 def dithered_targets(
     travel: tuple[float, float], count: int, rng: np.random.Generator, margin: float = 4.0
 ) -> FloatArray:
-    """Return ``count`` random new targets, ascending, one in each equal part of the travel.
+    """Return ``count`` random new targets, ascending, one in each equal part of the travel, and
+    none nearer to an end of the travel than ``margin`` (at most a quarter of the travel).
 
     The i-th (from 0) at low + (i + 0.5 + u) * length / count, u in ±0.3.
 
