@@ -231,8 +231,9 @@ def _radii(
     travelled: FloatArray,
     corrections: CircleCorrection | None,
 ) -> FloatArray:
-    """Return the distances (n,) mm that the ballbar shows at commanded ``angles`` (n,) deg.
-    ``travelled`` (n,) rad: the angle from the start of the run to each point.
+    """Return the distances (n,) mm that the ballbar shows at commanded ``angles`` (n,) deg in a run
+    of direction ``sense`` (ccw or cw). ``travelled`` (n,) rad: the angle from the start of the run
+    to each point.
     """
     d = 1.0 if sense == "ccw" else -1.0
     theta = np.radians(angles)
@@ -295,8 +296,9 @@ def _axis(
 
 
 def _spike(axis: CircleAxis, radius: float, angle: FloatArray, motion: _Motion) -> FloatArray:
-    """Return the reversal spike (n,) mm of an axis, positive outward, since its last reversal; 0
-    before the first reversal.
+    """Return the deviation (n,) mm, positive outward, of the reversal spike that decays after the
+    last reversal of an axis; 0 before its first reversal. ``angle`` (n,) rad: the axis is at radius
+    * cos(angle).
     """
     since = np.mod(motion.d * angle, math.pi)
     outward = np.where(np.cos(angle - motion.d * since) > 0.0, 1.0, -1.0)

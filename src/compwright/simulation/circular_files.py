@@ -12,7 +12,7 @@ from compwright.simulation.circular import CirclePlan, CircleRecording, Traverse
 
 def to_circular_csv(test: CircularTest, extra: Mapping[str, str] | None = None) -> bytes:
     """Return ``test`` as plain CSV (UTF-8, LF): angles in deg with six decimals, deviations in µm
-    with four.
+    with four. ``extra``: further comment keys with their values.
 
     Comment keys: what the test's header says, then ``extra``, then those that the test itself
     fixes. Rows stand run by run in the order of time within each.
@@ -47,10 +47,10 @@ def _listed(centre: tuple[float, ...]) -> str:
 
 def to_b5r(recording: CircleRecording, extra: Mapping[str, str] | None = None) -> bytes:
     """Return ``recording`` as XML like a ``.b5r`` file (UTF-8 with byte order mark), with readings
-    in mm and five decimals.
+    in mm and five decimals. ``extra``: ``machine`` and ``serial`` number, if known.
 
-    ``extra``: ``machine`` and ``serial``. Printed results (FEATURE, ANALYSIS) and dates are left
-    out: nothing is invented, and the same recording gives the same bytes.
+    Printed results (FEATURE, ANALYSIS) and dates are left out: nothing is invented, and the same
+    recording gives the same bytes.
     """
     plan = recording.plan
     machine = " ".join(

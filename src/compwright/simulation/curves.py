@@ -22,7 +22,8 @@ class DeviationCurve(Protocol):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RandomCurve:
-    """A random smooth curve, which depends only on its ``seed`` and sizes.
+    """A random smooth error curve of a given amplitude and length of its waves. The same ``seed``,
+    amplitude, length and travel always give the same curve.
 
     A sum of cosines with normally distributed wave numbers of standard deviation 1/``length``:
     values about ``length`` (mm or deg) apart are still related, farther ones are not. Over

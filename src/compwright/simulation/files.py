@@ -13,6 +13,7 @@ from compwright.records.positioning import PositioningTest
 
 def to_csv(test: PositioningTest, extra: Mapping[str, str] | None = None) -> bytes:
     """Return ``test`` as plain long CSV (UTF-8, LF), deviations in um or arcsec with four decimals.
+    ``extra``: further comment keys with their values.
 
     Comment keys: what the test's header says, then ``extra`` (which goes over it), then axis, cycle
     and sign, which the test itself fixes. Rows stand traverse by traverse in the order of the run

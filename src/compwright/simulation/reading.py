@@ -340,8 +340,8 @@ def _random(axis: Axis, amplitude: str) -> Keys:
 def _random_curve(
     axis: Axis, stream: int, amplitude: float = 0.0, length: float | None = None, seed: int = 0
 ) -> RandomCurve:
-    """Return the random error curve of an axis. The axis name is part of the seed, so that axes
-    have different curves.
+    """Return the random error curve of an axis. Its seed contains the axis name and the number
+    ``stream`` of the kind of curve, so that no two curves are equal.
     """
     return RandomCurve(
         amplitude=amplitude,

@@ -28,8 +28,8 @@ def number(
     most: float = _LARGEST,
     below: float | None = None,
 ) -> cs.CoreSchema:
-    """Return the schema of a number. ``least`` and ``most`` are themselves allowed, ``above`` and
-    ``below`` are not.
+    """Return the schema of a number, which ``convert`` turns into the result. ``least`` and
+    ``most`` are themselves allowed, ``above`` and ``below`` are not.
     """
 
     def converted(value: float) -> Any:
@@ -99,8 +99,8 @@ def either(one: cs.CoreSchema, several: cs.CoreSchema) -> cs.CoreSchema:
 
 
 def record(build: Callable[..., Any], keys: Keys, needed: Collection[str] = ()) -> cs.CoreSchema:
-    """Return the schema of a mapping. Its values become keyword arguments of ``build``, which makes
-    the record.
+    """Return the schema of a mapping, in which the keys ``needed`` must not be missing. Its values
+    become keyword arguments of ``build``, which makes the record.
     """
     return mapping(
         {key: schema for key, (_, schema) in keys.items()},
