@@ -16,8 +16,9 @@ OverallVerdict = Literal["good", "bad", "undecided"]
 def overall_verdict(
     decisions: Iterable[Decision], loadings: Iterable[LoadingName], *, still_open: bool = False
 ) -> OverallVerdict:
-    """Return the overall verdict from the decisions about limits and from the verdicts on how the
-    table of each axis was loaded.
+    """Return the overall verdict (``good``, ``bad`` or ``undecided``) from the decisions about
+    limits and from the verdicts on how each axis's table was loaded. With ``still_open``, a proof
+    is missing, and the verdict cannot be ``good``.
 
     ``good``: every limit is met, every table is loaded and no proof is missing (``still_open``).
     ``bad``: a limit is exceeded, or a table is known to be active in another way than planned (not

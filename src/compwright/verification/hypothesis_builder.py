@@ -52,8 +52,9 @@ class HypothesisBuilder:
         )
 
     def total(self, curve: Curve, backlash: Curve | None = None) -> Curve:
-        """Return the change of the correction if ``curve`` is active with ``backlash`` (default:
-        the planned backlash value).
+        """Return by how much loading changed the correction (2, m) at the targets if the table then
+        makes the correction ``curve`` (2, m) and its backlash value makes ``backlash`` (2, m;
+        default: the planned one).
         """
         return (
             self.stay
@@ -70,8 +71,9 @@ class HypothesisBuilder:
         detail: Sentence | None = None,
         **more: Any,
     ) -> Hypothesis:
-        """Return the hypothesis ``name`` with a ``change`` of the correction (2, m); ``more``:
-        further fields of the `Hypothesis`.
+        """Return the hypothesis ``name`` with a ``change`` of the correction (2, m). ``weight``:
+        its prior weight; ``detail``: the text that names the variant; ``more``: further fields of
+        the `Hypothesis`.
         """
         return Hypothesis(
             name=name,
@@ -124,8 +126,9 @@ class HypothesisBuilder:
         )
 
     def _from_zero(self, curve: Curve, curves: Mapping[Direction, FloatArray]) -> Curve | None:
-        """Return ``curve`` shifted, in each direction on its own, to the planned value at the
-        reference; None if the shift is the same in both directions.
+        """Return ``curve``, which the table values ``curves`` make at the targets, shifted in each
+        direction on its own so that the table has its planned value at the reference; None if both
+        directions have the same shift.
         """
         nodes, at = self.table.positions, self.loading.reference
         off = [

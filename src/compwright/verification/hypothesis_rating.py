@@ -53,8 +53,9 @@ class RatedHypothesis:
 def rate_hypotheses(
     after: AfterMeans, views: Sequence[MeasurementCase], slope: float | None
 ) -> tuple[list[RatedHypothesis], tuple[float, float]]:
-    """Return all hypotheses with their probabilities, and the fraction of the planned change of the
-    correction that the test shows.
+    """Return the hypotheses of all ``views`` with their probabilities, and the fraction of the
+    planned change of the correction that the test shows. ``slope``: the standard deviation (mm/mm)
+    of a slope by temperature, None if there cannot be one.
 
     1 is loaded, 0 not active; with its standard error (inf: the test cannot show it).
     """
@@ -88,8 +89,8 @@ def rate_hypotheses(
 def _rated_by(
     after: AfterMeans, view: MeasurementCase, fits: Fits, index: int, way: Hypothesis
 ) -> RatedHypothesis:
-    """Return the hypothesis ``way`` with the test that it predicts and its likelihood. ``index``:
-    its row in ``fits``.
+    """Return the hypothesis ``way`` together with its likelihood and with the test that the
+    hypothesis predicts. ``index``: the row of the hypothesis in ``fits``.
 
     The probability is 0 until all hypotheses are rated.
     """
@@ -150,8 +151,7 @@ def _effect(ways: Sequence[Hypothesis]) -> Hypothesis | None:
 
 def _on_slope(way: Hypothesis, share: float) -> Hypothesis:
     """Return the hypothesis ``way`` together with a changed length of the axis, which adds a slope.
-
-    ``share``: prior odds of a fault with the slope against the fault alone.
+    ``share``: how probable a fault with the slope is beforehand, relative to the fault without it.
     """
     odds = _THERMAL if way.name == "loaded" else share
     return replace(way, sloped=True, weight=odds * way.weight)

@@ -131,9 +131,7 @@ class AfterMeans:
 
 def after_means(test: PositioningTest, fallback: NoiseDraws) -> AfterMeans:
     """Return the mean readings of a ``test``, with its noise estimated from its own readings if
-    these are enough.
-
-    Where these are too few, ``fallback`` is used: the noise of another test of the axis.
+    these are enough, else with the noise ``fallback`` of another test of the axis.
     """
     blocks = (test.positive, test.negative)
     plain = np.stack([_means(block) for block in blocks])
@@ -170,8 +168,8 @@ def _means(block: FloatArray) -> FloatArray:
 def _as_before(
     test: PositioningTest, plain: FloatArray, counts: FloatArray, noise: NoiseDraws
 ) -> AfterMeans:
-    """Return the mean readings of a ``test`` with the ``noise`` that was estimated from an earlier
-    test of the same axis.
+    """Return the mean readings ``plain`` (2, m) of a ``test``, each made of ``counts`` (2, m)
+    readings, with the ``noise`` that was estimated from an earlier test of the same axis.
     """
     m = test.targets.size
     taken = noise.taken(_evenly(noise.count, m))
@@ -238,10 +236,11 @@ def fits_of(
     declared_slope: float,
     more: Sequence[float] = (0.0,),
 ) -> Fits:
-    """Return how well ``belief`` plus each of the ``curves`` fits the test ``after``.
+    """Return how well ``belief`` plus each of the H ``curves`` fits the test ``after``, for each of
+    the standard deviations ``more`` of an additional slope: all curves with the first one, then all
+    with the next.
 
-    ``declared_slope``: standard deviation of the slope, mm/mm, by which every test may differ;
-    ``more``: that of a further slope: all curves with the first of them, then all with the next.
+    ``declared_slope``: standard deviation of the slope, mm/mm, by which every test may differ.
     """
     draws = [
         _one_noise(after, belief, curves, declared_slope, more, j) for j in range(len(after.mean))
@@ -269,7 +268,9 @@ def _one_noise(
     more: Sequence[float],
     j: int,
 ) -> Fits:
-    """Return how well each curve fits the test under the noise draw with index ``j``."""
+    """Return how well each curve fits the test under the noise draw with index ``j``, for each of
+    the standard deviations ``more`` of an additional slope, as `fits_of` does for all draws.
+    """
     used = after.used
     along = np.broadcast_to(_along(after), used.shape)
     columns = np.concatenate(
@@ -317,8 +318,9 @@ def _products(
     free: FloatArray | None,
     numbers: Sequence[int],
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the right-hand side and the matrix of the normal equations of a least-squares fit with
-    three unknowns: the factor on the change, the free amount, and the slope.
+    """Return the right-hand side and the matrix of the normal equations of a least-squares fit to
+    the residuals ``left`` (n, H). Its three unknowns: the factor on ``change``, the amount of
+    ``free``, and the factor on ``slope``.
 
     Score (H, 3): products of the residuals ``left`` with the three whitened curves; matrix (H, 3,
     3): products of these with each other. ``free`` (n, f): the curves with a free amount of the
@@ -346,11 +348,11 @@ def _along(after: AfterMeans) -> FloatArray:
 
 
 def _estimate(slope: FloatArray, score: FloatArray, declared: float) -> FloatArray:
-    """Return the least-squares slope of each curve with its standard error, (H, 2). The declared
-    uncertainty of the slope is not used as prior knowledge.
+    """Return the least-squares slope of each curve with its standard error, (H, 2), as if the
+    uncertainty ``declared`` for the slope, which the noise model already includes, were unknown.
+    ``score`` (H,): the products of ``slope`` with the residuals.
 
-    As if nothing was declared of it: a'V a = g / (1 + g s²) where V holds s² already (Sherman and
-    Morrison).
+    a'V a = g / (1 + g s²) where V holds s² already (Sherman and Morrison).
     """
     square = float(slope @ slope)
     if square <= 0.0:
@@ -361,8 +363,9 @@ def _estimate(slope: FloatArray, score: FloatArray, declared: float) -> FloatArr
 
 
 def _amounts(score: FloatArray, square: FloatArray) -> FloatArray:
-    """Return the fitted unknown amount (such as a factor on the table) of each hypothesis with its
-    standard error, (H, 2); both are 0 for a hypothesis without an unknown amount.
+    """Return the least-squares amount of each hypothesis's free curve (such as a factor on the
+    table) with its standard error, (H, 2), from the normal equations: amount = ``score`` /
+    ``square``. Both are 0 for a hypothesis without a free curve.
     """
     there = square > 0.0
     safe = np.where(there, square, 1.0)

@@ -57,10 +57,10 @@ def judge_loading(
     read_back: bool = False,
 ) -> LoadingVerdict:
     """Return the verdict on how the table was loaded, from the mean readings ``after`` loading.
-    Each of the ``views`` contains an expected deviation and the hypotheses that start from it.
+    Each of the ``views`` contains an expected deviation and the hypotheses that start from it;
+    ``further`` makes more of them, used if no hypothesis without a fault fits.
 
-    ``further`` makes more hypotheses where the test fits neither the loaded table nor the control
-    as before. The first view is the test as given; its first hypotheses of the names ``loaded`` and
+    The first view is the test as given; its first hypotheses of the names ``loaded`` and
     ``not_active`` give the numbers of the message. ``declared_slope``: standard deviation, mm/mm,
     of a slope between the tests from the declared temperature uncertainty; None where no
     temperature makes a slope (angles). ``read_back``: the values read back from the control are

@@ -151,8 +151,9 @@ def named_message(
     factor: float,
     equivalent: Sequence[LoadingName],
 ) -> list[Sentence]:
-    """Return the sentences of a verdict with a name: what was measured, how large the differences
-    are, and at which target they are largest.
+    """Return the sentences of a verdict that names one hypothesis (a verdict other than
+    ``undecided``): what was measured, how large the differences are, and at which target they are
+    largest.
 
     ``expected`` (2, m): the test that the verdict would show.
     """

@@ -137,6 +137,7 @@ def _equivalent(
     best: RatedHypothesis, far: FloatArray, rated: Sequence[RatedHypothesis]
 ) -> tuple[LoadingName, ...]:
     """Return the names of verdicts that no test could distinguish from the ``best`` hypothesis.
+    ``far``: the distance of each ``rated`` hypothesis from the best one, in standard errors.
 
     A hypothesis whose limit is the loaded table, or none, is no other name there (a factor near
     one, a cut near an end, a small slope); nor is an unknown factor for an inverted table, whose
@@ -159,7 +160,8 @@ def _equivalent(
 
 def _near(far: FloatArray, rated: Sequence[RatedHypothesis]) -> tuple[LoadingName, ...]:
     """Return the names of those verdicts that this test hardly distinguishes from the most probable
-    verdict.
+    one. ``far``: the distance of each ``rated`` hypothesis from the most probable one, in standard
+    errors.
 
     Left out: variants that can come arbitrarily close (a cut near an end, an unknown factor or
     slope), and faults of measurement.

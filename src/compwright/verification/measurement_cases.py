@@ -38,10 +38,9 @@ class MeasurementCase:
 
 
 def measurement_cases(view: MeasurementCase, *, both: bool = True) -> tuple[MeasurementCase, ...]:
-    """Return the cases that the test was recorded with the wrong sign or with exchanged directions,
-    while the table was loaded or the old correction was active.
-
-    ``both`` directions are measured.
+    """Return the cases that the test was recorded with the wrong sign or, if ``both`` directions
+    were measured, with exchanged directions, while the table was loaded or the old correction was
+    active.
     """
     stood = [each for each in view.hypotheses if each.name == "loaded"]
     stood += [each for each in view.hypotheses if each.name == "not_active"][:1]
@@ -54,10 +53,10 @@ def measurement_cases(view: MeasurementCase, *, both: bool = True) -> tuple[Meas
 
 def unit_cases(view: MeasurementCase, louder: float) -> tuple[MeasurementCase, ...]:
     """Return the cases that the table is loaded and the test was recorded in a wrong unit.
+    ``louder``: the noise of the test divided by that of the tests before loading.
 
-    ``louder``: the noise of the test over that of the tests before. Readings in another unit
-    scatter by as much more: honest noises differ by a factor of two or so (normal law of its
-    logarithm).
+    Readings in another unit scatter by as much more: honest noises differ by a factor of two or so
+    (normal law of its logarithm).
     """
     stood = [each for each in view.hypotheses if each.name == "loaded"]
     views = []

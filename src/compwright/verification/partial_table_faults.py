@@ -139,8 +139,9 @@ def cut_off(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def _part(nodes: FloatArray, edge: int, beyond: str, *, first: bool) -> Sentence:
-    """Return the text for the active part of a table: ``first``: the points up to the index
-    ``edge``, else the points from the index ``edge`` on.
+    """Return the text about a table that is active only in part: with ``first`` at the points up to
+    the index ``edge``, else from the index ``edge`` on. ``beyond``: the kind of values at the other
+    points, such as ``old``.
     """
     return say("loading.part", first=first, number=edge + 1, position=nodes[edge], beyond=beyond)
 

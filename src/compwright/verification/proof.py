@@ -203,8 +203,9 @@ def doubt_warnings(
     *,
     guarded: bool,
 ) -> Iterator[Finding]:
-    """Yield a warning (CW-V024) for each finding on the test after loading that makes the verdict
-    undecided, unless the finding is among ``acknowledged``.
+    """Yield a warning (CW-V024) for each finding on the test ``after`` loading that makes the
+    verdict undecided. Left out are ``acknowledged`` findings and, unless limits are decided with
+    guard bands (``guarded``), those about uncertainty.
     """
     had = {finding.code for finding in before.findings}
     for finding in after.findings:

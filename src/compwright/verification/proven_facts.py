@@ -42,11 +42,12 @@ def proven_axis(
     two_curves: bool,
 ) -> ProvenAxis:
     """Return the facts about the loaded table of an axis that its tests prove: if a fact were
-    wrong, the test after loading would differ clearly.
+    wrong, the test after loading would differ clearly. ``others``: the plan has more axes;
+    ``backlash``: the plan changed the backlash value; ``two_curves``: the table has one curve for
+    each direction.
 
     That a fact is probable beforehand is no proof. ``loading``: the verdict as in its document;
-    ``sign_odds`` from `sign_odds`; ``others``: more axes are planned; ``backlash``: the plan
-    changed it; ``two_curves``: the table has one curve for each direction.
+    ``sign_odds`` from `sign_odds`.
     """
     doubted = {
         *loading["equivalent"],
@@ -70,12 +71,11 @@ def proven_axis(
 def sign_odds(
     curves: Sequence[tuple[FloatArray, FloatArray, FloatArray]], scatter: FloatArray
 ) -> float:
-    """Return the logarithm of the odds that the planned sign of the table is right, from the tests
-    before and after loading.
+    """Return the logarithm of the odds that the planned sign of the table is right. ``curves``: for
+    each measured direction, the means expected with the table, those without it, and those measured
+    after loading; ``scatter``: the standard deviation of a measured mean.
 
-    ``curves``: for each measured direction, (m,) each, the means expected with the table, those
-    with the correction before, and those found after loading; ``scatter`` (m,): standard deviation
-    of a found mean.
+    All arrays are (m,).
 
     With the opposite sign, the test would show 2·before - expected; both less a free datum common
     to both directions. The variance of that expectation is taken as five times as large, the upper
