@@ -380,7 +380,9 @@ def _findings(
 
 
 def _elsewhere(root: Element, elements: Sequence[Element]) -> list[Finding]:
-    """Return the finding about runs in parts of the file that compwright does not read."""
+    """Return a list with the finding about runs in parts of the file that compwright does not read;
+    the list is empty if there are no such runs.
+    """
     read = {element.line for element in elements}
     lines = [
         (run.line, run.tag)

@@ -121,10 +121,10 @@ def sweep_of(sense: Sense, number: int, angles: FloatArray, faults: FaultList) -
 
 def run_of(sweep: Sweep, deviations: FloatArray, start: float) -> CircularRun:
     """Return the run with its samples in the order in which the machine moved: ascending angles for
-    ccw, descending for cw.
+    ccw, descending for cw. Whole turns are added so that the smallest angle is as near as possible
+    to ``start`` deg.
 
-    ``deviations`` (n,) mm in the order given to `sweep_of`; whole turns are added so that the run
-    is as near as possible to ``start`` deg.
+    ``deviations`` (n,) mm in the order given to `sweep_of`.
     """
     angles = sweep.angles + 360.0 * np.round((start - float(sweep.angles[0])) / 360.0)
     along = slice(None) if sweep.sense == "ccw" else slice(None, None, -1)

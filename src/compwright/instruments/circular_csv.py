@@ -303,7 +303,9 @@ def _value_column(table: CsvTable, faults: FaultList) -> str:
 def _samples(
     table: CsvTable, value: str, marks: DecimalMarks, faults: FaultList
 ) -> dict[tuple[Sense, int], _Samples]:
-    """Return the samples of each run, by direction (ccw, cw) and run number."""
+    """Return the samples of each run, by direction (ccw, cw) and run number. ``value``: the name of
+    the column with the measured values.
+    """
     _check_size(table, faults)
     senses = table.which("direction", _SENSES, str.lower, faults)
     numbered = "run" in table.columns

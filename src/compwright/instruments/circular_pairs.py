@@ -52,8 +52,9 @@ def paired(tests: Sequence[CircularTest]) -> tuple[CircularTest, ...]:
 
 
 def _partners(tests: Mapping[int, CircularTest], *, by_name: bool) -> dict[int, list[int]]:
-    """Return, for each test that has only one direction, at most two tests that may be the other
-    direction of the same test.
+    """Return, by the index of each test that has only one direction, the indices of at most two
+    tests that can be the other direction of the same test. ``by_name``: these must also have the
+    same folder and file name, apart from ``ccw`` and ``cw``.
     """
     ways: dict[tuple[Sense, Hashable], list[int]] = defaultdict(list)
     mine: dict[int, tuple[Sense, Hashable]] = {}

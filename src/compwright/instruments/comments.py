@@ -108,8 +108,8 @@ def read_comments(
     any_key: bool = True,
     decisive: frozenset[str] = DECISIVE_KEYS,
 ) -> Comments:
-    """Return the keys and free texts of comment lines. ``decisive``: the keys that change the
-    result of the evaluation.
+    """Return the keys and free texts of comment lines. ``any_key``: unknown keys are keys too, not
+    free text; ``decisive``: the keys that change the result of the evaluation.
 
     ``lines``: the number of each line and its text without ``#``.
 

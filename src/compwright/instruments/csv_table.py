@@ -190,7 +190,7 @@ def rows_as_comments(
     lines: Sequence[str], header_line: int, cells_of: Callable[[str], list[str] | None], width: int
 ) -> list[tuple[int, str]]:
     """Return line number and text of each comment line below the header row that looks like a row
-    of data.
+    of data: ``cells_of`` finds ``width`` cells in the line, and one after the first is a number.
 
     Rows that were commented out, and rows whose target a spreadsheet shows as ``#####`` or
     ``#REF!``.

@@ -56,8 +56,9 @@ def _unfinished(readings: Readings, kind: AxisKind) -> Sentence | None:
 
 
 def _lacking(groups: IntArray, others: IntArray) -> tuple[int, int] | None:
-    """Return how many readings the last traverse (or target) lacks, and how many a complete one
-    has. None unless the last one, and only that, is incomplete.
+    """Return how many readings the last group (a traverse or a target) lacks, and how many a
+    complete group has; None unless the last group is the only incomplete one. ``groups``: the group
+    of each reading; ``others``: the place of each reading within its group.
 
     ``groups``, ``others`` (n,): traverse and target of each reading, or the reverse, or run and
     approach to a target, from 0. Groups go through the others in one order, or back and forth. A

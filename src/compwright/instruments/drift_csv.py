@@ -53,10 +53,11 @@ def is_two_columns(text: Sequence[str]) -> bool:
 
 
 def read_drift(content: bytes, file: str, kind: AxisKind | None = None) -> DriftTest:
-    """Return the drift test in a file. Raises InputError with every fault at once.
+    """Return the drift test in a file of an axis of this ``kind`` (linear, rotary; None: the kind
+    that the columns of the file state). Raises InputError with every fault at once.
 
-    Of axes of a kind; None: of the kind that its columns say. Faults: no such columns, cells that
-    are no numbers, a time given twice, fewer than three readings.
+    Faults: no such columns, cells that are no numbers, a time given twice, fewer than three
+    readings.
     """
     faults = FaultList(file)
     comments, table = _columns(content, faults, (TIME, _VALUE[kind or AxisKind.LINEAR]))

@@ -102,10 +102,10 @@ def _span(attributes: Mapping[bytes, bytes]) -> range:
 
 
 def hidden_finding(hidden: Hidden, lines: Sequence[str]) -> Finding | None:
-    """Return the finding that a sheet has hidden rows or columns and that these were read like the
-    visible ones; None if nothing is hidden.
+    """Return the finding that a sheet with these ``lines`` has hidden rows or columns and that
+    these were read like the visible ones; None if nothing is hidden.
 
-    ``lines``: those of the sheet, cells separated by tabs.
+    The cells in a line are separated by tabs.
     """
     cells = [line.split("\t") for line in lines]
     rows = sorted(row for row in hidden.rows if row <= len(lines) and lines[row - 1])

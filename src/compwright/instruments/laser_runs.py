@@ -354,8 +354,8 @@ def _directions(
 
 
 def _other_version(sections: FileSections) -> list[str]:
-    """Return, as text, the assumption that the file has the known layout although it states another
-    version; an empty list for the known version.
+    """Return a list with one text, the assumption that the file has the known layout although it
+    states another version; the list is empty if it states the known version or none.
     """
     version = sections.value("HEADER", "Version no")[0]
     if version.startswith(_KNOWN_VERSION) or not version:
@@ -368,7 +368,7 @@ def _traverses(runs: Sequence[int]) -> str:
 
 
 def _fewer_runs(runs: _Runs) -> Finding | None:
-    """Return the finding about fewer runs or rows than the header states."""
+    """Return the finding that the file has fewer runs than its header states, else None."""
     last = max(runs.rows)
     if runs.promised is None or last >= runs.promised:
         return None

@@ -222,8 +222,9 @@ def _row(
 def _both_ways(
     blocks: Mapping[str, _Block], half_digit: float, faults: FaultList
 ) -> tuple[_Block, _Block, bool]:
-    """Return the forward and the backward means. The third value is True if the file lacks the
-    backward means and they were computed from the forward means and the means of both directions.
+    """Return the forward means, the backward means, and whether the backward means were computed
+    (from the forward means and the means of both directions) because the file lacks them.
+    ``half_digit``: half of the last digit of the means.
     """
     both, out, back = (blocks.get(which) for which in (_BOTH, _FORWARD, _BACK))
     given = [block for block in (both, out, back) if block is not None]

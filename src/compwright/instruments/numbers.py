@@ -73,7 +73,9 @@ def plain_numbers(cells: Sequence[str], mark: str) -> FloatArray | None:
 def counts_of(
     cells: Sequence[str], place: Callable[[int], str], what: str, faults: FaultList
 ) -> IntArray:
-    """Return the whole numbers of at least 1 in a column. Other cells are a fault and become 0."""
+    """Return the whole numbers of at least 1 in a column. Each other cell is a fault, whose message
+    begins with ``what``, and becomes 0.
+    """
     known: dict[str, int] = {}
     reasons: dict[str, str] = {}
     for text in set(cells):
@@ -122,7 +124,9 @@ class DecimalMarks:
     def parse(
         self, text: str, *, place: str, column: str, expected: str = "a number"
     ) -> float | None:
-        """Return the number in a cell, or None after adding a fault."""
+        """Return the number in a cell. If the cell contains none, add a fault, which states what
+        was ``expected``, and return None.
+        """
         try:
             value = parse_number(text)
         except ValueError as reason:
@@ -155,7 +159,9 @@ class DecimalMarks:
         column: str,
         expected: str = "a number",
     ) -> FloatArray:
-        """Return the numbers (n,) in a column, NaN for an invalid cell, which is a fault."""
+        """Return the numbers (n,) in a column, NaN for an invalid cell. Each invalid cell is a
+        fault, which states what was ``expected``.
+        """
         for mark in _PLAIN:
             plain = plain_numbers(cells, mark)
             if plain is not None:

@@ -47,8 +47,9 @@ def parts_by_axis(
     rows: Sequence[int],
     faults: FaultList,
 ) -> tuple[TestPart, ...]:
-    """Return the lines of each axis. ``header``: line number of the header row, and index of the
-    column with the axis names.
+    """Return one part of the file for each axis, with the lines of that axis. ``header``: line
+    number of the header row, and index of the column with the axis names; ``rows``: the line
+    numbers of the data rows.
 
     A row with contents but without an axis name is a fault.
     """

@@ -109,7 +109,9 @@ def _version(value: Any) -> None:
 
 
 def _choice(key: str, convert: Callable[[str], Any] = str) -> cs.CoreSchema:
-    """Return the schema of a key with a fixed list of words; an empty text becomes None."""
+    """Return the schema of a key that has one of a fixed list of words, which ``convert`` turns
+    into the result; an empty text becomes None.
+    """
     word = cs.no_info_after_validator_function(convert, cs.literal_schema([*_CHOICES[key]]))
     return cs.no_info_before_validator_function(
         lambda value: None if value == "" else value, cs.nullable_schema(word)

@@ -121,8 +121,8 @@ def _with_answers(proposal: Proposal) -> tuple[Proposal | None, list[str]]:
 
 
 def _as_written(proposal: Proposal) -> list[str]:
-    """Return the first three rows with their cells as written in the file, for a proposal with too
-    many unknown keys to read the rows.
+    """Return one text for each of the first three rows, with the cells as written in the file, for
+    a proposal with too many unknown keys to read the rows.
     """
     keys, lines = proposal.keys, []
     names = [keys.get(key) for key in ("target", "value", "direction", "run")]
@@ -135,8 +135,8 @@ def _as_written(proposal: Proposal) -> list[str]:
 
 
 def _filled(proposal: Proposal) -> list[tuple[str, Proposal]]:
-    """Return the proposal if it is complete; if only the sign is unknown, one proposal for each of
-    the two signs; else an empty list.
+    """Return the complete proposals that are possible, each with the assumption on which it depends
+    ("" for none): the given one if it is complete, two if only the sign is unknown, else none.
     """
     if not proposal.why:
         return [("", proposal)]

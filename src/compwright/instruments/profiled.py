@@ -134,8 +134,8 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
 def _refuse_contradictions(
     before: Sequence[str], axis: str, profile: Profile, faults: FaultList
 ) -> None:
-    """Add a fault if the text above a table contradicts the profile, such as by another unit or
-    another sign.
+    """Add a fault if the lines ``before`` a table contradict the profile, such as by another axis,
+    unit or sign.
     """
     named = any(map(unit_of, (profile.value, *profile.traverses)))  # the column says it itself
     unit = "" if named else next(filter(None, map(stated_unit, before)), "")
@@ -306,7 +306,9 @@ def _long(
 
 
 def _refuse_steps(rows: _ProfiledRows, profile: Profile, faults: FaultList) -> None:
-    """Add a fault if the values in the column are distances between the targets, not deviations."""
+    """Add a fault if the values in the profile's column of deviations are really the distances
+    between the targets.
+    """
     steps = np.diff(rows.targets)
     if profile.measured or steps.size < 2 or not np.any(steps):
         return

@@ -372,7 +372,8 @@ def _order(columns: _ProposedColumns, target: str | None) -> str:
 
 def _run_counts(columns: _ProposedColumns, keys: Mapping[str, Any]) -> str:
     """Return how the column of run numbers counts: ``traverses`` if no number occurs in both
-    directions, else ``runs``.
+    directions, else ``runs``. ``keys``: the known keys of the proposed profile, which name the
+    columns.
     """
     direction = keys.get("direction")
     if not direction:

@@ -105,8 +105,8 @@ def spans_of(text: Sequence[str]) -> Iterator[Spans]:
 
 
 def spans_in(line: str, *, rows: bool) -> Spans:
-    """Return the parts of a line with their meaning. ``rows``: a line without a known key means a
-    row of numbers, else a remark.
+    """Return the parts of a line with their meaning. A line without a known key is taken as a row
+    of numbers if ``rows`` is true, else as a remark.
     """
     match = _KEY.fullmatch(line)
     meaning = KEYS.get(" ".join(match["key"].lower().split())) if match is not None else None

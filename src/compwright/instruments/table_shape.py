@@ -93,7 +93,9 @@ def number_in(text: str, decimal: str | None) -> float | None:
 
 
 def thousands_in(text: Sequence[str]) -> str:
-    """Return as text the first number with thousands marks, which are not allowed in a table."""
+    """Return, as text for a message, the first number with thousands marks (which are not allowed
+    in a table), or "" if there is none.
+    """
     for line in text[:_LOOKED_AT]:
         for delimiter in DELIMITERS.values():
             for cell in cells_of(line, delimiter) or []:

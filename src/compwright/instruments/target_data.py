@@ -329,8 +329,9 @@ def _check_complete(
 def _check_block(
     name: str, block: _Entries, positions: int, cycles: int, faults: FaultList
 ) -> None:
-    """Add a fault for each reading whose target is missing, and one for the targets without a
-    reading in some cycle.
+    """Add faults for readings of a block of entries: one for each reading whose target is missing,
+    and one for all targets without a reading in one of the ``cycles``. ``positions``: the number of
+    targets.
     """
     inside = block.i <= positions
     for at in np.flatnonzero(~inside):

@@ -26,7 +26,7 @@ def times_of(
     cells: Sequence[str], place: Callable[[int], str], faults: FaultList
 ) -> tuple[Clock, FloatArray]:
     """Return the form in which a column gives times (such as date and time, or a number), and the
-    times (n,).
+    times (n,): in seconds, or the numbers as they are written.
 
     NaN, after noting the fault, for a cell without a time, or in another form than the first.
     Without cells the form is "number".

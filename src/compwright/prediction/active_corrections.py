@@ -39,7 +39,9 @@ def sum_of_corrections(one: Correction, other: Correction) -> Correction:
 def _together(
     one: Correction, other: Correction, sign: float, positions: FloatArray, direction: Direction
 ) -> FloatArray:
-    """Return correction ``one`` plus ``sign`` times correction ``other`` at the given positions."""
+    """Return correction ``one`` plus ``sign`` (1 or -1) times correction ``other`` at the
+    positions, approached in the given direction.
+    """
     return one(positions, direction) + sign * other(positions, direction)
 
 

@@ -74,8 +74,8 @@ def commanded_path(test: CircularTest, run: CircularRun, centre: tuple[float, fl
 def moved_test(
     test: CircularTest, centre: tuple[float, float], displacement: Displacement
 ) -> CircularTest:
-    """Return the test that would have been measured if ``displacement`` had moved every point of
-    the path.
+    """Return the test that would have been measured if every point of the path had been moved by
+    the ``displacement`` that belongs to the point.
 
     What the displacement is in the centre of the circle, on the mean of both directions of motion,
     is left out: there the instrument is set up anew. The distance is exact; only the place of the

@@ -59,8 +59,8 @@ class RandomCurve:
 
 @dataclass(frozen=True, slots=True)
 class PointCurve:
-    """Straight lines through ``values`` at ascending ``positions`` (mm or deg), with constant
-    values beyond the ends.
+    """An error curve of straight lines through ``values`` at ascending ``positions`` (mm or deg),
+    constant beyond its ends.
     """
 
     positions: tuple[float, ...]

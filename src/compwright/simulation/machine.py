@@ -132,6 +132,7 @@ class VirtualMachine:
         self, axis: str, *, rng: np.random.Generator, correction: Correction | None = None
     ) -> PositioningTest:
         """Return a simulated positioning test of ``axis``, rounded to the instrument's resolution.
+        ``correction``: the active correction of the axis, None for no correction.
 
         Error + correction + scatter + drift + datum.
 

@@ -132,7 +132,9 @@ def part(data: Any, *keys: str) -> Mapping[str, Any]:
 
 
 def same_but_for_case(path: KeyPath, names: Collection[str]) -> Iterator[KeyFault]:
-    """Yield a fault if names differ only in case, so that their files would have the same name."""
+    """Yield a fault of the key ``path`` if names differ only in case, so that their files would
+    have the same name.
+    """
     if len({name.lower() for name in names}) < len(names):
         expected = "names that make different file names"
         yield KeyFault(path, "has names that differ in upper and lower case only", expected)

@@ -60,7 +60,9 @@ class ExistingTableVerdict:
         return tuple(each for each in self.verdict.candidates if each.probability >= _LISTED)
 
     def refusal(self, look_at: Sequence[str]) -> Sentence:
-        """Return the reason why no table is written. ``look_at``: what to check on the control."""
+        """Return the sentence that states why no table is written. ``look_at``: what to check on
+        the control.
+        """
         found = self.verdict
         names = {found.verdict, *(each.verdict for each in self.likely)}
         return say(

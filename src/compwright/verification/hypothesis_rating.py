@@ -169,8 +169,8 @@ def _curves_of(ways: Sequence[Hypothesis]) -> Curves:
 def distances(
     after: AfterMeans, best: RatedHypothesis, rated: Sequence[RatedHypothesis]
 ) -> FloatArray:
-    """Return, for each of the H hypotheses, how far (in standard errors) the test that it predicts
-    is from the test that the ``best`` one predicts.
+    """Return, for each of the H ``rated`` hypotheses, how far (in standard errors) the test that
+    the hypothesis predicts is from the test that the ``best`` hypothesis predicts.
     """
     used = np.isfinite(after.plain)
     along = np.broadcast_to(after.targets - after.targets.mean(), after.plain.shape)

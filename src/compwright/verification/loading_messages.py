@@ -61,7 +61,8 @@ class ShownTest:
         read_back: bool = False,
     ) -> ShownTest:
         """Return the mean deviations of the test ``after``, with those expected if the table is
-        loaded and those expected if the table is not active.
+        loaded and those expected if the table is not active. ``effect``: the fraction of the
+        planned change that the test shows, with its standard error.
         """
         expected = {
             name: next((belief.mean + h.change for h in hypotheses if h.name == name), None)
@@ -267,8 +268,8 @@ def neither_message(shown: ShownTest) -> Sentence:
 
 
 def slope_text(slope: float, error: float, declared: float) -> Sentence:
-    """Return a slope (mm/mm) with standard error as text, and the temperature difference that would
-    cause it.
+    """Return a slope (mm/mm) with standard error as text, with the temperature difference that
+    would cause it, and with the ``declared`` uncertainty of the slope (0 if none is declared).
     """
     return say(
         "loading.slope",
@@ -280,10 +281,9 @@ def slope_text(slope: float, error: float, declared: float) -> Sentence:
 
 
 def declared_slope_text(slope: float, error: float, declared: float) -> Sentence | None:
-    """Return the sentence about the slope (mm/mm) of a test with an active table, or None if it is
-    insignificant or no uncertainty is declared.
-
-    The job declares some (``declared``: standard deviation between two tests).
+    """Return the sentence about the slope (mm/mm) of a test with an active table. ``declared``: the
+    uncertainty of the slope that the job declares. Return None if the slope is insignificant or no
+    uncertainty is declared.
     """
     if declared <= 0.0 or abs(slope) < max(_CLEAR_SLOPE * error, _LEAST_SLOPE):
         return None

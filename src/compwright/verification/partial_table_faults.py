@@ -60,7 +60,9 @@ def wrong_backlash(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def _reversal(ways: HypothesisBuilder) -> Curve:
-    """Return the mean difference between the tables for + and −, as a backlash value."""
+    """Return the mean difference between the table's values for + and −, as the correction (2, m)
+    that a backlash value of this size would make.
+    """
     mean = (
         float(np.mean(ways.table.negative - ways.table.positive))
         if ways.table.positions.size

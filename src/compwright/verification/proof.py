@@ -188,7 +188,9 @@ def _circles(plan: Plan, axes: set[str]) -> list[str]:
 
 
 def doubts_after(after: PositioningResult | CircularResult) -> tuple[Finding, ...]:
-    """Return the doubts about the readings of a test after loading."""
+    """Return those findings about the readings of a test after loading that are doubts, without
+    those that come from the comparison with the first test.
+    """
     return tuple(
         finding
         for finding in after.findings

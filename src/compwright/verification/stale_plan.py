@@ -76,7 +76,7 @@ def _axes_differ(job: Job, plan: Plan, read: ReadAgain) -> Iterator[tuple[str, s
 
 def _differences(place: str, mine: Any, theirs: Any) -> Iterator[tuple[str, str, str]]:
     """Yield each difference between a record of the job (``mine``) and that of the plan
-    (``theirs``): the key in the job, and both values as text.
+    (``theirs``): the key in the job (below the key path ``place``), and both values as text.
     """
     for field in fields(mine):
         one, other = getattr(mine, field.name), getattr(theirs, field.name)

@@ -65,7 +65,9 @@ _COUNTED: Final[frozenset[Meaning]] = frozenset(
 
 
 def redacted_lines(lines: Sequence[str], spans_of: SpansOf, cuts: Cuts) -> list[str]:
-    """Return the lines of a file without private data. The copy has as many lines as the file."""
+    """Return the lines of a file without private data, as many as the file has. ``spans_of`` gives
+    the meaning of each part of the lines; ``cuts`` records what is removed.
+    """
     return [_line(line, spans, cuts) for line, spans in zip(lines, spans_of(lines), strict=True)]
 
 
@@ -97,7 +99,9 @@ def _between(text: str, cuts: Cuts) -> str:
 
 
 def kept_or_cut(text: str, meaning: Meaning, cuts: Cuts) -> str:
-    """Return a text unchanged if texts of its ``meaning`` may stay, else a neutral replacement."""
+    """Return a text unchanged if texts of its ``meaning`` may stay. Otherwise record it in ``cuts``
+    as removed, and return a neutral replacement.
+    """
     bare = _bare(text)
     if not bare or (meaning in KEPT and KEPT[meaning](bare)):
         return text if bare else ""

@@ -33,7 +33,8 @@ from compwright.instruments.workbook import WorkbookSheet, is_workbook, sheets_o
 
 
 def redacted_xml(content: bytes, file: str, known: Elements, cuts: Cuts) -> bytes:
-    """Return an XML file without private data, in UTF-8.
+    """Return an XML file without private data, in UTF-8. ``known``: the elements and attributes
+    whose meaning is known; ``cuts`` records what is removed.
 
     Raises InputError for invalid XML.
     """
@@ -62,7 +63,9 @@ def _lines(element: Element, depth: int, known: Elements, cuts: Cuts) -> list[st
 
 
 def _meaning(tag: str, name: str, value: str, known: Elements, cuts: Cuts) -> Meaning | None:
-    """Return the meaning of an XML attribute; None if it is unknown and was recorded as removed."""
+    """Return the meaning of an XML attribute. If the meaning is unknown, record the attribute's
+    value in ``cuts`` as removed, and return None.
+    """
     if name == "NAME":
         return known.names.get(tag, "result")
     meaning = known.attributes.get(name.upper())
@@ -151,7 +154,7 @@ def holds_table(content: bytes, file: str) -> bool:
 def redacted_measurement(
     content: bytes, file: str, cuts: Cuts, profile: Profile | None = None
 ) -> Redacted:
-    """Return a copy of a measurement file without private data.
+    """Return a copy of a measurement file without private data; ``cuts`` records what is removed.
 
     Tables of other programs by their ``profile``, else by the one that is proposed. Raises
     InputError or UsageError for other files, and if no profile can be proposed.

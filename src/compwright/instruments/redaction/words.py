@@ -149,7 +149,9 @@ def is_axis(text: str) -> bool:
 
 
 def is_keywords(text: str, *, digits: int = 2) -> bool:
-    """Return whether a text has only permitted words, units, letters, punctuation and numbers."""
+    """Return whether a text has only permitted words, units, letters, punctuation and numbers of at
+    most ``digits`` digits.
+    """
     for token in _TOKEN.findall(text):
         if token.isspace() or token in _MARKS:
             continue
