@@ -57,8 +57,8 @@ _DRAWS: Final = 48  # distinct hyperparameters kept for summaries and prediction
 
 @dataclass(frozen=True, slots=True)
 class Draws:
-    """Random draws of the deviation of an axis and of the noise of a test. ``positive`` and
-    ``negative`` have the shape (count, k), in mm or deg.
+    """Random draws of the deviation of an axis at k positions (``positive``: approach in +,
+    ``negative``: in −; both (count, k), mm or deg) and of the ``noise`` of the readings in a test.
     """
 
     positive: FloatArray
@@ -129,8 +129,8 @@ class AxisPosterior:
 
     @property
     def _held(self) -> NDArray[np.bool_]:
-        """Mask (n,) over the draws of the error: True for a draw with at most the median number of
-        periods.
+        """Mask (n,) over the draws of the error. True: the draw contains at most as many periods as
+        the median draw and is used for the mean error.
         """
         periods = np.repeat(
             [len(part.basis.periods) for part in self.parts],
@@ -139,8 +139,9 @@ class AxisPosterior:
         return np.asarray(periods <= np.sort(periods)[(periods.size - 1) // 2])
 
     def _moments(self, where: FloatArray) -> tuple[list[FloatArray], list[FloatArray]]:
-        """Return the mean error of each draw (draws, g) and the average variance (g,) of the error
-        within a draw, each separately for + and −. The unit is the common scale of the readings.
+        """Return two results at the positions ``where`` (g,), each as a list for + and −: the mean
+        error of each draw (draws, g), and the average variance (g,) of the error within a draw. The
+        unit is the common scale of the readings.
         """
         count = sum(part.draws.size for part in self.parts)
         means: list[list[FloatArray]] = [[], []]
@@ -213,11 +214,11 @@ class AxisPosterior:
         values: FloatArray,
         rng: np.random.Generator,
     ) -> FloatArray:
-        """Return random draws (count, m) of that part of the error which is independent from target
-        to target.
+        """Return random draws (count, m) of that part of the error at the m targets which is
+        independent from target to target. ``values`` (count, j): drawn weights of the model
+        ``part``.
 
-        ``values`` (count, j): given weights of the functions. A normal mean with normal prior and
-        known variance (Gelman et al. 2013, section 2.5).
+        A normal mean with normal prior and known variance (Gelman et al. 2013, section 2.5).
         """
         data = self.cells.data
         known = data.precision[weights.draw]
@@ -235,7 +236,8 @@ class AxisPosterior:
     def _noise(self, variances: FloatArray, owner: NDArray[np.intp], test: int) -> NoiseDraws:
         """Return draws (count,) of the noise in a repetition of the test with index ``test``. If
         that test has no repeated readings, the noise follows from the ``variances`` (count,) of a
-        reading, which were estimated together with the error.
+        reading, estimated together with the error. ``owner`` (count,): which draw of the error each
+        draw belongs to.
         """
         draw_index = np.concatenate([part.draws for part in self.parts])[owner]
         own = self.cells.noises[test]
@@ -276,7 +278,8 @@ def estimate_axis(
     turn: float | None = None,
 ) -> AxisPosterior:
     """Return the probability distribution of the error of an axis, from its tests in machine
-    coordinates.
+    coordinates. Periods ``suggested`` are more probable than other periods; ``nodes`` are the points
+    of an active compensation table; ``turn`` is the period of an endless axis.
 
     ``travel`` (low, high), mm or deg. ``periods``: known periods of the error (screw pitch, scale
     period), mm or deg; ``suggested``: periods that are more probable than others if none is known.
@@ -337,8 +340,8 @@ def estimate_axis(
 
 
 def _cycle_draws(draw_index: NDArray[np.intp], each: int) -> NDArray[np.intp]:
-    """Return a row number for each draw number in ``draw_index`` (count,). Each draw has ``each``
-    consecutive rows, which are taken in turn if the draw occurs several times.
+    """Return one row number for each draw number in ``draw_index`` (count,). Draw number i has the
+    ``each`` rows from i * each on; a draw number that occurs several times gets its rows in turn.
     """
     order = np.argsort(draw_index, kind="stable")
     ordered = draw_index[order]
@@ -397,7 +400,7 @@ def _refuse_misuse(
 
 
 def _equivalent_dof(log_noise: FloatArray, readings: int) -> float:
-    """Return the degrees of freedom of a standard deviation s from draws of log s. The variance of
-    log s is 1 / (2 dof) (JCGM 100:2008, eq. G.3).
+    """Return the degrees of freedom of a standard deviation s from draws of log s, at most one less
+    than the number of ``readings``. The variance of log s is 1 / (2 dof) (JCGM 100:2008, eq. G.3).
     """
     return float(np.clip(0.5 / max(float(np.var(log_noise)), 1e-12), 1.0, max(1.0, readings - 1.0)))

@@ -148,8 +148,8 @@ def _sines(u: FloatArray, count: int) -> FloatArray:
 
 
 def log_density(frequencies: FloatArray, log_length: float) -> tuple[FloatArray, FloatArray]:
-    """Return the log spectral density of a random curve of unit variance, and its derivative by
-    ``log_length``. The curve is a Matérn 5/2 process.
+    """Return the log spectral density of a random curve (Matérn 5/2 process) of unit variance, and
+    its derivative by ``log_length``, the logarithm of the correlation length of the curve.
 
     S(w) = (16/3) a^5 / (a^2 + w^2)^3 with a = sqrt(5) / length (Rasmussen and Williams, Gaussian
     Processes for Machine Learning, eq. 4.15, one dimension, nu = 5/2).
@@ -167,11 +167,11 @@ LEAST_SMOOTHNESS = 1.5
 def smooth_density(
     frequencies: FloatArray, log_length: float, log_excess: float
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return the log spectral density of a random curve of unit variance and adjustable smoothness,
-    and the derivatives of this logarithm by the two parameters.
+    """Return the log spectral density of a random curve of unit variance, and its derivatives by
+    ``log_length`` (logarithm of the correlation length) and by ``log_excess`` (parameter of the
+    smoothness).
 
-    It is a Matérn process of smoothness nu = `LEAST_SMOOTHNESS` + exp(``log_excess``); the
-    derivatives are by ``log_length`` and ``log_excess``.
+    It is a Matérn process of smoothness nu = `LEAST_SMOOTHNESS` + exp(``log_excess``).
 
     S(w) = 2 sqrt(pi) gamma(nu + 1/2) / gamma(nu) l / sqrt(2 nu) (1 + l² w² / (2 nu))^-(nu + 1/2)
     (Rasmussen and Williams, Gaussian Processes for Machine Learning, eq. 4.15, one dimension); for
@@ -202,14 +202,14 @@ _WINDOW = 200_000
 
 
 def alias_wavelength(targets: FloatArray, wavelength: float) -> float | None:
-    """Return the wavelength of the slower wave that has the same values at the targets, mm or deg.
+    """Return the wavelength, mm or deg, of a longer wave that has the same values at the targets as
+    a wave of this ``wavelength``; None if there is none.
 
-    inf: a constant; None: no slower wave has these values. With a mean interval d between targets,
-    waves longer than 2 d have no such alias. A shorter wave has one where, for some frequency g
-    within 1 / (2 d), the absolute mean of exp(2 pi i (1 / wavelength - g) x) over the targets
-    exceeds `ALIASED`: always with equal intervals, hardly ever with the random part of ISO 230-2.
-    That mean is the spectral window of the targets (Deeming, Astrophysics and Space Science 36,
-    1975).
+    inf: a constant. With a mean interval d between targets, waves longer than 2 d have no such
+    alias. A shorter wave has one where, for some frequency g within 1 / (2 d), the absolute mean of
+    exp(2 pi i (1 / wavelength - g) x) over the targets exceeds `ALIASED`: always with equal
+    intervals, hardly ever with the random part of ISO 230-2. That mean is the spectral window of
+    the targets (Deeming, Astrophysics and Space Science 36, 1975).
     """
     return _alias_wavelength(targets.tobytes(), wavelength)
 

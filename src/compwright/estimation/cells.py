@@ -99,7 +99,7 @@ def _target_tolerance(positions: FloatArray) -> float:
 def build_cells(
     tests: Sequence[ObservedTest], *, turn: float | None = None, stepped: bool = True
 ) -> Cells:
-    """Return means, counts and scatter of the readings of an axis.
+    """Return means, counts and scatter of an axis' readings. ``stepped``: jumps are removed first.
 
     An endless axis has no slope: its error repeats with its ``turn`` (deg). The spread pools the
     squares about the means of all targets and directions over their n - 1 (JCGM 100:2008, 4.2.4).
@@ -140,9 +140,7 @@ def build_cells(
 
 
 def _fresh_noise(noise: NoisePosterior, order: NDArray[np.intp]) -> NoiseDraws:
-    """Return the noise of a repeated test, predicted from the noise draws with the indices
-    ``order``.
-    """
+    """Return the noise of a repeated test, one draw or more for each noise draw in ``order``."""
     each = noise.fresh.count // noise.draws.count
     return noise.fresh.taken((order[:, np.newaxis] * each + np.arange(each)).ravel())
 
@@ -182,7 +180,8 @@ def _refit_without_jumps(
     least: float,
     turn: float | None,
 ) -> _CommonLine:
-    """Return the straight line, fitted again after jumps between neighbouring targets are removed.
+    """Return the straight line through the mean readings ``parts`` of all tests, fitted again after
+    jumps between neighbouring targets are removed.
 
     ``least``: smallest noise that is assumed, mm or deg; ``turn``: of an endless axis, deg.
     """
@@ -282,10 +281,10 @@ class _Sizes:
 
 
 def _sizes(parts: Sequence[ObservedCells], left: Sequence[FloatArray], least: float) -> _Sizes:
-    """Return the typical sizes of mean readings minus the straight line, and of their scatter.
+    """Return two typical sizes, mm or deg: of ``left``, the mean readings minus the straight line,
+    and of the scatter of readings.
 
-    ``left``: the mean readings minus the straight line. ``least``: noise that every instrument has,
-    mm or deg.
+    ``least``: noise that every instrument has, mm or deg.
     """
     largest = max(float(np.max(np.abs(part.means))) for part in parts)
     floor = max(least, 1e-9 * largest)
@@ -307,9 +306,7 @@ def _stack_cells(
     noises: tuple[NoiseDraws | None, ...],
     other_noise: NoiseDraws | None,
 ) -> Cells:
-    """Return the mean readings of all tests in one array, sorted by target and divided by one
-    common scale.
-    """
+    """Return the mean readings of all tests in one array, by target, divided by a common scale."""
     lines = [line.at(part, index, float(targets[0])) for index, part in enumerate(parts)]
     left = [part.means - taken for part, taken in zip(parts, lines, strict=True)]
     sizes = _sizes(parts, left, LEAST_NOISE[tests[0].test.kind])
@@ -387,7 +384,8 @@ def _blocks(columns: Sequence[FloatArray]) -> FloatArray:
 
 
 def _neighbour_spread(parts: Sequence[ObservedCells], left: Sequence[FloatArray]) -> float:
-    """Return the scatter of single readings from differences between neighbouring targets.
+    """Return the scatter of single readings from differences between neighbouring targets of
+    ``left``, the mean readings minus the straight line.
 
     Used where no reading is repeated (Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986).
     """
@@ -431,7 +429,9 @@ def estimate_findings(
     shown: Sequence[float],
     kind: AxisKind,
 ) -> tuple[Finding, ...]:
-    """Return the findings about the estimated error of an axis (``travel`` None: endless axis)."""
+    """Return the findings about the estimated error of an axis (``travel`` None: endless axis).
+    ``shown``: those of the known ``periods`` that the targets can show.
+    """
     unit = kind.unit
     found: list[Finding] = []
     if not cells.bidirectional:

@@ -36,12 +36,11 @@ def factor_and_solve(
     matrix: FloatArray, values: FloatArray, largest: float
 ) -> tuple[FloatArray, FloatArray]:
     """Return the Cholesky factor L (n, n) of a symmetric ``matrix`` (n, n), and inverse(L)
-    ``values`` (n,).
+    ``values`` (n,). ``largest``: an upper bound of values' inverse(matrix) values.
 
     Both come from one factorisation: ``values`` are appended to the matrix as its last row and
-    column (Golub and Van Loan 2013, section 4.2.5). ``largest``: upper bound of values'
-    inverse(matrix) values. A matrix that is singular by rounding is treated as in
-    `cholesky_factor`.
+    column (Golub and Van Loan 2013, section 4.2.5). A matrix that is singular by rounding is
+    treated as in `cholesky_factor`.
     """
     size = values.size
     bordered = np.empty((size + 1, size + 1))

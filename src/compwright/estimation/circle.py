@@ -324,8 +324,8 @@ def _start_fit(samples: CircleSamples, grid: AngleGrid) -> tuple[_CircleStart, L
 
 
 def _likeliest(problem: CircleProblem, *starts: _CircleStart) -> _CircleStart:
-    """Return the most probable of several fits of a circular test. Some fits start from assumed
-    levels of white noise, the others from the spike shapes and the noise of the fits ``starts``.
+    """Return the most probable fit of a circular test. Several fits are tried: from assumed levels
+    of white noise, and from the spike shapes and the noise of each of the given fits ``starts``.
 
     Shapes that are changed one at a time end in the nearest optimum. Noise may take the place of a
     spike, or a spike the place of noise.
@@ -341,7 +341,7 @@ def _likeliest(problem: CircleProblem, *starts: _CircleStart) -> _CircleStart:
 
 def _solution(start: _CircleStart, given: dict[str, float]) -> Solution:
     """Return the full solution of a circular test: noise, reversal spikes, cyclic errors and
-    vibration.
+    vibration. ``given``: known frequencies of cyclic errors, 1/mm, by axis.
     """
     frequencies = dict(given)
     for axis, frequency in given.items():

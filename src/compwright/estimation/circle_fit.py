@@ -101,7 +101,7 @@ class CircleProblem:
     mixture: FloatArray
 
     def spiked(self, right: FloatArray) -> FloatArray:
-        """Return ``right`` with columns of all spike shapes, not of the curves common to them."""
+        """Return ``right`` with one column per spike shape instead of those of common curves."""
         count, (curves, shapes) = len(self.names), self.mixture.shape
         if not shapes:
             return right
@@ -109,7 +109,7 @@ class CircleProblem:
         return np.concatenate([right[..., :count], mixed.reshape(*right.shape[:-1], -1)], axis=-1)
 
     def rows_of(self, active: IndexArray) -> tuple[FloatArray, ...]:
-        """Return the matrices (size, a) of sum and difference, with the ``active`` columns only."""
+        """Return matrices (size, a) of sum and difference of samples, only ``active`` columns."""
         count, (curves, shapes) = len(self.names), self.mixture.shape
         found = tuple(np.empty((half.shape[0], active.size)) for half in self.rows)
         for index, column in enumerate(active.tolist()):
@@ -124,7 +124,7 @@ class CircleProblem:
         return found
 
     def spike_curve(self, sizes: FloatArray) -> FloatArray:
-        """Return the deviation of the samples, mm (n,), by spikes of these ``sizes`` (r, m)."""
+        """Return the samples' deviation, mm (n,), by spikes of ``sizes`` (reversals, shapes)."""
         curve: FloatArray = self.spikes @ (sizes @ self.mixture.T).ravel()
         return curve
 
@@ -214,7 +214,7 @@ def _common_curves(shapes: FloatArray) -> tuple[FloatArray, FloatArray]:
 def _linear(
     samples: CircleSamples, fixed: Sequence[CauseColumn]
 ) -> tuple[tuple[FloatArray, FloatArray], FloatArray, dict[str, float]]:
-    """Return the equations of a circular test after linearisation about a first fit.
+    """Return the equations of a circular test, linearised about a first fit of ``fixed`` causes.
 
     Direction of the bar (x and y, each (n,)), linearised readings (n,) mm, and values of that fit.
     """

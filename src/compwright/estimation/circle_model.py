@@ -120,7 +120,9 @@ class CircleSamples:
         return inside[0], inside[1]
 
     def only_end(self, axis: str) -> float | None:
-        """Return the end of an axis, +1 or -1, if the arc contains the reversal point of one."""
+        """Return the end of an axis, +1 or -1, whose reversal point the arc contains; None if it
+        contains both or none.
+        """
         positive, negative = self.reversals(axis)
         return None if positive == negative else float(positive) - float(negative)
 
@@ -344,7 +346,8 @@ def spike_columns(
 
 
 def lag_column(samples: CircleSamples, known: Mapping[str, float]) -> CauseColumn:
-    """Return the effect (n,) of the uncertainty ``lag_std`` of the delay on the deviations, mm.
+    """Return the effect (n,), mm, that an uncertainty ``lag_std`` of the delay has on the
+    deviations. ``known``: sizes of causes from a first fit, by name.
 
     It is the slope of the ``known`` smooth causes against the motion (derivatives by θ of the table
     in the module; ISO 230-4:1996, annex B), without the effect on the centre. Straightness counts
@@ -373,8 +376,9 @@ def cyclic_columns(
     amplitudes: tuple[float, float],
     late: float = 0.0,
 ) -> tuple[CauseColumn, ...]:
-    """Return the model columns for an axis' cyclic error of ``frequency`` 1/mm: its cosine, its
-    sine, and further columns for small changes of this error.
+    """Return the model columns for an axis' cyclic error of ``frequency`` 1/mm and ``amplitudes``
+    (µm, of cosine and sine): its cosine, its sine, and columns for small changes of its frequency,
+    delay and attenuation. ``late``: delay of the axis, mm.
 
     ISO 230-4:1996, B.2.3. Cosine and sine: a cos(2πfx) - b sin(2πfx) at ``amplitudes`` (a, b) µm.
     Changes: of the frequency, per 1/mm; of a delay of the axis, per mm at full speed (``late``: in

@@ -189,8 +189,9 @@ def _tried(size: int) -> tuple[IndexArray, FloatArray, FloatArray, FloatArray]:
 
 @cache
 def _mixtures(lengths: int) -> tuple[FloatArray, FloatArray]:
-    """Return the m mixtures of correlated and white noise to try. For each mixture: the ratios of
-    the 2 l correlated noises to white noise (m, 2 l), and the log prior probability (m,).
+    """Return the m mixtures of white noise and correlated noises to try, from 2 l correlated noises
+    (l = ``lengths``). For each mixture: the ratio of each correlated noise to white noise (m, 2 l),
+    and the log prior probability (m,).
 
     Two noises: a part of the path that no cause explains has a spectrum of its own, and one noise
     fitted to both would be too weak at the low orders, which the causes leave hardly any residual.

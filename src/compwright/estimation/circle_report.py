@@ -180,7 +180,7 @@ def _causes(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause]:
 def _linear(
     solution: Solution, name: str, parts: Mapping[str, float], *, detail: bool = False
 ) -> _ReportedCause:
-    """Return a reported cause that is the sum of fitted causes, with the weights in ``parts``."""
+    """Return the reported cause ``name``: a sum of fitted causes with the weights in ``parts``."""
     gradient = np.zeros(len(solution.problem.names))
     for part, weight in parts.items():
         gradient[solution.problem.names.index(part)] = weight
@@ -404,7 +404,7 @@ def _cyclic(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
 def _amplitude(
     solution: Solution, parts: list[str], runs: int
 ) -> tuple[float, FloatArray, FloatArray]:
-    """Return an amplitude (the root of the sum of squares of its ``parts``, corrected for noise),
+    """Return an amplitude over ``runs`` runs (root sum of squares of ``parts``, noise removed),
     random draws of this amplitude, and its radial deviations.
     """
     index = np.array([solution.problem.names.index(part) for part in parts])
@@ -425,7 +425,7 @@ def _stated(
     *,
     detail: bool,
 ) -> _ReportedCause:
-    """Return a cause with value and standard error ``found``, or for None with the ``reason``."""
+    """Return a cause with the value and standard error ``found`` or, if None, with a ``reason``."""
     value, error = found or (0.0, 0.0)
     return _ReportedCause(
         name=name,

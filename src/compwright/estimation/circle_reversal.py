@@ -73,7 +73,7 @@ class SpikeShapes:
         self.adopt(problem)
 
     def adopt(self, problem: CircleProblem) -> None:
-        """Apply these spike shapes to the equations ``problem``, whose columns can be different."""
+        """Use these shapes in the equations ``problem``, whose columns have other numbers."""
         self.reversals = problem.reversals
         self._kinds = [_kinds_of(reversal) for reversal in problem.reversals]
         self.precision = problem.widths**-2.0
@@ -89,7 +89,7 @@ class SpikeShapes:
         return self._columns[reversal, slot]
 
     def at(self, place: tuple[int, int] | str) -> tuple[object, ...]:
-        """Return columns and size of a shape, or (for a name) whether this rare cause exists."""
+        """Return columns and size of the shape at ``place``, or if a rare cause is in the model."""
         if isinstance(place, str):
             return (self.present[place],)
         return *self._columns[place], self.size[place]
@@ -97,7 +97,9 @@ class SpikeShapes:
     def put(
         self, reversal: int, slot: int, place: int, *, unlike: bool = False, size: int = 0
     ) -> None:
-        """Put the shape with index ``place`` (-1: none) in this ``slot`` of a reversal point."""
+        """Put the shape with index ``place`` (-1: none) in this ``slot`` of a reversal point;
+        ``unlike``: it differs by direction; ``size``: index of its prior standard deviation.
+        """
         self.place[reversal, slot] = place
         if place >= 0:
             self.unlike[reversal, slot], self.size[reversal, slot] = unlike, size
@@ -112,7 +114,7 @@ class SpikeShapes:
         self.precision[found] = _SIZES[self.size[reversal, slot]] ** -2.0
 
     def chosen(self, but: tuple[int, int] | str | None = None) -> IndexArray:
-        """Return the columns of all spikes and rare causes in the model except that at ``but``."""
+        """Return the columns of all spikes and rare causes in the model, except that of ``but``."""
         rare = [column for name, column in self.rare.items() if self.present[name] and name != but]
         found = [
             column
@@ -230,9 +232,7 @@ class _Tried:
 
 
 def _odds(marginal: MarginalEquations, shapes: SpikeShapes, name: str) -> tuple[float, float]:
-    """Return the log odds that a rare cause exists, and the standard error of its size if it
-    exists.
-    """
+    """Return log odds that the rare cause ``name`` exists, and the standard error of its size."""
     tried = _Tried(marginal, np.array([shapes.rare[name]]))
     rest, found, _ = tried.added(marginal, shapes, shapes.chosen(name))
     prior = shapes.precision[shapes.rare[name]]
@@ -306,7 +306,7 @@ class CircleDraws:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SpikeDraws:
-    """Random draws (d,) of the spikes at one reversal point: heights, depths and lengths.
+    """Random draws (d,) of the spikes at one reversal point: peak heights, depths and lengths.
 
     Per direction (s = 2: ccw, cw; s = 1: both alike), µm: ``heights`` (d, s), outward peak above
     the lost motion; ``depths`` (d, s), largest inward deviation; ``extrapolated`` (d, s), the
@@ -416,12 +416,11 @@ def _least_error(
 
 def of_the_spike(taken: FloatArray, spike: FloatArray, lost: FloatArray) -> FloatArray:
     """Return the part of the gradual take-up ``taken`` (d, s), um, that counts as reversal spike
-    and not as lost motion.
+    and not as lost motion. ``spike``, ``lost``: sizes of reversal spike and lost motion.
 
     Inward, an axis stands still until it has passed its lost motion (size of ``lost``, no step
     then) or until its drive overcomes the friction (size of ``spike`` at the reversal, whose edge
-    rises with the command). It is assigned to the nearer of the two sizes; outward, it always
-    belongs to the spike.
+    rises with the command). The nearer size decides; outward, it always belongs to the spike.
     """
     friction = np.abs(taken + spike) < np.abs(taken + lost)
     return np.where((taken > 0.0) | friction, taken, 0.0)

@@ -19,8 +19,8 @@ from compwright.records.axis import FloatArray
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DatumColumns:
-    """Columns ``columns`` (c, e) of the model's matrix, each for the offset or the slope of a
-    single test of an axis.
+    """Columns ``columns`` (readings, e) of the model's matrix. Each of the e columns is for the
+    offset or the slope of a single test of an axis.
 
     ``stds`` (e,): the standard deviations of their weights, in units of the scale. ``slopes``: by
     test, the column of its own slope, None where it has none.
@@ -37,8 +37,8 @@ def datum_columns(
     targets: FloatArray,
     scale: float,
 ) -> DatumColumns:
-    """Return the matrix columns for the offset of each further test, and for the slope of each test
-    whose slope is uncertain.
+    """Return the columns of the model's matrix for the offset of each test after the first, and for
+    the slope of each test that has an uncertain slope (``slope_std`` above 0).
 
     Each test but the first has a datum; the first one's is that of the error. Each test whose slope
     is uncertain has a slope about the middle of the ``targets`` (m,) of all, 1 at their ends.

@@ -288,9 +288,10 @@ class Evidence:
     def _marginal(
         self, h: FloatArray, draw: int | None, *, derivatives: bool
     ) -> tuple[_Scaled, _Marginal, float]:
-        """Return the scaled model, the log density of the mean readings, and the log density of all
-        readings (means and scatter). The covariance of the mean readings is used if they are fewer
-        than the weights and the noise is large enough, else the covariance of the weights.
+        """Return the scaled model, the log density of the mean readings (with terms of its
+        derivatives if ``derivatives``), and the log density of all readings, means and scatter. The
+        covariance of the mean readings is used if they are fewer than the weights and the noise is
+        large enough, else the covariance of the weights.
         """
         scaled = self._scaled(h, draw)
         cells, weights = scaled.rows.shape
@@ -361,7 +362,9 @@ _NONE: Final = np.zeros(0)
 
 
 def _by_cells(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
-    """Return the log density of the mean readings from their covariance matrix (c, c)."""
+    """Return the log density of the mean readings, computed from their covariance matrix (c, c),
+    with terms of its derivatives if ``derivatives``.
+    """
     data, y = scaled.data, scaled.values
     covariance = scaled.rows @ scaled.rows.T
     covariance.reshape(-1)[scaled.together] += scaled.local
@@ -384,7 +387,8 @@ def _by_cells(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
 
 
 def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
-    """Return the log density of the mean readings from the covariance matrix (j, j) of the weights.
+    """Return the log density of the mean readings, computed from the covariance matrix (j, j) of
+    the j weights of the functions, with terms of its derivatives if ``derivatives``.
 
     The covariance of the cells is noise, local part and a sum of low rank (Rasmussen and Williams
     2006, eq. A.9 and A.10).
@@ -418,9 +422,10 @@ def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
 
 
 def _normal(scaled: _Scaled, weighted: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the precision matrix (j, j) and right side (j,) of the weights' normal equations.
+    """Return the precision matrix (j, j) and right side (j,) of the normal equations for the
+    weights. ``weighted``: the model matrix times the inverse covariance of noise and local part.
 
-    Weights of unit variance; ``weighted``: the rows times the inverse of noise + local part.
+    Weights of unit variance.
     """
     matrix = scaled.rows.T @ weighted
     matrix.flat[:: matrix.shape[0] + 1] += 1.0

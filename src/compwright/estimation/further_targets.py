@@ -89,8 +89,8 @@ def _places(targets: FloatArray, periods: FloatArray) -> FloatArray:
 
 @dataclass(slots=True)
 class _Design:
-    """The choice of further targets: the candidates, and how much the targets so far tell about
-    each possible period of the error.
+    """A choice of further targets: the candidate positions, and the information that the readings
+    at the present and the added targets give about each possible period of the error.
 
     ``places`` (c,): candidate targets. Given the readings so far: ``covariance`` (c, c) of the
     error at ``places``, ``waves`` (c, 2 p) of the p periods there. ``gram`` (2 p, 2 p): information
@@ -115,8 +115,8 @@ class _Design:
         periods: FloatArray,
         shares: FloatArray,
     ) -> _Design:
-        """Return the design before any target is added, with the information of the readings so
-        far.
+        """Return the choice before any target is added, with the information of the readings so
+        far. ``shares``: probability of each of the possible ``periods``.
         """
         bidirectional = bidirectional_means(posterior.cells, endless=False)
         m, every = bidirectional.targets.size, np.concatenate([bidirectional.targets, places])
@@ -174,11 +174,10 @@ class _Design:
         return best
 
     def _information(self, gram: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the information that separates the wave of each period from the wave of each other
-        period and, in the last column, from no wave. Three arrays (..., p, p + 1): about the
-        cosine, about both together (cross term), and about the sine.
-
-        ``gram`` (..., 2 p, 2 p) about each period (cosine, both, sine).
+        """Return the information, from the matrix ``gram`` (..., 2 p, 2 p), that separates the wave
+        of each period from the wave of each other period and, in the last column, from no wave.
+        Three arrays (..., p, p + 1): about the cosine, about both together (cross term), and about
+        the sine.
         """
         p = len(self.pairs)
         (cc, cs), (sc, ss) = (

@@ -164,7 +164,7 @@ class HiddenPeriods:
 
     @property
     def probability(self) -> float:
-        """The probability that the error has one of these periods."""
+        """The probability that the error has a period that the readings cannot show."""
         return sum(each.probability for each in self.hypotheses)
 
     @property
@@ -232,7 +232,8 @@ class _ExpectedPeriods:
         self, likelihood: PeriodLikelihood, odds: PeriodOdds
     ) -> tuple[FloatArray, FloatArray]:
         """Return possible periods (p,), mm or deg, and for each the log odds (p,) that the error
-        has this period against no period.
+        has this period against no period. ``odds``: prior probabilities of no period and of the
+        usual periods.
 
         The usual ones, and some that stand for all others, drawn where the readings speak for a
         wave and anywhere (defensive importance sampling: Hesterberg, Technometrics 37, 1995).
@@ -283,9 +284,9 @@ def _hypotheses(
     present: tuple[float, ...],
     expected: _ExpectedPeriods,
 ) -> WaveHypotheses:
-    """Return the possible waves of one ``expected`` period in addition to the periods ``present``.
-
-    ``part``: the probability of the model.
+    """Return the possible waves with one of the ``expected`` periods, in addition to the periods
+    ``present`` of a model whose probability is ``part``. ``odds``: prior probabilities of no period
+    and of the usual periods.
     """
     room = bidirectional.targets.size - LEFT - bidirectional.free.shape[1]
     curve = CurveColumns(basis, bidirectional.targets, present[: max(room // 4, 0)])
@@ -339,8 +340,9 @@ def _hypotheses(
 def _gains(
     gram: Mapping[tuple[int, int], FloatArray], moment: Sequence[FloatArray], variance: FloatArray
 ) -> FloatArray:
-    """Return the log likelihood gain (a, n, p) by a wave with one harmonic, for each ``variance``
-    (a, 1, p) of its amplitude and each of n grid points of the parameters.
+    """Return by how much a wave with one harmonic increases the log likelihood (a, n, p), for each
+    ``variance`` (a, 1, p) of its amplitude and each of n grid points of the parameters. ``gram``
+    and ``moment``: matrix and right side of its normal equations.
     """
     step = max(1, CHUNK // variance.size)
     parts = [
@@ -381,8 +383,9 @@ class _SmoothFit:
     curve: CurveColumns
 
     def followed(self, node: int, period: float | None = None) -> tuple[FloatArray, FloatArray]:
-        """Return the fitted coefficients (j,), mm or deg, and how much they change (j, 2) if a wave
-        of unit cosine or sine is subtracted from the readings.
+        """Return the coefficients (j,), mm or deg, fitted at the grid point ``node``, and their
+        change (j, 2) if the cosine or the sine of a ``period`` (amplitude 1) is subtracted from the
+        readings.
         """
         likelihood, basis = self.likelihood, self.curve.basis
         place = node

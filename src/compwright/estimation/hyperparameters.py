@@ -47,6 +47,7 @@ def draw_hyperparameters(
     rng: np.random.Generator,
 ) -> HyperparameterDraws:
     """Return equally likely draws (draws, h) of the parameters of a model, and its log evidence.
+    Both are computed from about ``proposals`` random points near the most probable parameters.
 
     Both come from importance sampling (Geweke, Econometrica 57, 1989): ``proposals`` points where
     the posterior has one peak, half as many again for every other. ``starts``: those of

@@ -169,8 +169,8 @@ def _windows(m: int, *, endless: bool) -> list[tuple[int, int, range]]:
 
 
 def _jump(step: FoundStep, low: float, high: float, turn: float | None, end: float | None) -> Jump:
-    """Return a found step as a `Jump`. If the step is before the last target, that target can
-    equally be an outlier.
+    """Return a found step between the targets ``low`` and ``high`` as a `Jump`. If one of these is
+    the first or last target (``end``), that target can equally be an outlier.
     """
     size, std, odds = round(step.size, 9), round(step.std, 9), step.odds
     if end is None:

@@ -44,7 +44,8 @@ def log_likelihood(
     shape: ScaledCurve | None = None,
 ) -> float:
     """Return the log likelihood of the mean readings of a test (mm or deg), up to a constant.
-    Raises InputError for readings at fewer than two targets.
+    ``shape``: a curve that the error contains, times an unknown factor. Raises InputError for
+    readings at fewer than two targets.
 
     The constant depends only on targets and counts.
     """

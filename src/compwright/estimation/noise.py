@@ -131,11 +131,11 @@ def _as_shown(sigma: FloatArray, step: float) -> FloatArray:
 def _repeated(
     draws: Sequence[NoiseState], readings: CellReadings, every: CellReadings
 ) -> FloatArray:
-    """Return the standard deviations (count, 2) of offset and tilt of the traverses if the test is
-    repeated.
+    """Return the standard deviations (count, 2) of offset and tilt of the traverses if a test with
+    the readings ``every`` is repeated; its ``draws`` come from the ``readings`` of some of its
+    runs.
 
-    ``every``: all runs of this test, ``readings``: those used. The step of a random walk is per
-    run.
+    The step of a random walk is per run.
     """
     sizes = np.array([draw.again for draw in draws])
     sizes[[draw.pattern == WALK for draw in draws]] *= np.sqrt(readings.runs / every.runs)
@@ -149,10 +149,8 @@ def _noise(
     sigma: FloatArray,
     sizes: FloatArray,
 ) -> NoiseDraws:
-    """Return the ``draws`` of the sampler as one record `NoiseDraws`.
-
-    ``sigma`` (count,): scales of the errors; ``members`` (count,): their distributions, as indices
-    in `TAILS`; ``sizes`` (count, 2): offset and tilt of the traverses.
+    """Return the ``draws`` of the sampler as one record `NoiseDraws`. ``members``: the error
+    distribution of each draw; ``sigma``: its scale; ``sizes``: offset and tilt of the traverses.
     """
     tails = [TAILS[member] for member in members]
     spread = np.array([draw.spread for draw in draws])

@@ -42,14 +42,14 @@ class CellMeans:
 def cell_means(
     draw: NoiseState, readings: CellReadings, shapes: FloatArray, step: float
 ) -> CellMeans:
-    """Return the mean readings and their precisions under one draw of the noise.
+    """Return the mean readings and their precisions under one ``draw`` of the noise. ``shapes``:
+    patterns of the scatter along the travel; ``step``: resolution of the instrument, mm or deg.
 
     Flat prior on the means; shifts of traverses are normal effects (Searle, Casella and McCulloch,
     Variance Components, 1992, section 7.4). Heavy tails and outliers are integrated out,
     independent of which readings the sampler classified as outliers (Rao-Blackwell: Gelfand and
-    Smith, J. Am. Stat. Assoc. 85, 1990). ``shapes``: patterns of the scatter along the travel.
-    ``step``: resolution of the instrument, mm or deg, 0 where it is negligible; the mean of rounded
-    readings keeps an error that repetition does not reduce.
+    Smith, J. Am. Stat. Assoc. 85, 1990). ``step``: resolution of the instrument, mm or deg, 0 where
+    it is negligible; the mean of rounded readings keeps an error that repetition does not reduce.
     """
     data = draw.data
     there = data.weights > 0.0
@@ -83,11 +83,11 @@ def means_of_all_runs(
     readings: CellReadings,
     every: CellReadings,
 ) -> CellMeans:
-    """Return the means of all runs under a noise that was inferred from only some of the runs.
+    """Return the means of ``every`` run under a noise that was inferred from the ``readings`` of
+    only some runs.
 
-    ``readings``: those runs; ``every``: all readings. The variances of the means decrease with the
-    number of readings. The shifts of the runs that the inference left out are unknown and remain a
-    common error of the means.
+    The variances of the means decrease with the number of readings. The shifts of the runs that the
+    inference left out are unknown and remain a common error of the means.
     """
     there = np.any(every.there, axis=1)
     count = np.maximum(np.sum(every.there, axis=1), 1)
@@ -108,8 +108,9 @@ def means_of_all_runs(
 def cell_locations(
     tail: Tail, values: FloatArray, there: NDArray[np.bool_], scale: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return mean and variance (c,) of the expected reading at each target and direction.
-    `_located` computes them in parts, to save memory.
+    """Return mean and variance (c,) of the expected reading at each target and direction, from
+    readings ``values`` (c, n) marked as existing in ``there``, whose errors are distributed as
+    ``tail`` times ``scale``. `_located` computes them in parts, to save memory.
     """
     at_once = max(1, _AT_ONCE // (min(_ABOUT, values.shape[1]) * _AWAY.size * values.shape[1]))
     parts = [
@@ -122,12 +123,11 @@ def cell_locations(
 def _located(
     tail: Tail, values: FloatArray, there: NDArray[np.bool_], scale: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return mean and variance (c,) of the expected reading at each target and direction, from the
-    readings ``values`` (c, n).
+    """Return mean and variance (c,) of the expected reading at each target and direction, from
+    readings ``values`` (c, n) marked as existing in ``there``, whose errors are distributed as
+    ``tail`` times ``scale``.
 
-    ``there`` (c, n): which readings exist. Their errors follow the distribution ``tail`` times
-    ``scale`` (c,). Flat prior; integrated by the trapezoidal rule over positions around the
-    readings.
+    Flat prior; integrated by the trapezoidal rule over positions around the readings.
     """
     known = np.sort(np.where(there, values, np.inf), axis=1)
     last = np.count_nonzero(there, axis=1) - 1

@@ -146,8 +146,8 @@ class GibbsChain:
         return max(scale, 0.3 * spread, self.floor), rest
 
     def sweep(self) -> NoiseState:
-        """Draw every part of the noise once. Return the state with the parts on which the last
-        step, the draw of the means, is based.
+        """Draw every part of the noise once. Return the parts that were used in the last step,
+        which draws the means.
         """
         rng, there = self.rng, self.readings.there
         scale = np.exp(self.spread @ self.shapes)[:, np.newaxis]
@@ -204,8 +204,8 @@ class GibbsChain:
     def _as_read(
         self, data: ReducedReadings, weights: FloatArray, shift: FloatArray
     ) -> ReducedReadings:
-        """Return ``data`` with the means of the readings as displayed, not of the unrounded
-        readings drawn for them.
+        """Return ``data`` with means of the displayed (rounded) readings instead of the unrounded
+        values drawn for them.
 
         The unrounded values are random draws and would change the mean of their target at random.
         """
@@ -230,11 +230,11 @@ class GibbsChain:
         return self.reduced[2]
 
     def _draw_readings(self, values: FloatArray, moved: FloatArray) -> None:
-        """Draw the error distribution of single readings: its scale, type and variation over the
-        travel, the means at the targets, and the weights of the readings.
+        """Draw the error distribution of single readings ``values`` (c, n), less the shifts
+        ``moved`` (c, n) of traverses: its scale, type and variation over the travel, the means at
+        the targets, and the weights of the readings.
 
-        ``values`` (c, n): readings without the shifts of outliers; ``moved`` (c, n): the shifts of
-        traverses.
+        ``values`` (c, n): readings without the shifts of outliers.
         """
         squares = self._about_means(values - moved)[1]
         self.absent_spread = draw_spread(
@@ -276,11 +276,11 @@ class GibbsChain:
 
     def _take_tail(self, z: FloatArray) -> None:
         """Draw the type and the scale of the error distribution, then the weight of each reading.
+        ``z`` (c, n): errors of the readings, divided by the present scale.
 
-        ``z`` (c, n): errors in units of the present scale. The offsets of traverses keep their size
-        in mm or deg. Equally likely alternatives are drawn from the same distribution (systematic
-        sampling: Cochran, Sampling Techniques, 3rd ed. 1977, chapter 8) and stored, because the
-        distribution varies most from sweep to sweep.
+        The offsets of traverses keep their size in mm or deg. Equally likely alternatives are drawn
+        from the same distribution (systematic sampling: Cochran, Sampling Techniques, 3rd ed. 1977,
+        chapter 8) and stored, because the distribution varies most from sweep to sweep.
         """
         factors = _FACTORS * np.exp(self.rng.uniform(-0.5, 0.5) * _STEP)
         chances = tail_probabilities(z[self.counted], factors)

@@ -113,7 +113,8 @@ class Patterns:
         self, sizes: Sizes, effects: FloatArray, variance: float, share: float, made: BoolArray
     ) -> FloatArray:
         """Return the standard deviations (2,) of traverse offset and tilt, mm or deg: the drawn
-        standard deviations, or the rms of the existing offsets and tilts if that is larger.
+        standard deviations or, if that is larger, the rms of the offsets and tilts ``effects`` (k,)
+        of the measured traverses (marked in ``made``).
 
         One is the present ``sizes`` times the standard deviation of a reading (root of
         ``variance``). The other is the rms of the ``effects`` (k,) of the existing traverses
@@ -139,8 +140,8 @@ class Patterns:
         return found
 
     def columns(self, rate: int) -> FloatArray:
-        """Return the effect (k, 2) of drift and of tilt drift, from first to last run, on the
-        traverses.
+        """Return the effect (k, 2) of a drift and of a tilt drift on the traverses, for the rate
+        with index ``rate`` at which the drift fades.
         """
         return np.column_stack([self.drift[rate], self.drift_tilt[rate]])
 
@@ -178,11 +179,9 @@ def build_patterns(readings: CellReadings, cycle: Cycle, runs: tuple[int, int]) 
 
 
 def _moves(order: FloatArray, middle: int) -> FloatArray:
-    """Return the effect of each unit shift on each traverse for three patterns, (3, 2n, 2n):
-    independent shifts of traverses, shifts of runs, and steps of a random walk.
-
-    ``order`` (2, n): place of each traverse in time. A random walk is zero at the ``middle`` of the
-    test, as in the record of the noise.
+    """Return the effect of each unit shift on each traverse for three patterns, (3, 2n, 2n): shifts
+    of single traverses, shifts of whole runs, and steps of a random walk over the traverses in the
+    time ``order`` (2, n), which is zero at ``middle``.
     """
     n = order.shape[1]
     runs = np.zeros((2 * n, 2 * n))
@@ -195,7 +194,7 @@ def _moves(order: FloatArray, middle: int) -> FloatArray:
 
 def _drifts(runs: int, *, returns: bool) -> tuple[FloatArray, FloatArray]:
     """Return the effects of a unit drift and a unit tilt drift on the traverses, each (rates, 4
-    runs).
+    runs). ``returns``: each run measures both directions.
     """
     way = progress(runs, RATES)
     way = way - way.mean(axis=1, keepdims=True)

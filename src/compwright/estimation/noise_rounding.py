@@ -169,8 +169,7 @@ def initial_unrounded(
     readings: CellReadings, step: float, seen: float, rng: np.random.Generator
 ) -> FloatArray:
     """Return a first guess of the readings (c, n) before the instrument rounded them to ``step``.
-
-    Their scatter at a target is such that rounding makes it the observed scatter ``seen``.
+    After rounding, the guessed values have the observed scatter ``seen``.
     """
     sizes = step * np.geomspace(_QUIET, 1.0, _TRIED)
     scatter = np.array([rounded_std(float(size), step) for size in sizes])
@@ -197,7 +196,8 @@ def draw_unrounded(
     rng: np.random.Generator,
 ) -> FloatArray:
     """Draw the readings (c, n) before they were rounded to ``step``, each within half a step of its
-    displayed value.
+    displayed value, from normal distributions with means ``middle`` and standard deviations
+    ``scale``.
 
     Normal about ``middle`` with ``scale`` (c, n) (Heitjan and Rubin, J. Am. Stat. Assoc. 85, 1990).
     """

@@ -47,7 +47,8 @@ def draw_spread(
     dof: FloatArray,
     rng: np.random.Generator,
 ) -> FloatArray:
-    """Draw the sizes ``spread`` (parts,) of the patterns of scatter along the travel.
+    """Draw the sizes ``spread`` (parts,) of the patterns of scatter along the travel, from the sums
+    of squares ``squares`` (c,) with ``dof`` (c,) degrees of freedom.
 
     Also returns the probability that each is zero. Each coefficient is drawn given the others, from
     ``squares`` (c,): sums of squares about the means of targets, with ``dof`` (c,). ``powers``:

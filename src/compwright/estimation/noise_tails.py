@@ -75,10 +75,8 @@ class Tail:
         return together
 
     def log_parts(self, z: FloatArray) -> FloatArray:
-        """Return log share plus log density at ``z`` of low outliers, high outliers and normal
-        readings, (3, ...).
-
-        Outlier to the lower side, outlier to the upper side, no outlier.
+        """Return log(proportion) + log(probability density at ``z``) for low outliers, high
+        outliers and normal readings, as an array (3, ...).
         """
         usual = -0.5 * (z / self.core) ** 2 - 0.5 * log(2.0 * pi) - log(self.core)
         rest = log(1.0 - self.share) if self.share < 1.0 else -inf
@@ -111,8 +109,9 @@ class Tail:
 
 
 def _outliers(kind: float, sizes: tuple[float, ...], *, fixed: bool) -> Iterator[Tail]:
-    """Yield distributions with outliers of several shares and sizes, whose prior probabilities sum
-    to ``kind``.
+    """Yield distributions with outliers of several proportions and ``sizes``. Their prior
+    probabilities sum to ``kind``; ``fixed``: the outliers of a distribution are all shifted by the
+    same size.
     """
     usual = np.exp(-0.5 * (np.log(np.array(sizes) / _USUAL_SIZE) / _SIZE_WIDTH) ** 2)
     usual *= kind / (len(_SHARES) * np.sum(usual))
@@ -179,7 +178,8 @@ class Latent:
 
 
 def tail_probabilities(z: FloatArray, factors: FloatArray) -> FloatArray:
-    """Return the posterior probability (tails, f) of each error distribution and each scale factor.
+    """Return the posterior probability (tails, f) of each error distribution and each scale factor,
+    from the errors ``z`` (k,) divided by the present scale.
 
     ``z`` (k,): errors divided by the present scale (prior 1/sigma: Gelman et al. 2013, section
     3.2).

@@ -195,7 +195,8 @@ class ReducedTraverses:
         forms: FloatArray,
         rng: np.random.Generator,
     ) -> int:
-        """Draw size and pattern of one ``kind`` of traverse shift; return the pattern.
+        """Draw size and pattern of one ``kind`` of traverse shift; return the pattern. ``forms``:
+        prior probability of each pattern.
 
         The grid is shifted at random, so that sizes are continuous.
         """

@@ -211,8 +211,8 @@ class _ShownLikelihood:
     near: float
 
     def odds(self, frequencies: FloatArray, choice: NodeChoice) -> tuple[FloatArray, FloatArray]:
-        """Return two arrays of log odds (f,): of a wave with one harmonic, and of a wave with two.
-        Excluded frequencies have -inf.
+        """Return two arrays of log odds (f,): of a wave with one harmonic, and of a wave with two,
+        averaged over the grid points in ``choice``. Excluded frequencies have -inf.
         """
         one, both = self.likelihood.log_odds(frequencies, choice)
         one = np.where(self._silent(frequencies), -np.inf, one)
@@ -235,8 +235,8 @@ class _ShownLikelihood:
 def _peaks(
     where: FloatArray, logs: FloatArray, window: SpectralWindow, resolution: float
 ) -> list[tuple[float, IntArray]]:
-    """Return the highest peaks of the log odds, each with the indices of the frequencies that the
-    targets confuse with it.
+    """Return the highest peaks of the log odds ``logs`` at the frequencies ``where``, each with the
+    indices of the frequencies that the targets confuse with it.
     """
     left, rounded = np.ones(where.size, dtype=bool), np.round(logs, 6)
     floor = max(0.0, float(np.max(rounded))) - _WORTH

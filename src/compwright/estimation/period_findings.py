@@ -125,7 +125,7 @@ def _left_out(known: Sequence[float], fitted: Sequence[float], unit: str) -> lis
 
 def _of_nodes(period: float, nodes: Sequence[float]) -> float | None:
     """Return the interval of an active compensation table with points ``nodes`` if ``period``
-    equals it.
+    equals this interval, else None.
     """
     spacing = float(np.median(np.diff(nodes))) if len(nodes) > 2 else 0.0
     if abs(period - spacing) > _AS_SPACED * period:

@@ -191,8 +191,9 @@ class PeriodLikelihood:
     def log_odds(
         self, frequencies: FloatArray, choice: NodeChoice | None = None, *, harmonics: int = 2
     ) -> tuple[FloatArray, ...]:
-        """Return the log likelihood ratios (f,) of a wave against no wave at each of the
-        ``frequencies`` (1 / mm or 1 / deg), first with one harmonic, then with two.
+        """Return the log likelihood ratios of a wave against no wave at each of the ``frequencies``
+        (1 / mm or 1 / deg): one array (f,) for a wave with one harmonic, and a second for a wave
+        with two.
 
         ``choice``: only these grid points, with and without a wave; ``harmonics``: 1 for the ratios
         with one harmonic alone.
@@ -342,7 +343,9 @@ class PeriodLikelihood:
 def log_gains(
     gram: Mapping[tuple[int, int], FloatArray], moment: Sequence[FloatArray], variance: FloatArray
 ) -> list[FloatArray]:
-    """Return the log likelihood gain of a wave with one harmonic, with two, and so on.
+    """Return arrays of how much a wave increases the log likelihood: with one harmonic, with two,
+    and so on. ``gram`` and ``moment``: matrix and right side of its normal equations; ``variance``:
+    prior variance of its amplitude.
 
     b' (G + D^-1)^-1 b / 2 - ln det(I + D G) / 2 elementwise, by elimination without pivoting of I +
     ``variance`` ``gram`` (Golub and Van Loan, Matrix Computations, 4th ed. 2013, algorithm 4.1.2).

@@ -117,10 +117,8 @@ class PeriodSet:
         return PeriodSet((*self.members, member), self.log + member.log)
 
     def less_certain(self, rest: float) -> PeriodSet:
-        """Return the set with its probability increased by that of the set together with a further
-        period that is no candidate.
-
-        ``rest``: logarithm of their probability, relative to no additional period.
+        """Return the set with a probability that also covers further periods which are no
+        candidates. ``rest``: log odds that such a period exists in addition to the set.
         """
         return PeriodSet(self.members, self.log + float(np.logaddexp(0.0, rest)))
 

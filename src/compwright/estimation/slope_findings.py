@@ -49,7 +49,8 @@ def slope_findings(
 
 
 def _minus_first(place: int, cells: Cells, parts: Sequence[MixturePart]) -> tuple[float, float]:
-    """Return the slope of a test minus that of the first test, with its standard error, mm/mm.
+    """Return the slope of the test with index ``place`` minus that of the first test, with its
+    standard error, mm/mm.
 
     Mean and variance of the mixture over all draws (Gelman et al., Bayesian Data Analysis, 3rd ed.
     2013, section 1.8).

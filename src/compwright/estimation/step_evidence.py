@@ -82,7 +82,9 @@ class StepEvidence:
         self._keep(np.concatenate(plain), np.concatenate(products), variances)
 
     def _keep(self, volumes: FloatArray, products: FloatArray, variances: FloatArray) -> None:
-        """Keep only the sizes and lengths of the smooth error that are reasonably probable."""
+        """Keep only the sizes and lengths of the smooth error that are reasonably probable,
+        combined with each of the ``variances`` of steps.
+        """
         plain = volumes - 0.5 * products[:, 0, 0]
         kept = volumes > np.max(plain) - _NEGLIGIBLE
         self.variances = np.tile(variances, int(np.sum(kept)))
@@ -116,10 +118,10 @@ class StepEvidence:
         return round(log, _ROUNDED)
 
     def _best(self, members: tuple[int, ...], allowed: BoolArray) -> tuple[int, ...]:
-        """Return the most probable set of steps and outliers that single changes can reach.
+        """Return the most probable set of steps and outliers that can be reached from ``members``
+        by single changes; only those marked in ``allowed`` (e,) are added.
 
-        ``allowed`` (e,): members that may be added. Each member of a set adds -log `COUNTED` to its
-        log probability.
+        Each member of a set adds -log `COUNTED` to its log probability.
         """
         bonus = -float(np.log(COUNTED))
         score = self._log(members) + bonus * len(members)
@@ -133,7 +135,9 @@ class StepEvidence:
             members, score = move, top
 
     def _more(self, members: tuple[int, ...], allowed: BoolArray) -> tuple[int, ...]:
-        """Return ``members`` with the one or two most probable further steps or outliers."""
+        """Return ``members`` with the one or two most probable further steps or outliers marked in
+        ``allowed``.
+        """
         room = self.most - len(members)
         free = np.flatnonzero(allowed)
         free = free[~np.isin(free, members)]
@@ -197,7 +201,9 @@ class StepEvidence:
 
 
 def _gain(along: FloatArray, own: FloatArray, variances: FloatArray) -> FloatArray:
-    """Return how much one further step or outlier increases the log probability of the means."""
+    """Return how much one further step or outlier of each of the ``variances`` increases the log
+    probability of the means. ``along`` and ``own``: its products with the means and with itself.
+    """
     return np.asarray(0.5 * along**2 / own - 0.5 * np.log(variances * own))
 
 
