@@ -278,8 +278,8 @@ def estimate_axis(
     turn: float | None = None,
 ) -> AxisPosterior:
     """Return the probability distribution of the error of an axis, from its tests in machine
-    coordinates. Periods ``suggested`` are more probable than other periods; ``nodes`` are the points
-    of an active compensation table; ``turn`` is the period of an endless axis.
+    coordinates. Periods ``suggested`` are more probable than other periods; ``nodes`` are the
+    points of an active compensation table; ``turn`` is the period of an endless axis.
 
     ``travel`` (low, high), mm or deg. ``periods``: known periods of the error (screw pitch, scale
     period), mm or deg; ``suggested``: periods that are more probable than others if none is known.
