@@ -48,9 +48,10 @@ class Request:
 
     def is_active(self, switches: Sequence[float | None]) -> bool:
         """Return whether a table is active by ``switches``, the values of the parameters that
-        activate it.
+        activate it (None: not in the files). If one is 0 or None, the job's ``active`` decides, if
+        the job states it.
 
-        None: not in the files; on, unless `active` of the job states otherwise.
+        Without ``active`` a table is active unless a value is 0.
         """
         if self.active is not None and any(switch is None or switch == 0.0 for switch in switches):
             return self.active

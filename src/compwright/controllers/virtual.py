@@ -110,7 +110,8 @@ def virtual_control(
     axes_under_work: Sequence[str] = (),
     axis_number: Mapping[str, int] | None = None,
 ) -> VirtualControl:
-    """Return the virtual control named ``format_id`` with ``files`` loaded.
+    """Return the virtual control named ``format_id`` with ``files`` loaded. The other arguments are
+    facts from the job that the files may lack, such as which tables were active.
 
     By axis address: ``reference_return`` is the direction in which the reference is approached,
     ``encoder`` the active measuring system (1 or 2), ``kinds`` linear or rotary where no file

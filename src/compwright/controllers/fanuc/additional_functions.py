@@ -69,8 +69,8 @@ class InclinedLines:
     amounts: tuple[int, ...]
 
     def at(self, numbers: FloatArray, reference: int) -> FloatArray:
-        """Return the correction at point ``numbers`` (any shape) relative to the reference,
-        detection units.
+        """Return the compensation amount on the lines at the point ``numbers`` (any shape), minus
+        that at the point number ``reference``; in detection units.
         """
         corners = dict(zip(self.points, self.amounts, strict=True))
         here, there = (
@@ -82,7 +82,8 @@ class InclinedLines:
 
 @dataclass(frozen=True, slots=True)
 class Cycle:
-    """The second (cyclic) pitch error table, which repeats in both directions.
+    """The second (cyclic) pitch error table, which repeats along the whole axis, towards + and
+    towards −.
 
     ``totals`` (n + 1,): detection units at the section ends, first and last 0; ``interval``: mm or
     deg.
@@ -92,7 +93,9 @@ class Cycle:
     totals: FloatArray
 
     def pulses(self, positions: FloatArray, *, ramp: bool) -> FloatArray:
-        """Return the correction, detection units, at ``positions`` (mm or deg from reference)."""
+        """Return the correction, detection units, at ``positions`` (mm or deg from reference):
+        linear within a section with ``ramp``, else in one step at the middle of each section.
+        """
         sections = np.mod(positions / self.interval, self.totals.size - 1)
         if ramp:
             return np.asarray(
@@ -105,8 +108,8 @@ class Cycle:
 
 @dataclass(frozen=True, slots=True)
 class Bend:
-    """Straightness compensation: the position of the axis ``moving`` corrects the axis ``bent`` by
-    amounts along ``lines``.
+    """Straightness compensation of one pair of axes: at each position of the axis ``moving``, the
+    axis ``bent`` is corrected by the amount that ``lines`` give.
 
     ``entry``: the parameter of the pair.
     """
@@ -118,7 +121,9 @@ class Bend:
 
 
 def inclination(machine: Machine, axis: int, faults: list[Fault]) -> InclinedLines | None:
-    """Return the inclination compensation of an axis; None if all amounts are 0, or if faulty."""
+    """Return the lines of an axis' inclination compensation; None if all amounts are 0 or, with a
+    fault, if the parameters are invalid.
+    """
     at = [machine.entry(number, axis) for number in _INCLINED_AT]
     amounts = [machine.entry(number, axis) for number in _INCLINED]
     return _lines(at, amounts, f"inclination of axis {axis}", faults)
@@ -138,7 +143,9 @@ def inclined(machine: Machine, axis: int) -> MachineEntry | None:
 
 
 def bends(machine: Machine, faults: list[Fault]) -> Iterator[Bend]:
-    """Yield the axis pairs with straightness compensation; an invalid pair is a fault."""
+    """Yield the straightness compensation of each axis pair that has one; a pair with invalid
+    parameters is left out, with a fault.
+    """
     more = _any(machine, _MORE_STRAIGHT)
     if more is not None:
         faults.append(
@@ -211,8 +218,9 @@ def _lines(
     what: str,
     faults: list[Fault],
 ) -> InclinedLines | None:
-    """Return lines through four point numbers and amounts; None if all amounts are 0, or with a
-    fault.
+    """Return the lines through the ``amounts`` at the four point numbers ``at``; None if all
+    amounts are 0 or, with a fault, if a number is invalid. ``what``: the name of the compensation
+    in the fault.
     """
     nonzero = [entry for entry in amounts if entry is not None and not entry.zero]
     if not nonzero:
@@ -252,7 +260,9 @@ def _of(machine: Machine, number: int, owner: Owner) -> MachineEntry | None:
 def _one_axis(
     machine: Machine, owner: Owner, entry: MachineEntry, faults: list[Fault]
 ) -> int | None:
-    """Return the axis that an axis number means; None, with a fault, if it may mean several."""
+    """Return the axis whose number is the value of the parameter ``entry``, which belongs to
+    ``owner`` (axis, path or machine); None, with a fault, if it is not clear which axis is meant.
+    """
     axes = () if entry.whole is None else machine.named(owner, entry.whole)
     if len(axes) == 1:
         return axes[0]

@@ -332,7 +332,9 @@ class AxisLoader:
                 )
 
     def fault(self, axis: int, message: str, expected: str, found: str = "") -> None:
-        """Add a fault at the first table parameter (36xx) that the files give for the axis."""
+        """Add a fault about the table of an axis, with the file and line of one of its table
+        parameters (36xx) if the files contain any.
+        """
         number = next((n for n in (3621, *_GRID) if self.memory.given(n, axis)), None)
         if number is None:
             self.memory.faults.append(

@@ -66,8 +66,9 @@ def not_used(memory: Memory, axis: int) -> Iterator[Fault]:
 
 
 def _deciding_bits(memory: Memory, axis: int, *, rotary: bool) -> Iterator[Fault]:
-    """Yield a fault for each required bit that cannot be read, or that differs between paths if the
-    axis' path is unknown.
+    """Yield a fault for each bit on which the correction of an axis depends (such as 1006#0), if
+    its value is not written as eight bits, or if the paths differ in it and the axis' path is
+    unknown.
     """
     machine = memory.machine
     moves = memory.moves(axis)

@@ -30,7 +30,7 @@ def pitch_table(
     loader: AxisLoader, grid: IncrementGrid, options: Options, returning: Direction
 ) -> PitchTable | None:
     """Return an axis' pitch error table as totals (summed increments), with inclination if the
-    options include inclination.
+    options include inclination. ``returning``: the direction of the reference return.
 
     The set of the reference-return direction is 0 at the reference; the other set is offset by
     3627. None where points of the grid are missing or faulty.
@@ -174,7 +174,9 @@ def cycle(
 
 
 def _rapid_unknown(loader: AxisLoader, axis: int, feed: int, options: Options) -> None:
-    """Add a fault if 1852 may apply at rapid traverse on a series where this is unknown."""
+    """Add a fault if the axis moves at rapid traverse and 1852 differs from ``feed``, the value of
+    1851: on this series it is unknown whether 1852 is then active.
+    """
     rapid = loader.memory.whole_if_sound(1852, axis)
     if options.rapid and rapid is not None and rapid != feed:
         loader.memory.faults.append(
@@ -186,7 +188,8 @@ def _rapid_unknown(loader: AxisLoader, axis: int, feed: int, options: Options) -
 
 
 def _inclined(loader: AxisLoader, grid: IncrementGrid, options: Options, used: int) -> FloatArray:
-    """Return the correction by inclination (k + 1,) at the section ends, in detection units.
+    """Return the correction by inclination (k + 1,), in detection units, at the ends of the table's
+    sections. ``used``: how many of the first point numbers have no section.
 
     Not multiplied by 3623. 0 where inclination is not counted.
     """

@@ -35,8 +35,8 @@ class Bending:
     turn: float | None
 
     def at(self, positions: FloatArray) -> FloatArray:
-        """Return the correction of the axis ``bent`` with the moving axis at ``positions`` (any
-        shape).
+        """Return the correction (mm or deg) of the axis ``bent`` with the moving axis at
+        ``positions`` (any shape).
 
         Beyond the ends the end values apply.
         """

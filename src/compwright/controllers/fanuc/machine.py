@@ -218,7 +218,8 @@ class Machine:
         return least * (0.1 * MILLIMETRES_PER_INCH if inch else 1.0) / multiplier
 
     def named(self, owner: Owner, number: int) -> tuple[int, ...]:
-        """Return the axes that an axis number may mean (counted by machine or within a path).
+        """Return the axes that an axis ``number`` in a parameter of ``owner`` may mean: it counts
+        either all axes of the machine, or the axes of the owner's path.
 
         Empty means any axis: a further path whose axes are unknown.
         """

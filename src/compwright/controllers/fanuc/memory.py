@@ -209,8 +209,8 @@ class Memory:
         key: tuple[int, int | None, int | None],
         convert: Callable[[ParameterSetting], Value | None],
     ) -> Value | None:
-        """Return the value of the settings with ``key``, None if there is none; settings that
-        contradict it become faults.
+        """Return the first valid value that is stored under ``key`` (parameter number, axis, bit),
+        None if there is none; add a fault for each later value that differs from it.
         """
         first: Value | None = None
         settings = self._settings.get(key, [])

@@ -47,9 +47,10 @@ def is_sheet(file: ControlFile) -> bool:
 def read_sheet(
     file: ControlFile, pitch_sign: Callable[[str], str], series: ControlSeries
 ) -> TapeContent:
-    """Return the contents of an entry sheet.
+    """Return the contents of an entry sheet. ``pitch_sign``: the function that returns the option
+    of this name for an axis address.
 
-    ``pitch_sign``: axis address -> option; a sheet whose values are errors needs a ``-``.
+    A sheet whose values are errors needs the option ``-``.
     """
     try:
         text = file.content.decode("utf-8-sig")

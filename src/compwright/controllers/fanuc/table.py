@@ -80,7 +80,10 @@ class PitchTable:
         )
 
     def pulses(self, positions: FloatArray, *, positive: bool, ramp: bool) -> FloatArray:
-        """Return the correction, detection units, at ``positions`` (mm or deg from reference)."""
+        """Return the correction, detection units, at ``positions`` (mm or deg from reference)
+        approached towards + (if ``positive``) or −: linear within a section with ``ramp``, else in
+        one step at its middle.
+        """
         totals = self.positive if positive else self.negative
         x = np.asarray(positions, dtype=np.float64)
         if self.turn is not None:
@@ -96,9 +99,8 @@ class PitchTable:
 
 def totals(increments: list[int], before_reference: int) -> FloatArray:
     """Return the total corrections (k + 1,) at the ends of the sections whose increments are
-    ``increments`` (k,).
-
-    The total is 0 behind the first ``before_reference`` increments.
+    ``increments`` (k,). The total is 0 after the first ``before_reference`` increments, at the
+    reference.
     """
     running = np.concatenate([[0], np.cumsum(np.asarray(increments, dtype=np.int64))])
     return np.asarray(running - running[before_reference], dtype=np.float64)

@@ -195,9 +195,9 @@ class _TapeReader:
 
     def finish(self, *, ends_with_break: bool) -> None:
         """Check the file as a whole (``%`` at start and end), and decide whether records without Q
-        are points or parameters.
+        are points or parameters. ``ends_with_break``: the file ends with a line break.
 
-        These are parameters if other parameters occur among them.
+        Records without Q are parameters if the file contains other parameters.
         """
         mark: Mark = "with_parameters" if self.parameters else "alone"
         kept = [record for record in self.found.points if record.mark == "Q0" or not self.above]
@@ -279,7 +279,9 @@ class _TapeReader:
             self._parameter(known or number, words, line)
 
     def _parameter(self, number: int, words: list[tuple[str, str]], line: int) -> None:
-        """Read ``[Q1] (L1 | A<axis> | S<spindle>) P<value> ...``; skip spindles and other paths."""
+        """Read a parameter block ``[Q1] (L1 | A<axis> | S<spindle>) P<value> ...``; ignore the
+        values of spindles and of all paths except the first.
+        """
         if words and words[0][0] == "Q":
             if words[0][1] != "1":
                 raise _Unreadable("Q1, parameter data")

@@ -131,7 +131,7 @@ def lines_of(text: str) -> list[str]:
 
 
 def binary_fault(file: str, content: bytes) -> Fault | None:
-    """Return the fault of a file that is binary and not text."""
+    """Return a fault if the file is binary, which a NUL byte shows; None if it is text."""
     if b"\x00" not in content:
         return None
     return Fault(
@@ -205,7 +205,8 @@ def _read(code: str, place: LinePlace, found: ParameterLines, generation: Genera
 def _mask(
     text: str, place: LinePlace, found: ParameterLines, generation: Generation
 ) -> list[Parameter]:
-    """Return MP730, a bit mask, as one on/off parameter per axis; bit 0 is the first axis.
+    """Return the bit mask MP730 as one on/off parameter per axis, bit 0 for the first axis. An
+    invalid mask is a fault in ``found`` and gives no parameters.
 
     All digits of ``%00011``, all axes of a decimal number.
     """

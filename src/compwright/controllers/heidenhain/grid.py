@@ -174,7 +174,9 @@ def _row(
     wanted: int,
     starts: Sequence[int] | None,
 ) -> tuple[str | None, ...] | Fault:
-    """Return the cells of a table line without its row number, or a fault if they are unclear.
+    """Return the cells of a table line, or a fault if it is unclear to which columns they belong.
+    ``wanted``: the row number with which the line must begin; ``spans``: start and end of each
+    column name.
 
     Where the table's description says so, a cell reaches from its column's first character (one of
     ``starts``) to the next one's. Else, with every cell filled, the blanks separate the columns;

@@ -102,7 +102,9 @@ class Loader:
         )
 
     def _nonlinear(self, address: str, *, tabled: bool) -> bool:
-        """Return whether an axis is corrected by tables and not by its linear error parameter."""
+        """Return whether an axis is corrected by tables and not by its linear error parameter.
+        ``tabled``: the files contain a table that corrects the axis.
+        """
         unsaid = (
             tabled and not self.given.cmas if self.given.generation.name != ITNC530.name else tabled
         )
@@ -130,7 +132,9 @@ class Loader:
         return bit.value == 1.0
 
     def _linear_error(self, address: str, *, nonlinear: bool) -> float:
-        """Return the linear error parameter that is active on the axis, mm/m."""
+        """Return the linear error parameter that is active on the axis, mm/m; 0 if tables correct
+        the axis instead (``nonlinear``), or if it is a rotary axis.
+        """
         given = self._parameter(address, Quantity.LINEAR)
         name = self.given.generation.parameter(Quantity.LINEAR)
         rotary = self.given.kind(address) is AxisKind.ROTARY

@@ -116,9 +116,8 @@ def read_text(file: ControlFile, generation: Generation) -> Content:
 def _read_outside(
     lines: list[tuple[LinePlace, str]], generation: Generation, found: Content, *, strict: bool
 ) -> None:
-    """Read the machine parameters in the lines outside tables.
-
-    Any other text is a fault in a file with tables, else a note.
+    """Read the machine parameters in the lines outside tables into ``found``. Any other text is a
+    fault in a file with tables (``strict``) or without machine parameters, else a note.
     """
     read = read_parameters(lines, generation)
     if read.parameters and generation.name != ITNC530.name:
@@ -204,7 +203,9 @@ def _by_spacing(
     found: Content,
     faults: list[Fault],
 ) -> Com:
-    """Return the .COM table of an iTNC 530, with DATUM and DIST in its first line."""
+    """Return the .COM table of an iTNC 530, with DATUM and DIST in its first line. ``stem``: a
+    second name of the table, from the file name; ``found``: where notes are added.
+    """
     head = _head(block, faults)
     columns: dict[str, str] = {}
     for name in grid.names:
@@ -272,7 +273,9 @@ def _head(block: TableBlock, faults: list[Fault]) -> dict[str, float]:
 
 
 def _by_position(block: TableBlock, grid: CellGrid, stem: str | None, faults: list[Fault]) -> Com:
-    """Return the .COM table of an NCK control, with the positions in the column AXISPOS."""
+    """Return the .COM table of an NCK control, with the positions in the column AXISPOS. ``stem``:
+    a second name of the table, from the file name.
+    """
     if block.rest:
         faults.append(
             block.place.fault(

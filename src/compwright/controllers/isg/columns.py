@@ -44,9 +44,10 @@ def table_entries(
 def column(
     axis: AxisLists, entries: Mapping[int, ListStatement], count: int, name: str, largest: float
 ) -> FloatArray | None:
-    """Return the ``count`` values of one table column, in the unit of the ISG list.
+    """Return the ``count`` values of the table column ``name``, in the unit of the ISG list. A
+    value above ``largest``, the most that the control can store, is a fault.
 
-    None with faults where an entry is missing, not a number, too large, or beyond the last index.
+    None, with faults, where an entry is missing, not a number, too large, or beyond the last index.
     """
     before = len(axis.faults)
     inside = {index: entries[index] for index in sorted(entries) if index < count}
@@ -71,7 +72,8 @@ def column(
 
 
 def largest_value(request: Request, address: str, axis: AxisLists, section: str) -> float:
-    """Return the largest possible table value by the option ``value_type`` (default: SGN32).
+    """Return the largest value that the table in ``section`` of an axis list can store, by the
+    option ``value_type`` (default: SGN32).
 
     SGN16 and SGN32 hold whole numbers only; others are faults. Raises UsageError for an unknown
     type.
@@ -90,8 +92,9 @@ def largest_value(request: Request, address: str, axis: AxisLists, section: str)
 
 
 def unit_of(axis: AxisLists, name: str, request: Request, addresses: Sequence[str]) -> list[float]:
-    """Return, for each axis, how many mm or deg one unit of the list is; empty, with a fault, if
-    the list does not state its unit.
+    """Return how many mm or deg one unit of the list is, for each of the axes ``addresses``. The
+    statement ``name`` states the unit; if it is missing or invalid, the result is empty, with a
+    fault.
 
     Raises UsageError where the list counts encoder increments and the option ``encoder_increment``
     of an axis is missing, or is not a positive number.

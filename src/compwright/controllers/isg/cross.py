@@ -122,8 +122,8 @@ def _entries(axis: AxisLists, request: Request) -> tuple[str, FloatArray, FloatA
 
 
 def _master(axis: AxisLists, *, filled: bool) -> str | None:
-    """Return the master axis, whose position corrects this axis; None if there is no table or, with
-    a fault, if it is invalid.
+    """Return the master axis, whose position corrects this axis. None if the list states no master
+    axis, with a fault if the table has values (``filled``), or if the axis would correct itself.
     """
     number = axis.whole(SECTION + "master_ax_nr", 0)
     if number is None or number == 0:

@@ -172,7 +172,9 @@ def _positions(axis: AxisLists, entries: Entries, count: int) -> FloatArray | No
 
 
 def _required_number(axis: AxisLists, key: str, why: str, lowest: float) -> float | None:
-    """Return the number of a required statement, at least ``lowest``; None with a fault."""
+    """Return the number of a required statement, at least ``lowest``; None, with a fault, if it is
+    invalid or missing. ``why``: the reason in the fault for which it is required.
+    """
     name = SECTION + key
     if name not in axis.statements:
         axis.missing(name, why)
@@ -199,7 +201,8 @@ def _begins(axis: AxisLists, first: float) -> None:
 def _negative(
     axis: AxisLists, entries: Entries, count: int, largest: float, *, bilateral: bool | None
 ) -> FloatArray | None:
-    """Return the column of corrections for an approach towards -.
+    """Return the ``count`` corrections (at most ``largest``) for an approach towards −: from the
+    column ``neg`` if the table is ``bilateral``, else from the common column ``pos``.
 
     A second column is a contradiction if one column holds for both directions and they differ.
     """
@@ -260,7 +263,8 @@ def _period(
 def switched(
     axis: AxisLists, request: Request, parameter: str, section: str, assumed: list[Assumption]
 ) -> bool:
-    """Return whether a compensation is active, by its parameter in the axis parameter list.
+    """Return whether a compensation is active, by its switch ``parameter`` in the axis parameter
+    list, and by ``manual_activation`` in ``section``, the part of the list with its table.
 
     With ``manual_activation`` set, an NC program has to call it.
     """

@@ -100,7 +100,9 @@ class AxisLists:
         return None if value is None else value == 1.0
 
     def whole(self, name: str, lowest: int) -> int | None:
-        """Return the whole number, at least ``lowest``, that a statement gives; else None."""
+        """Return the whole number, at least ``lowest``, that a statement gives; None if it is
+        missing or (with a fault) invalid.
+        """
         value = self.number(name)
         if value is not None and (value != int(value) or not lowest <= value < 2**31):
             expected = f"a whole number from {lowest} on"
@@ -270,7 +272,10 @@ def _axis_number(statement: ListStatement, lists: ControlLists) -> str | None:
 def _address(
     name: str, found: list[ListStatement], started: dict[str, str] | None, lists: ControlLists
 ) -> str | None:
-    """Return the axis number of one list; None, with a fault, if it is unknown."""
+    """Return the axis number of the list in file ``name``, by the header among its statements
+    ``found``, or by the start-up list (``started``: axis number by list name); None, with a fault,
+    if it is unknown or contradictory.
+    """
     headers = [statement for statement in found if statement.name in _HEADERS]
     numbers = [_axis_number(statement, lists) for statement in headers]
     by_start_up = (started or {}).get(name.casefold())
@@ -303,8 +308,9 @@ def _address(
 def _loaded(
     name: str, found: list[ListStatement], started: dict[str, str] | None, lists: ControlLists
 ) -> bool:
-    """Return whether the control loads a compensation list: if there is a start-up list, it must
-    name the list.
+    """Return whether the control loads the list in file ``name``, whose statements are ``found``.
+    If there is a start-up list (``started``: axis number by list name), it must name each
+    compensation list.
     """
     if started is None or name.casefold() in started:
         return True

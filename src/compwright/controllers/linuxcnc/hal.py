@@ -21,10 +21,12 @@ _OFF = frozenset({"0", "0.0", "false"})
 def run_time_pins(
     files: Sequence[ControlFile], concerns: Callable[[str], bool], joint: Callable[[str], bool]
 ) -> Iterator[Fault]:
-    """Yield the lines that set or link a pin which corrects an axis in addition to its table.
+    """Yield a fault for each line that sets or links a pin which corrects an axis in addition to
+    its table, or replaces a joint's BACKLASH. ``concerns``, ``joint``: whether an axis or a joint
+    is part of the job.
 
-    ``concerns``: returns whether an axis (letter in capitals) is under work; ``joint``: the same
-    for a joint by its number.
+    ``concerns`` is called with the axis letter in capitals, ``joint`` with the joint number as
+    text.
     """
     for file in files:
         lines = file.content.decode("latin-1").replace("\r", "\n").split("\n")

@@ -61,10 +61,11 @@ class CompTable:
 
 
 def load_table(content: bytes, file: str, comp_type: int) -> CompTable:
-    """Return the table that the control has after loading ``content``. It never fails.
+    """Return the table that the control has after loading ``content``. Lines that it cannot read
+    give notes; nothing is raised. ``comp_type``: the value of COMP_FILE_TYPE.
 
-    ``comp_type`` (``COMP_FILE_TYPE``) 0: columns are nominal, actual position going +, going -;
-    trim = nominal - actual. Any other: the columns are the trims themselves, added to the command.
+    With 0 the columns are nominal, actual position going +, going -; trim = nominal - actual. With
+    any other value the columns are the trims themselves, added to the command.
     """
     rows: list[tuple[float, float, float]] = []
     notes: list[str] = []
@@ -175,7 +176,9 @@ def _power(mark: str, power: bytes | None) -> str:
 
 
 def _stored(rows: list[tuple[float, float, float]], comp_type: int, notes: list[str]) -> CompTable:
-    """Return the rows rounded to the precision in which the control stores them."""
+    """Return the rows of a file as the table that the control stores, in single precision.
+    ``comp_type``: the value of COMP_FILE_TYPE, as in `load_table`.
+    """
     columns = np.array(rows, dtype=np.float64).reshape(-1, 3)
     nominal = columns[:, 0].copy()
     with np.errstate(over="ignore", invalid="ignore", divide="ignore", under="ignore"):

@@ -179,8 +179,8 @@ def _scales(
     assumed: list[Assumption],
     card: Card,
 ) -> dict[int, MotorScale]:
-    """Return the counts per axis unit of each motor for which the job states them; the job's own
-    motors must have them.
+    """Return the encoder counts per mm or deg of each motor for which the job states them. They are
+    required for the job's own motors, and for the source motors of their tables (``crossing``).
     """
     wanted = {number for number in numbers if request.is_under_work(str(number))}
     wanted |= {source for source, target in crossing if target in wanted}

@@ -84,7 +84,6 @@ class Motor:
 
     def added(self, position: FloatArray, *, negative: bool) -> FloatArray:
         """Return the correction (counts) at the motor position ``position`` (counts, any shape).
-
         ``negative``: the motor was last commanded in negative direction.
         """
         total = np.zeros(position.shape)
@@ -209,7 +208,10 @@ class Judged:
         return value
 
     def _size(self, number: int, varying: CardTable | None, *, has_table: bool) -> float:
-        """Return the constant backlash of a motor (variable Ixx86, 1/16 count)."""
+        """Return the constant backlash of a motor (variable Ixx86, 1/16 count). If no script sets
+        it, it is 0: with a fault if the motor has a backlash table (``varying``), which would add
+        to it.
+        """
         name = 100 * number + SIZE
         value = self._register(name)
         if value is None and name not in self.card.variables:
@@ -220,7 +222,9 @@ class Judged:
         return value or 0.0
 
     def _taken_up(self, number: int, varying: CardTable | None) -> bool:
-        """Return whether backlash compensation is active, because its take-up rate is not 0."""
+        """Return whether backlash compensation is active, because its take-up rate is not 0.
+        ``varying``: the motor's backlash table, or None.
+        """
         name = 100 * number + TAKE_UP
         value = self._register(name)
         if value is None and name not in self.card.variables and self.request.active is None:

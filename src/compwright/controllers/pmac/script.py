@@ -248,10 +248,9 @@ class _Script:
         return None
 
     def _sent(self, what: str, motor: int, place: ScriptPlace) -> bool:
-        """Record a compensation command; return False, with a fault, if an alternative branch
-        contains the same command.
-
-        False, with a fault, if another branch of a block has the same: the card did not get both.
+        """Record a compensation command (its text ``what``) for a motor, and return True. If a
+        conditional branch that excludes this one contains the same command, return False, with a
+        fault.
         """
         here = list(self.sending.blocks)
         before = [(key, one) for key, each in self.done.items() for one in each] if here else []

@@ -137,10 +137,9 @@ class ProgramCalls:
         )
 
     def loads(self, placed: PlacedBlock, above: Collection[str] = ()) -> list[int]:
-        """Return those lines that set a correction other than 0, if every run of the program
-        executes at least one of them.
-
-        Empty if none exist.
+        """Return the lines of a program that set a correction other than 0, directly or by a call,
+        if every run of the program executes at least one of them; else none. ``above``: the
+        programs that call it.
         """
         if id(placed.block) not in self._loads:
             lines = {

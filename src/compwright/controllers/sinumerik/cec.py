@@ -42,7 +42,8 @@ def load_sag(
     screws: frozenset[str] = frozenset(),
     room: tuple[int, int] | None = None,
 ) -> Sag:
-    """Return the cross-axis tables (CEC) from all assignments, in the order of the files.
+    """Return the cross-axis tables (CEC) that the assignments ``entries`` of all files define. The
+    other arguments state the axes' names and units, and the limits of the control.
 
     Faults and notes are added to ``remarks``.
 

@@ -107,7 +107,9 @@ class CecTableLoader:
         return found
 
     def beyond(self, tables: Mapping[int, SagTable], room: tuple[int, int]) -> list[Fault]:
-        """Return a fault for each table for which the control has too few tables or points."""
+        """Return a fault for each table whose index or number of points the control does not have.
+        ``room``: the control's number of tables, and the number of points of each.
+        """
         most, points = room
         return [
             self.by_table[index][0].fault(
@@ -120,8 +122,8 @@ class CecTableLoader:
         ]
 
     def without_cut_sums(self, tables: Sequence[SagTable]) -> list[SagTable]:
-        """Return the tables, except those of an output axis on which only unchanged tables exceed
-        the limit of their sum (MD32720).
+        """Leave out all tables of an output axis if the sum of its active tables exceeds its limit
+        (MD32720) and none of them is to be changed; return the other tables.
 
         The part that the limit cuts off stays the same and is not evaluated.
         """
@@ -168,7 +170,10 @@ class CecTableLoader:
     def _curve(
         self, index: int, entries: Sequence[VariableAssignment], data: Sequence[VariableAssignment]
     ) -> SagTable | None:
-        """Return a table as a curve; None if it is invalid, or incomplete (then with a fault)."""
+        """Return the table ``index`` as a curve, from its assignments ``data``; None if it is
+        invalid, or incomplete (then with a fault). ``entries``: the same with its switches and
+        factors.
+        """
         names = {
             entry.name.removeprefix(f"{_PREFIX}_"): entry.names
             for entry in data
@@ -247,7 +252,8 @@ class CecTableLoader:
         entries: Sequence[VariableAssignment],
         inner: Remarks,
     ) -> None:
-        """Ignore a complete table whose effect cannot be evaluated, and report why.
+        """Ignore a complete table whose effect cannot be evaluated, and report the reason ``why``.
+        ``inner``: the faults and notes from reading this table.
 
         An active table of an axis under work over itself is a fault instead. ``entries``: the
         assignments of the table, empty if it is off.
@@ -279,11 +285,11 @@ class CecTableLoader:
         return not isinstance(named, list | tuple) or index not in named
 
     def _is_active(self, entries: Sequence[VariableAssignment], output: str, *, own: bool) -> bool:
-        """Return whether a table is active: by the files or, if it corrects an axis by its own
-        position, also by the job.
+        """Return whether a table of the axis ``output`` is active: by the files or, if it corrects
+        the axis by its own position (``own``), also by the job.
 
-        It does not if the leadscrew table of the axis is on: then it refers to that table, and a
-        CEC table that is switched off was not active.
+        The job does not count if the leadscrew table of the axis is on and the CEC table is
+        switched off: ``active`` then refers to the leadscrew table.
         """
         switches = [
             last_value(entries, "SN_CEC_TABLE_ENABLE"),
@@ -364,7 +370,10 @@ class CecTableLoader:
         factor_entries: dict[int, VariableAssignment],
         empty: set[int],
     ) -> None:
-        """Add a fault for a table that is multiplied by a table which is in no file."""
+        """Add a fault for each assignment that multiplies a table by one which no file contains.
+        ``factor_entries``: these assignments by index of the multiplying table; ``empty``: tables
+        that are 0 or ignored.
+        """
         for index, entry in factor_entries.items():
             if index not in found and index not in empty and not self.remarks.faults:
                 self.remarks.faults.append(
@@ -378,8 +387,8 @@ class CecTableLoader:
 def _is_damaged(
     data: Sequence[VariableAssignment], names: Mapping[str, str], inner: Remarks
 ) -> bool:
-    """Return whether a table is incomplete or contradicts itself, as in a file that was cut
-    short.
+    """Return whether a table is incomplete or contradicts itself, as in a file that was cut short.
+    ``names``: its axes; ``inner``: the faults found while it was read.
     """
     points = {entry.point for entry in data if entry.name == _PREFIX}
     incomplete = _NEEDED - {entry.name for entry in data} or not all(names.values())
@@ -388,7 +397,7 @@ def _is_damaged(
 
 
 def label_of(index: int) -> str:
-    """Return the name by which messages call the table with this index."""
+    """Return the name of the table with this index in messages, such as ``CEC table 3``."""
     return f"CEC table {index}"
 
 

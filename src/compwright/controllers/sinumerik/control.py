@@ -70,7 +70,9 @@ class _SinumerikAxis:
     screw_on: bool = False
 
     def shift(self, positions: FloatArray) -> FloatArray:
-        """Return the correction of the axis by its leadscrew table at ``positions`` (any shape)."""
+        """Return the correction (mm or deg) of the axis by its leadscrew table at ``positions``
+        (any shape).
+        """
         if self.table is None or not self.enabled:
             return np.zeros(positions.shape)
         return np.asarray(0.0 - self.table.value(positions), dtype=np.float64)
@@ -173,7 +175,8 @@ def sinumerik_control(
     files: Sequence[ControlFile], request: Request, *, room: tuple[int, int] | None = None
 ) -> SinumerikControl:
     """Return the control with ``files`` loaded: first archives, then all other files, whose values
-    replace those of the archives.
+    replace those of the archives. ``room``: the numbers of CEC tables and of their points, if these
+    are fixed.
 
     In their container, and over them table files, machine data and whole text archives in any
     order.
@@ -182,8 +185,7 @@ def sinumerik_control(
     table, listed in ``assumed``. Option ``cec_sign``: ``correction`` when a positive CEC value
     moves the output axis towards +, ``error`` when towards -; without it the effect of CEC tables
     is unknown. Option ``units``: ``inch`` if no file states the basic system. All names of a
-    machine axis (MD10000, MD20080) are one axis. ``room``: number of sag tables and of their
-    points, where the control has a fixed number.
+    machine axis (MD10000, MD20080) are one axis.
 
     Raises InputError for anything the control would not take or that is contradictory, every fault
     with file and line; UsageError for a measuring system other than 1 or 2, a wrong ``cec_sign``,
@@ -335,7 +337,9 @@ class _AxisLoader:
     def _table(
         self, name: str, system: int, given: Sequence[VariableAssignment]
     ) -> CompensationTable | None:
-        """Return the table of one measuring system; None without a table, or with faults."""
+        """Return the leadscrew table of the measuring system with the index ``system``, from the
+        assignments ``given``; None without a table, or with faults.
+        """
         data = [entry for entry in given if entry.name.startswith(_PREFIX)]
         label = f"table of {name}, measuring system {system + 1}"
         if not data:
@@ -373,7 +377,9 @@ class _AxisLoader:
         by_system: dict[int, list[VariableAssignment]],
         tables: dict[int, CompensationTable | None],
     ) -> int:
-        """Return the index of the active measuring system."""
+        """Return the index (0 or 1) of the measuring system in use: by the job, else, as an
+        assumption, the only one with a table or a backlash value, else 0.
+        """
         given = by_address(self.request.encoder, name)
         if given is not None:
             if given not in {1, 2}:

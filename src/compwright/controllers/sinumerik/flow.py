@@ -98,7 +98,6 @@ class ProgramBlock:
     @classmethod
     def named(cls, name: str, line: int, *, behind: bool = False) -> ProgramBlock:
         """Return an empty program, named by ``name``: the text of a program header or a file name.
-
         ``behind``: other programs precede it in the file.
         """
         word = name.split(";", 1)[0].strip()
@@ -120,9 +119,8 @@ class ProgramBlock:
         self.branches[line] = self.branch if self.doubts else -1
 
     def statement(self, code: str, line: int, whole: str) -> None:
-        """Record a line of the program that contains no compensation data.
-
-        Strings emptied, no comment; ``whole``: as written.
+        """Record a line of the program that contains no compensation data. ``code``: the line
+        without comment and with empty strings; ``whole``: the line as written.
         """
         opening = _NUMBER.match(code)
         skipped = opening is not None and opening["skipped"] is not None
@@ -272,9 +270,8 @@ def _calls_nothing(words: list[str]) -> bool:
 
 
 def is_given(right: str, *, naming: bool) -> bool:
-    """Return whether the right side of an assignment is a literal and not calculated.
-
-    ``naming``: an axis name counts as one.
+    """Return whether the right side of an assignment is a literal and not calculated. ``naming``:
+    an axis name counts as a literal.
     """
     right = right.strip()
     if re.fullmatch(r"R\d+", right, re.IGNORECASE):

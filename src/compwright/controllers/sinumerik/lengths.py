@@ -52,9 +52,10 @@ class Lengths:
 def inches_in_mm(
     data: Sequence[VariableAssignment], *, values: bool, positions: bool
 ) -> list[VariableAssignment]:
-    """Return the assignments of a CEC table in inch (MD32711), converted to mm.
+    """Return the assignments of a CEC table in inch (MD32711), in which the corrections (if
+    ``values``) and the positions (if ``positions``) are converted to mm.
 
-    Converted are its ``values`` and its ``positions``, each if it belongs to a linear axis.
+    Each is converted if it belongs to a linear axis.
     """
     scaled = {"AN_CEC": values} | dict.fromkeys(
         ("AN_CEC_MIN", "AN_CEC_MAX", "AN_CEC_STEP"), positions

@@ -124,8 +124,8 @@ def answered(
     assigning: Mapping[int, Mapping[str, Words | None]],
     behind: Callable[[int], int],
 ) -> Iterator[dict[int, int]]:
-    """Yield, for each possible combination of results of linked conditions, the next lines (as
-    bits) of each conditional line.
+    """Yield the lines that can follow each conditional line in ``forks`` (as bits), once for each
+    possible combination of results of the conditions that compare the same expression.
 
     ``assigning``: the variables that lines assign; ``behind``: the lines after a line, as bits.
     """
@@ -165,11 +165,11 @@ def ways_by_values(
     assigned: Sequence[Mapping[str, Words | None]],
 ) -> list[int]:
     """Return each line's possible next lines (a bit for each), given the values that the variables
-    may have at that line.
+    may have at that line. ``every``: those regardless of values; ``assigned``: the variables that
+    each line sets.
 
-    ``every``: the next lines regardless of values. Each line collects the values that a variable
-    may have before it, None among them if any value may be; lines that no run reaches stay as they
-    are.
+    Each line collects the values that a variable may have before it, None among them if any value
+    may be; lines that no run reaches stay as they are.
     """
     asked = {name for names in assigned for name in names}
     before: dict[int, dict[str, frozenset[float | None]]] = {

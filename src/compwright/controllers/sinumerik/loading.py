@@ -96,8 +96,8 @@ def _variable(entry: VariableAssignment) -> tuple[str, int, int | None, str]:
 def _within_new_ends(
     kept: list[VariableAssignment], over: Sequence[VariableAssignment]
 ) -> list[VariableAssignment]:
-    """Return an archive's assignments without the table points beyond the end of a table that a
-    later file has shortened.
+    """Return the assignments ``kept`` of an archive without the table points beyond the end of a
+    table that the assignments ``over`` of later files have shortened.
 
     The control keeps those points and does not use them.
     """

@@ -21,11 +21,12 @@ _EXPORT = "the control's own export of the data in place of the program"
 def check_programs(
     contents: Sequence[ProgramContent], names: MachineAxisNames, request: Request, *, inch: bool
 ) -> None:
-    """Check that every run of the programs executes all assignments to the job's axes.
+    """Check that every run of the programs executes all assignments to the job's axes. ``inch``:
+    the control's basic system is inch.
 
     Raises InputError for a variable assigned in two branches, assignments that no run executes
-    together, a jump to an ambiguous label, and a unit of lengths other than the control's
-    (``inch``). Raises UsageError if it is not stated whether all was executed.
+    together, a jump to an ambiguous label, and a unit of lengths other than the control's. Raises
+    UsageError if it is not stated whether all was executed.
     """
     questions: list[Fault] = []
     calls = ProgramCalls.among(contents)

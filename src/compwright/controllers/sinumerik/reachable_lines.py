@@ -200,7 +200,10 @@ def _possible(lines: Sequence[Line]) -> tuple[list[int], dict[int, Fork]]:
 def _choice(
     line: Line, bits: int, place: int, stop: int, names: Mapping[str, Sequence[int]]
 ) -> Fork | Cases | None:
-    """Return the branches of a CASE, or of a FOR that may be skipped; None for other lines."""
+    """Return the branches of the line with index ``place`` if it is a CASE, or a FOR that may be
+    skipped; None for other lines. ``bits``: all its next lines; ``stop``: the index of the
+    program's end.
+    """
     words, after = line.words, 1 << place + 1
     if line.skipped:
         return None
@@ -331,8 +334,9 @@ def _next(lines: Sequence[Line]) -> list[int]:
 
 
 def _closed(word: str, place: int, start: int, other: int, ways: list[int]) -> int:
-    """Enter into ``ways`` where a block's opening line and ELSE lead; return where its closing line
-    leads (next lines as bits).
+    """Enter into ``ways`` the next lines (as bits) of a block's opening line ``start`` and of its
+    ELSE line ``other`` (-1: none); return those of its closing line ``place``, which begins with
+    ``word``.
     """
     after = 1 << place + 1
     if word == "ENDIF":

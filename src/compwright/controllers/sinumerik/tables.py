@@ -112,12 +112,11 @@ def build_table(
     *,
     stranger: bool = False,
 ) -> CompensationTable | None:
-    """Return the table that its assignments define; None, with faults in ``remarks``, if it is
-    invalid.
+    """Return the table that its assignments define. None if it is invalid, with faults in
+    ``remarks``, or with a note if the axis is not part of the job (``stranger``).
 
     ``prefix``: name of the values' variable; ``label``: name of the table in messages; ``owner``:
-    the axis or table whose IS_MODULO may have to be assumed; ``stranger``: the axis is not under
-    work, so a table that cannot be evaluated is ignored and noted.
+    the axis or table whose IS_MODULO may have to be assumed.
     """
     faults: list[Fault] = []
     first = entries[0]
@@ -170,7 +169,9 @@ def build_table(
 def too_few_points(
     reserved: Sequence[VariableAssignment], table: CompensationTable, label: str
 ) -> list[Fault]:
-    """Return the fault that machine data reserve too few points, so that the table is cut."""
+    """Return a fault for each assignment in ``reserved`` (machine data) that reserves fewer points
+    than the table needs, so that the control cuts the table.
+    """
     return [
         entry.fault(
             f"{label} reserves fewer points than the table needs",
@@ -183,7 +184,9 @@ def too_few_points(
 
 
 def _impossible(first: VariableAssignment, label: str, table: CompensationTable) -> list[Fault]:
-    """Return the faults of a table that is complete but cannot be evaluated."""
+    """Return the faults of a table that is complete but cannot be evaluated; they show the place of
+    its assignment ``first``.
+    """
     if np.any(np.diff(table.positions()) <= 0.0):
         return [
             first.fault(
@@ -227,7 +230,7 @@ def _ends(
     first: VariableAssignment, label: str, grid: tuple[float, float, float], faults: list[Fault]
 ) -> _Ends | None:
     """Return the number of points and the end of a table, from MIN, MAX and STEP; None, with a
-    fault, if these are invalid.
+    fault at the assignment ``first``, if these are invalid.
     """
     step, low, high = grid
     if step <= 0.0 or high < low:
@@ -259,7 +262,9 @@ def _ends(
 def _split(
     first: VariableAssignment, label: str, prefix: str, grid: tuple[float, float, float]
 ) -> Fault:
-    """Return the fault of a table whose end MAX is between two points with different values."""
+    """Return the fault, at the assignment ``first``, of a table whose end MAX is between two points
+    with different values.
+    """
     step, low, high = grid
     return first.fault(
         f"(MAX - MIN) / STEP of the {label} is not a whole number of steps, and its last point"
@@ -275,10 +280,10 @@ def _column(
     ends: _Ends,
     faults: list[Fault],
 ) -> FloatArray | None:
-    """Return the values (count,) of points 0 to count-1; None, with a fault, if one is missing.
+    """Return the values (count,) of points 0 to count-1, where ``ends`` states the count; None,
+    with a fault at the assignment ``first``, if one is missing.
 
-    They do not fill the grid. Values above MAX are ignored (FB2 09/2009, 6FC5397-1BP20-0BA0, p. 362
-    and p. 370).
+    Values above MAX are ignored (FB2 09/2009, 6FC5397-1BP20-0BA0, p. 362 and p. 370).
     """
     count = ends.count
     # one of the first len(values) + 5 points is absent, or none: the grid may be far larger than

@@ -268,9 +268,8 @@ def read_file(file: ControlFile) -> ProgramContent:
 
 
 def _note_flow(code: str, number: int, found: ProgramContent, whole: str, *, counted: bool) -> None:
-    """Record how a line affects the order of execution of its program.
-
-    ``counted``: it contains compensation data; ``whole``: the line with its strings.
+    """Record in ``found`` how a line affects the order of execution of its program. ``counted``:
+    the line contains compensation data; ``whole``: the line with its strings.
     """
     if counted:
         found.blocks[-1].assigned(code, number)
@@ -347,7 +346,9 @@ def _note_end(program: _Program, file: str, found: ProgramContent, *, last: bool
 
 
 def _read_line(code: str, file: str, number: int, found: ProgramContent, *, ended: bool) -> None:
-    """Read one line about compensation; a line that is not fully understood is a fault."""
+    """Read one line about compensation into ``found``. A line that is not fully understood, or that
+    follows the end of the program (``ended``), is a fault.
+    """
 
     def wrong(message: str, expected: str) -> None:
         found.faults.append(
