@@ -221,7 +221,9 @@ class _JointLoader:
         return not self.inis or any(self.works_on_joint(str(number)) for number in numbers)
 
     def works_on_joint(self, number: str) -> bool:
-        """Return whether a joint is part of the job; True also for a text ``number`` that is none."""
+        """Return whether the joint ``number`` (a text) is part of the job; True also for a text
+        that is not a number.
+        """
         wanted = {joint_number(one) for one in self.request.axes_under_work}
         return not wanted or not number.isdigit() or number in wanted
 
