@@ -48,7 +48,9 @@ class CardStep:
 def card_steps(
     definition: Definition, axis: Axis, values: Mapping[str, str]
 ) -> tuple[CardStep, ...]:
-    """Return the commissioning card's steps for one axis; see `card_steps_of_all`."""
+    """Return the commissioning card's steps for one axis. ``values``: texts for the ``{name}``
+    fields of these steps, by field name; see `card_steps_of_all`.
+    """
     return card_steps_of_all(definition, [(axis, values)])
 
 
@@ -57,12 +59,12 @@ def card_steps_of_all(
     axes: Sequence[tuple[Axis, Mapping[str, str]]],
     rules: Sequence[CardRule] | None = None,
 ) -> tuple[CardStep, ...]:
-    """Return the commissioning card's steps for several axes, in the order of ``rules`` (None: all
-    card rules of the definition).
+    """Return the commissioning card's steps for several ``axes``, each given with its texts by
+    field name. ``rules``: the steps to return (None: all steps of the definition).
 
-    The values of each axis fill the fields of the text (see `AxisCard`); a missing one reads "(not
-    known)"; a step without any text is left out. A text that is the same for all axes is printed
-    once; short values that differ go into a table with a row per axis.
+    The texts of each axis fill the ``{name}`` fields of the steps (see `AxisCard`); a missing one
+    reads "(not known)"; a step without any text is left out. A text that is the same for all axes
+    is printed once; short values that differ go into a table with a row per axis.
     """
     known = [{**axis_values(definition, axis), **values} for axis, values in axes]
     return tuple(
@@ -87,8 +89,9 @@ def card_steps_of_all(
 def _for_all(
     forms: Sequence[str], known: Sequence[Mapping[str, str]]
 ) -> tuple[str, tuple[str, ...], tuple[tuple[str, ...], ...]]:
-    """Return a card step's text for all axes; if short values differ between axes, also the column
-    heads and the rows of a table with these values.
+    """Return the text of one card step for all axes, then the column heads and rows of a table with
+    the short values that differ between axes (both empty if none differ). ``forms``: the step's
+    text with ``{name}`` fields, for each axis; ``known``: the texts for these fields.
     """
     filled = [
         {name: of.get(name, UNKNOWN) for name in field_names(form)}
@@ -140,9 +143,7 @@ def axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
 
 def typed_backlash(definition: Definition, axis: Axis, values: Mapping[str, str]) -> str:
     """Return the card's text on the backlash value that the user types in; empty if the control has
-    no such value.
-
-    Empty if the control has none. ``values``: as in `card_steps`.
+    no such value. ``values``: texts for the fields of this text, by field name.
     """
     rule = definition.bindings.get("backlash")
     if not isinstance(rule, Measure) or not rule.typed:
@@ -193,8 +194,8 @@ def points_needed(control: ResolvedDefinition, table: AxisCompensation) -> int |
 def look_at(
     control: Family, axis: Axis, compensation: AxisCompensation
 ) -> Mapping[LoadingName, tuple[str, ...]]:
-    """Return what the user has to check at the control, for each verdict on how the table was
-    loaded.
+    """Return the sentences on what the user has to check at the control, by the verdict on how the
+    table was loaded (such as inverted or not active).
 
     ``compensation``: the table that was to be loaded, which decides between texts for one and for
     two curves. A sentence that no manual confirms says so. ``loaded``: the check that the planned

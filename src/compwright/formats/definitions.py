@@ -38,11 +38,11 @@ def load_definition(
     own: bool = False,
 ) -> Definition:
     """Return the definition in a YAML file, merged with the definition that it ``extends``, which
-    ``find`` looks up.
+    ``find`` looks up. ``own``: the file belongs to the user, not to compwright.
 
-    ``file`` is the name for messages; ``own``: brought by a user. Raises InputError with every
-    fault: not YAML, newer schema, missing or unknown key, wrong type, a value outside its closed
-    list, parts that do not fit together; each names the text that contains it.
+    ``file`` is the name for messages. Raises InputError with every fault: not YAML, newer schema,
+    missing or unknown key, wrong type, a value outside its closed list, parts that do not fit
+    together; each names the text that contains it.
     """
     return definition_of(texts_of(content, file, find), own=own)
 
@@ -50,7 +50,7 @@ def load_definition(
 @cache  # by content: a job is checked before it is done, and reading a definition takes a while
 def definition_of(texts: Texts, *, own: bool = False) -> Definition:
     """Return the definition made of ``texts``: first its own YAML text, then the texts that it
-    extends.
+    extends. ``own``: the files belong to the user, not to compwright.
 
     Raises as `load_definition`.
     """
@@ -58,7 +58,9 @@ def definition_of(texts: Texts, *, own: bool = False) -> Definition:
 
 
 def definition_in(text: DefinitionText, own: Texts = ()) -> Definition:
-    """Build a definition from merged YAML data. Raises InputError with every fault of the data."""
+    """Build a definition from merged YAML data. ``own``: its YAML texts if they belong to the user,
+    else nothing. Raises InputError with every fault of the data.
+    """
     _check_version(text)
     quantities = tuple(name for rules in RULES.values() for name in rules.quantities)
     read, wrong = checked(definition_validator(quantities), text.data)

@@ -71,10 +71,10 @@ def disagreements(
     says: str,
 ) -> Iterator[Fault]:
     """Yield a fault for each correction in the hand-worked example number ``index`` that differs
-    from the computed ``correction``.
+    from ``correction``, a function that computes it, in mm or deg. ``says``: the message, with {}
+    in place of position and direction.
 
-    ``correction``: mm or deg, at positions approached in a direction. ``says``: the message, with
-    {} in place of position and direction.
+    ``correction`` gets positions and the direction in which they are approached.
     """
     expectation = definition.expect[index]
     for row, direction, expected, found in _worked_by_hand(expectation, correction):
@@ -134,8 +134,8 @@ def read_expectation(definition: Definition, expectation: Expectation) -> AxisCo
 
 
 def _unproven(definition: Definition, shown: Sequence[AxisCompensation]) -> Iterator[str]:
-    """Yield the properties of the control's tables, such as sign or backlash, that no hand-worked
-    example tests.
+    """Yield as texts the properties of the control's tables, such as sign or backlash, that no
+    hand-worked example tests. ``shown``: the compensation read from each example's files.
 
     Zeros show no sign, nodes alone not the correction between and beyond them, equal directions no
     backlash.

@@ -82,9 +82,8 @@ def has_cross(definition: Definition) -> bool:
 
 
 def contradictions(definition: Definition, shapes: Mapping[str, ShapeRules]) -> tuple[Fault, ...]:
-    """Return the contradictions within a definition whose keys are all valid.
-
-    ``shapes``: the requirements of each shape of tables, given by its family.
+    """Return a fault for each contradiction within a definition whose keys are all valid.
+    ``shapes``: the rules for definitions, by the shape of their tables.
     """
     rules = shapes.get(definition.layout.shape)
     if rules is None:

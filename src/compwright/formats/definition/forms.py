@@ -56,8 +56,8 @@ _PLAIN: Final[Mapping[Any, cs.CoreSchema]] = {
 
 
 def _word(*words: str, gives: Callable[[str], Any] = str) -> cs.CoreSchema:
-    """Return the schema of a text that must be one of ``words``; ``gives`` converts the text to the
-    value in the record.
+    """Return the schema of a text that must be one of ``words``. ``gives``: the function that
+    converts this text to the value in the record.
     """
     return cs.no_info_after_validator_function(gives, cs.literal_schema(list(words)))
 
@@ -140,8 +140,8 @@ def _sign() -> cs.CoreSchema:
 
 
 def _by_curves() -> cs.CoreSchema:
-    """Return the schema of one text for all tables, or of two texts: for one table, and for one
-    table per direction.
+    """Return the schema of a text that is stated once for all tables, or twice: for axes with one
+    table for both directions, and for axes with one table per direction.
     """
     both = {"one_curve": _TEXT, "two_curves": _TEXT}
     same = cs.no_info_after_validator_function(lambda text: (text, text), _TEXT)
@@ -302,9 +302,8 @@ _FORMS: Final[Mapping[type, RecordForm]] = {
 
 @cache
 def definition_validator(quantities: tuple[str, ...]) -> SchemaValidator:
-    """Return the validator that builds a definition from its YAML data.
-
-    ``quantities``: those that only one shape of tables binds.
+    """Return the validator that builds a definition from its YAML data. ``quantities``: names of
+    the quantities that only controls with one shape of tables have.
     """
     forms = dict(_FORMS)
     schemas = RecordSchemas(forms, {}, _PLAIN)

@@ -58,13 +58,13 @@ def resolve_options(
     *,
     strict: bool = False,
 ) -> Mapping[str, object]:
-    """Return a value for every option: the value given by the user or stated in the control's
-    files, else the default.
+    """Return the value of every option by name: the value in ``given``, else the one in the
+    control's files (``state``), else the default. ``strict``: the user stated each value of
+    ``given``, so one that contradicts the files is a fault.
 
-    ``given`` may hold text from the command line (``"0.001"``, ``"3,4"``). With a ``state``, an
-    option that the control's own files answer for all axes alike (such as the unit) takes that
-    answer. ``strict``: every option of ``given`` was given by the user. Raises UsageError with
-    every fault: unknown option, wrong type, contradiction to the control's files.
+    ``given`` may hold text from the command line (``"0.001"``, ``"3,4"``). From a ``state``, only
+    options that the control's files answer for all axes alike (such as the unit) are taken. Raises
+    UsageError with every fault: unknown option, wrong type, contradiction to the control's files.
     """
     faults: list[Fault] = []
     known = [*definition.options, REFERENCE, REFERENCE_RETURN, KIND]
@@ -115,8 +115,9 @@ def axis_options(
     *,
     unit_needed: bool = True,
 ) -> Mapping[str, object]:
-    """Return the options of one axis; an option that the axis does not have takes the controller's
-    value.
+    """Return the options of one axis by name; an option that the job does not state for the axis
+    has its value for the whole control (``resolved``). ``unit_needed``: a missing required value is
+    an error.
 
     ``axis`` None: an axis without a job. ``unit_needed``: False while files that may hold a
     required value are not read yet. Raises UsageError with every fault: unknown option, wrong
@@ -208,11 +209,11 @@ def describe_options(definition: Definition) -> tuple[str, ...]:
 def resolved_number(
     definition: Definition, name: str, options: Mapping[str, object], fact: object
 ) -> int | None:
-    """Return a whole number that an option and the control's files can both state; the option's
-    rule decides which of the two has priority.
+    """Return a whole number that an option, the control's files (``fact``), or both can state; if
+    both state it, the option's rule decides which applies. None if neither states it.
 
-    ``fact``: the number in the files, None without one. It has priority unless the option's rule
-    states otherwise. A fact of 0 means that nothing is reserved yet; that is no limit.
+    ``fact`` has priority unless the option's rule states otherwise. A fact of 0 means that nothing
+    is reserved yet; that is no limit.
     """
     given = options.get(name)
     rule = definition.options[name]

@@ -39,8 +39,8 @@ class KeptLines:
         return _compiled((self.naming,)).fullmatch(line) is not None
 
     def begins(self, content: bytes) -> bool:
-        """Return whether the first line of a file shows that its tables have the shape of these
-        patterns.
+        """Return whether the first line of a file (``content``) matches the pattern of a first line
+        that files with such tables have.
         """
         return _compiled((self.first,)).match(content[:1000].decode("latin-1")) is not None
 

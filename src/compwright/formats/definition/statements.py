@@ -187,7 +187,9 @@ def plain_number(kind: FieldType, text: str) -> str:
 
 
 def compile_statement(statement: Statement, definition: Definition) -> Matcher:
-    """Return the compiled reader of one statement."""
+    """Return the compiled line templates of one statement, by which its lines in a file are
+    recognised and split into fields.
+    """
     dialect = definition.dialect
     flags = re.IGNORECASE if dialect.case == "ignored" else re.RegexFlag(0)
     forms = tuple(

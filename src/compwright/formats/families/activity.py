@@ -38,11 +38,11 @@ class Activity:
     def was_active(
         self, label: str, switches: str, word: str | None, place: FoundValue | None, notes: Notes
     ) -> bool | None:
-        """Return whether a table with values other than zero was active during the test. None:
-        neither the files nor the job state it, and no answer is required.
+        """Return whether a table with values other than zero was active during the test.
+        ``switches``: the name of its activation parameter; ``word``: the parameter's last value in
+        the files (``yes``, ``no``, None: not stated), in the line ``place``.
 
-        ``word``: the last value of ``switches`` in the files (``yes``, ``no``, None: not in them),
-        at ``place``.
+        None: neither the files nor the job state it, and no answer is required.
         """
         during = control_text("{label}: compensation during the test", label=label)
         if word == "yes":

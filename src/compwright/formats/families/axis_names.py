@@ -23,8 +23,7 @@ def axis_names(
     definition: Definition, texts: Iterable[ReadText], wanted: Sequence[str] = ()
 ) -> AxisNames:
     """Return the names of each machine axis in the files, such as AX1, X1 and X for one axis.
-
-    ``wanted``: the addresses in a job or on the command line.
+    ``wanted``: the axis addresses in a job or on the command line, which must be different axes.
 
     Raises InputError where the files give one name to two axes, UsageError where two addresses are
     one axis.
@@ -93,8 +92,8 @@ def _machine(
 def _channel(
     definition: Definition, found: Mapping[str, Mapping[str, Sequence[Occurrence]]]
 ) -> dict[str, str]:
-    """Return the machine axis (AX1) of each channel axis name; names that mean several machine axes
-    are left out.
+    """Return the machine axis (such as AX1) of each channel axis name, without names that mean
+    several machine axes. ``found``: the lines that state axis names, by quantity and index.
     """
     meant: dict[str, set[str]] = {}
     for index, occurrences in found.get("channel_axis", {}).items():

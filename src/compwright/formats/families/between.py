@@ -24,7 +24,9 @@ class FileReading(Protocol):
     """
 
     def __call__(self, files: tuple[ControlFile, ...], *, written: bool = False) -> ControlState:
-        """Return the compensation in ``files``. Raises CompwrightError if these cannot be read."""
+        """Return the compensation in ``files``; ``written``: compwright wrote these files. Raises
+        CompwrightError if they cannot be read.
+        """
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -94,8 +96,8 @@ def combined_answer(answers: Iterable[Between]) -> Between:
 def entry_sheet_answer(
     entry: PlannedCross, sheet: ControlFile, sentence: Sentence, text: str
 ) -> Between:
-    """Return the answer that the user has to type in a correction from ``sheet``, and that the
-    correction's sign is not confirmed.
+    """Return the answer that the user has to type in the values of ``sheet`` for a correction whose
+    sign is not confirmed. ``sentence``: a warning about it; ``text``: the card's text.
     """
     title = control_text("{output} over {input}: type in", output=entry.output, input=entry.input)
     return Between(
@@ -115,7 +117,8 @@ def cannot_hold(entry: PlannedCross, why: str) -> Between:
 
 
 def alternative_answer(definition: Definition, planned: Iterable[PlannedCross]) -> Between:
-    """Return the answer of a control without cross-axis tables: the alternative in its definition.
+    """Return the answer of a control without cross-axis tables to the ``planned`` corrections
+    between axes: for each, the alternative that the control's definition describes.
 
     The text may contain the angle to be removed by kinematics (``{squareness}``, rad), the axes
     (``{input}`` and ``{output}``, lower case), and the shift this also causes (``{shift}``): the

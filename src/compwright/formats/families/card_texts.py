@@ -45,8 +45,8 @@ REFERENCING = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CardRequest:
-    """What the commissioning card of one written table is made from: the axis, the table, and
-    facts.
+    """The data from which the commissioning card of one written table is made: the axis, its table,
+    and facts about the axis in the control's files.
 
     ``table``: as it was read back; ``facts``: facts of the axis in the written files. ``check_at``:
     positions at which the axis can be measured, mm or deg, ascending. ``files``: all that were
@@ -84,11 +84,11 @@ def table_values(
     compensation: AxisCompensation,
     node: str | None = None,
 ) -> dict[str, str]:
-    """Return a table's values for the card in the control's units: points, start, end, spacing,
-    backlash.
+    """Return a table's values for the card as texts by field name, in the control's units: points,
+    start, end, spacing, backlash. ``node``: the quantity of the table's positions, needed only for
+    a cross-axis table.
 
-    Lengths in that of the positions (``node``: the quantity, where it is not the axis' own table),
-    the backlash in its own.
+    The backlash is in its own unit.
     """
     node = node or ("table_start" if "table_start" in definition.bindings else "node_position")
     lost = "backlash" if "backlash" in definition.bindings else node
@@ -110,10 +110,9 @@ def table_values(
 
 
 def sign_check(compensation: AxisCompensation, where: FloatArray) -> dict[str, str]:
-    """Return the card's values for a sign check: the two positions with the smallest and the
-    largest correction, and the difference of these corrections.
-
-    ``where``: the positions from which the two are chosen.
+    """Return the card's values for a sign check: those two positions of ``where`` with the smallest
+    and the largest correction, and the difference of these corrections; empty for a table with
+    fewer than two points.
     """
     if compensation.positions.size < 2:
         return {}

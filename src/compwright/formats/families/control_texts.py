@@ -46,9 +46,10 @@ _KEPT = 16
 def gathered_files(
     definition: Definition, files: Sequence[ControlFile], wanted: Sequence[str] = ()
 ) -> Gathered:
-    """Return all values in the files, sorted by axis and measuring system.
+    """Return all values in the files, sorted by axis and measuring system. ``wanted``: the axis
+    addresses in a job or on the command line.
 
-    ``wanted`` and errors as in `axis_names`; also InputError for files that cannot be read.
+    Errors as in `axis_names`; also InputError for files that cannot be read.
     """
     reader, faults = text_reader(definition), list[Fault]()
     whole = texts_of(definition, files, faults)
@@ -146,10 +147,10 @@ def _listed(files: Sequence[ControlFile], definition: Definition) -> tuple[Contr
 
 
 def _assigned_names(files: Sequence[ControlFile]) -> list[tuple[bytes, int]]:
-    """Return the names to which the files assign values (``name = value``), sorted by their last
-    letters.
+    """Return the names to which the files assign values (``name = value``), each reversed and with
+    the index of its file; sorted, so that names with the same ending are neighbours.
 
-    Reversed and in lower case, with the index of its file.
+    In lower case.
     """
     return sorted(
         {
@@ -205,7 +206,9 @@ class _Over:
         return ControlFile(file.name, apply_changes(file.content, changes))
 
     def _own_tokens(self, one: Occurrence) -> list[Token]:
-        """Return the fields of a line, except fields that belong to the header of its section."""
+        """Return the fields of the line ``one``, except fields that repeat the header of its
+        section.
+        """
         within = self.definition.statements[one.statement].within or ""
         return [token for name, token in one.tokens.items() if f"{{{name}}}" not in within]
 

@@ -182,7 +182,9 @@ class CouplingParameter:
         unlike: str = "",
         drive: bool = False,
     ) -> Coupling:
-        """Return the coupling of the axis ``follows`` to the axes ``leads`` by this parameter."""
+        """Return the coupling that this parameter states: the axis ``follows`` moves with one of
+        the axes ``leads`` (empty: not stated). ``switched``, ``unlike``, ``drive``: see `Coupling`.
+        """
         return Coupling(
             leads=leads,
             follows=follows,
@@ -207,7 +209,9 @@ class CouplingStatement(CouplingParameter):
 def statements_in(
     files: Iterable[ControlFile], pattern: re.Pattern[str], remark: re.Pattern[str]
 ) -> Iterator[CouplingStatement]:
-    """Yield every match of ``pattern`` in the files, in their order, except in comments."""
+    """Yield every match of ``pattern`` in the files, in their order, except in comments, which the
+    pattern ``remark`` describes.
+    """
     for file in files:
         text = remark.sub(lambda found: " " * len(found[0]), file.content.decode("latin-1"))
         line, place = 1, 0
@@ -231,11 +235,11 @@ def find_partners(
     of_job: bool,
     single: Collection[str] = (),
 ) -> None:
-    """Report gantries whose two axes have different tables, and axes that have equal tables
-    although the job does not couple them.
+    """Report gantries whose two axes have different tables, and, for a job (``of_job``), axes that
+    have equal tables although the job does not couple them. ``partners``: the slave's address by
+    that of its master; ``read``: the compensations by address.
 
-    ``partners``: synchronised axis by leading axis; ``read``: the compensations read, by address;
-    ``of_job``: a job names these axes; ``single``: those that are in no gantry by the files.
+    ``single``: axes that are in no gantry by the files.
     """
     compare_partners(partners, read, notes)
     if not of_job:
@@ -251,7 +255,9 @@ def find_partners(
 def compare_partners(
     partners: Mapping[str, str], read: Mapping[str, AxisCompensation], notes: Notes
 ) -> None:
-    """Report every gantry whose two axes have different compensations."""
+    """Report every gantry whose two axes have different compensations. ``partners``: the slave's
+    address by that of its master; ``read``: the compensations by address.
+    """
     for leading, partner in partners.items():
         if leading in read and partner in read and not _same(read[leading], read[partner]):
             notes.find("CW-S030", "warning", partner=partner, leading=leading)
@@ -259,9 +265,7 @@ def compare_partners(
 
 def note_twin(address: str, other: str, notes: Notes, *, single: bool = False) -> None:
     """Report that an axis of the job has the same table as another axis, which suggests that they
-    form a gantry.
-
-    ``single``: no gantry in the files contains the axis.
+    form a gantry; only as information if the axis is in no gantry by the files (``single``).
     """
     if single:
         notes.find("CW-S031.single", "info", address, axis=address, other=other)

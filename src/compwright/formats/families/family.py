@@ -114,8 +114,8 @@ OwnLimits = Callable[[Axis, AxisCompensation, Capacity, str], Sequence[Fault]]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Listing:
-    """Functions that list facts in a control's files without reading the whole state of the
-    control.
+    """Functions of one family that list the values, axis names and programs in a control's files
+    without reading the whole state of the control.
 
     ``file_values`` (files, and further ones of the machine that may name its axes): every value in
     the files, active or not, by a unique key; raises InputError. ``value_location`` (one of the
@@ -167,22 +167,22 @@ class Family(ResolvedDefinition, ABC):
         address: str | None = None,
         activity: Activity = Activity(),  # noqa: B008 - frozen
     ) -> ControlState:
-        """Return the state of a control from its ``files``.
+        """Return the state of a control from its ``files``, for the ``axes`` of a job, for the axis
+        at ``address``, or for every axis. ``activity``: the job's answer whether the tables were
+        active.
 
-        ``axes`` (from a job) give kind, measuring system and direction of the reference return, and
-        limit the reading to these axes. Without them every axis in the files is read, or only
-        ``address``, and the options ``reference`` and ``reference_return`` are listed in
-        ``assumed``. ``activity``: the job's answer whether the tables were active. The axes of the
-        result have the addresses of `Family.address`. Raises InputError with every fault (file and
-        line), UsageError for a wrong option or address, and for questions that only the user can
-        answer.
+        ``axes`` give kind, measuring system and direction of the reference return, and limit the
+        reading to these axes. Without them every axis in the files is read, or only ``address``,
+        and the options ``reference`` and ``reference_return`` are listed in ``assumed``. The axes
+        of the result have the addresses of `Family.address`. Raises InputError with every fault
+        (file and line), UsageError for a wrong option or address, and for questions that only the
+        user can answer.
         """
 
     def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
         """Yield a fault for each answer that the job must give before an axis can get a table.
-
-        ``files``: the control's own files are given, and may hold the answer; ``given``: the
-        options that the job gives to any of its axes.
+        ``files``: the control's own files are given, so they can contain the answer; ``given``:
+        names of the options that the job states for any of its axes.
         """
         del given
         if not files:
@@ -194,10 +194,11 @@ class Family(ResolvedDefinition, ABC):
     @abstractmethod
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
         """Return the limits of an axis' table, such as point count and spacing, in mm or deg.
+        ``one_curve``: the limits of one table with a backlash value, even if the control can store
+        one table per direction.
 
-        ``one_curve``: the job requires one table and a backlash value, even if the control could
-        hold a pair. Options answered by the control's own files count. Raises UsageError for an
-        address that the control cannot have, CapacityError if it can hold nothing.
+        Options answered by the control's own files count. Raises UsageError for an address that the
+        control cannot have, CapacityError if it can hold nothing.
         """
 
     @abstractmethod
@@ -245,10 +246,10 @@ class Family(ResolvedDefinition, ABC):
         axes: Sequence[Axis],
     ) -> Delivery:
         """Return the files to load into the control, and the files that restore its previous
-        contents.
+        contents. ``own``: the control's files before; ``files``: the files written from them for
+        ``axes``.
 
-        ``files``: those written for ``axes``, with the control's ``own`` ones patched. Raises
-        UsageError for a form of files that is not available.
+        Raises UsageError for a form of files that is not available.
         """
         del own, axes
         return Delivery(tuple(files))
@@ -260,7 +261,8 @@ def in_patched_files(
     axes: Sequence[Axis],
     files: Sequence[ControlFile],
 ) -> F:
-    """Return a copy of ``control`` with the state read from the ``files`` that are to be changed.
+    """Return a copy of ``control`` with the state of the axes of ``compensations``, read from the
+    ``files`` that are to be changed; without files ``control`` itself.
 
     Raises UsageError for a table without an axis, InputError for the files.
     """
@@ -308,10 +310,9 @@ def check_tables(
     own_limits: OwnLimits = no_limits,
 ) -> tuple[list[AxisTable], list[Fault]]:
     """Return all tables, those of gantry slaves included, and a fault for each limit that they
-    break.
+    break. ``own_limits``: a function that returns the faults by limits that only this family has.
 
-    ``own_limits``: faults by limits that only one family has, those of endless axes included; with
-    the axis in words. Raises UsageError for a table without an axis.
+    Limits of endless axes are among these. Raises UsageError for a table without an axis.
     """
     tables = with_partners(control.definition, _paired(control, compensations, axes))
     faults = [
@@ -324,6 +325,7 @@ def _broken(
     control: Family, axis: Axis, compensation: AxisCompensation, own_limits: OwnLimits
 ) -> tuple[Fault, ...]:
     """Return a fault for each limit of the control that the table of an axis breaks.
+    ``own_limits``: a function that returns the faults by limits that only this family has.
 
     Each names the limit, the excess and what would help.
     """

@@ -35,10 +35,10 @@ class ResolvedDefinition:
 
     def in_state(self, state: ControlState | None, *, strict: bool = False) -> Self:
         """Return the same definition with its options completed by the contents of the control's
-        own files (``state``).
+        own files (``state``). ``strict``: the user stated every option, so one that contradicts the
+        files is a fault.
 
-        ``strict``: every option was given by the user, not by default. Raises UsageError where a
-        given option contradicts the files.
+        Raises UsageError where a given option contradicts the files.
         """
         return type(self)(self.definition, self.given, state, strict=strict)
 
@@ -50,11 +50,11 @@ class ResolvedDefinition:
         return normal_address(self.definition, axis)
 
     def options_of(self, axis: Axis | None, *, unit_needed: bool = True) -> Mapping[str, object]:
-        """Return the options of an axis, which have priority over the controller's. Raises
-        UsageError for wrong or missing options.
+        """Return the options of an axis; those that the job does not state for the axis have their
+        values for the whole control. ``unit_needed``: a missing required value is an error.
 
-        The controller's alone count for an axis without a job. ``unit_needed`` as in
-        `axis_options`.
+        The values for the whole control alone count for an axis without a job. Raises UsageError
+        for wrong or missing options.
         """
         return axis_options(self.definition, self.options, axis, unit_needed=unit_needed)
 

@@ -47,11 +47,11 @@ def control_format(
     strict: bool = False,
 ) -> Family:
     """Return the definition with its options, as an object of the family that reads and writes the
-    control's files.
+    control's files. ``given``: options by name; ``strict``: the user stated each of them, so one
+    that contradicts the files (``state``) is a fault.
 
     ``given`` may hold text from the command line; with a ``state``, an option that the control's
-    own files answer takes that answer. ``strict``: every option of ``given`` was given by the user.
-    Raises UsageError with every fault: unknown option, wrong type, contradiction to the control's
-    files.
+    own files answer takes that answer. Raises UsageError with every fault: unknown option, wrong
+    type, contradiction to the control's files.
     """
     return family_of(definition)(definition, given, state, strict=strict)

@@ -27,12 +27,12 @@ def check_travel(
     notes: Notes,
     refuse: Callable[[str, str, str], None],
 ) -> None:
-    """Compare the job's travel with the axis' ``limits`` in the files (low, high; mm or deg).
+    """Compare the job's travel with the axis' ``limits`` in the files (low, high; mm or deg;
+    ``names``: their names on the control). A travel outside the limits goes to the function
+    ``refuse``.
 
-    ``names``: their names on the control.
-
-    A travel outside them goes to ``refuse`` (message, expected, found), one that only partly
-    exceeds them is a doubt; if the upper limit is not above the lower one, none are set.
+    ``refuse`` gets message, expected, found. A travel that only partly exceeds the limits is a
+    doubt; if the upper limit is not above the lower one, none are set.
     """
     low, high = limits
     if not low < high:

@@ -102,9 +102,8 @@ class Notes:
         self.find("CW-S007", "info", label=label, switch=what)
 
     def no_table(self, label: str, *, off: bool = False) -> None:
-        """Report that no file contains a table of an axis.
-
-        ``off``: the files activate none.
+        """Report that no file contains a table of an axis: as a warning, or only as information if
+        the files activate no table (``off``).
         """
         self.find("CW-S008", "info" if off else "warning", label, label=label)
 

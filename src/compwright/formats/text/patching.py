@@ -106,9 +106,8 @@ class Patches:
     def like(
         self, number: int, occurrence: Occurrence, texts: Mapping[str, str], *, end: str = ""
     ) -> str:
-        """Return a copy of a line in which some fields have new texts.
-
-        ``end``: the last field to include.
+        """Return a copy of a line in which some fields have the new ``texts``; it ends with the
+        field ``end``, or with the line if ``end`` is empty.
         """
         line = self.line(number, occurrence.tokens[next(iter(texts))].start)
         stop = occurrence.tokens[end].end if end else line.end

@@ -244,7 +244,9 @@ _SHEET_CELL: Final = re.compile(
 
 
 def redacted_sheet(content: bytes, cuts: Cuts) -> bytes:
-    """Return an entry sheet without private data, as UTF-8 text."""
+    """Return an entry sheet without private data, as UTF-8 text. ``cuts``: the record of the texts
+    that are removed.
+    """
     lines = re.split(r"(\r\n|\r|\n)", content.decode("utf-8"))
     return "".join(
         line if place % 2 else _sheet_line(line, cuts) for place, line in enumerate(lines)

@@ -144,7 +144,7 @@ class TextReader:
 
     def read(self, file: ControlFile, faults: list[Fault], number: int = 0) -> ReadText | None:
         """Return the statements of a file; None if it cannot be read (the reasons are added to
-        ``faults``).
+        ``faults``). ``number``: the index of the file among all files, stored in the result.
         """
         text, found = _read(self, file)
         faults.extend(found)

@@ -41,12 +41,11 @@ class Values:
         self, quantity: str, places: Sequence[FoundValue], *, quiet: bool = False
     ) -> FoundValue | None:
         """Return the line whose value of a quantity is in effect; all files must state the same
-        value.
+        value. Unless ``quiet``, report a value that one file states repeatedly and differently.
 
         Within a file the first, the last, or any if all have to be the same, as the binding states.
-
-        None if there is none, or if values contradict each other, which is a fault at file and
-        line of the second. Unless ``quiet``, repetitions are noted.
+        None if there is none, or if values contradict each other, which is a fault at file and line
+        of the second.
         """
         if len(places) < 2:
             return places[0] if places else None
@@ -120,13 +119,11 @@ class Values:
         return None
 
     def absent(self, quantity: str, meaning: str = "", *, tell: bool = True) -> str | None:
-        """Return the default of a quantity that is in no file, and report the default if the
-        definition requires a report.
+        """Return the default of a quantity that is in no file; None if it has no default. If the
+        definition requires a report (and ``tell``), list the default as an assumption; ``meaning``:
+        the quantity in words.
 
         The rule requires nothing, an assumption, or an assumption with a warning.
-
-        None without a rule. ``meaning``: the meaning of the name, in words; not ``tell``: no
-        report.
         """
         absent = self.definition.bindings[quantity].when_absent
         if absent is None:

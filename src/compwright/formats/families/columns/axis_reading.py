@@ -277,7 +277,8 @@ class ColumnAxisReader:
         return self._answer(word, found)
 
     def _zeros(self, found: FoundValue | None) -> bool:
-        """Return whether a table that contains only zeros counts as active.
+        """Return whether a table that contains only zeros must be treated as active. ``found``: the
+        line that activates tables; None if it is in no file.
 
         It corrects nothing, but if it is not active, the linear error is.
         """
@@ -330,7 +331,8 @@ class ColumnAxisReader:
         return self.parameters.name("enabled") if known else "the active line of the .CMA"
 
     def _answer(self, word: str | None, found: FoundValue | None) -> bool:
-        """Return whether the table is active: by the parameter's value ``word``, else by the job.
+        """Return whether the table is active: by the value ``word`` of its activation parameter,
+        else by the job. ``found``: the line of this parameter, if there is one.
 
         If neither states it, the table is assumed to be active.
         """

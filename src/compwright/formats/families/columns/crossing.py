@@ -100,7 +100,9 @@ class CrossFiller(Patches):
         return table, column
 
     def _gentle(self, table: UserTable, rows: FloatArray, total: FloatArray) -> None:
-        """Raise NotHeld if neighbouring values differ by more than the control allows."""
+        """Raise NotHeld if neighbouring values ``total`` of a column, at the positions ``rows``,
+        differ by more than the control allows.
+        """
         rule = self.family.definition.limit_number("spacing_per_step")
         if rule is not None and np.any(np.abs(np.diff(total)) > np.diff(rows) / rule):
             raise NotHeld(f"neighbouring values of {table.file} would differ too much")

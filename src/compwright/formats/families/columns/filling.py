@@ -188,7 +188,8 @@ class TableFiller:
 
     def _on_the_grid(self, positions: Sequence[float], others: Sequence[str]) -> np.ndarray:
         """Return, for each row of the existing table, the index of the new table's point that gives
-        the row its value. Raises CapacityError if row positions would change.
+        the row its value. Raises CapacityError if rows would need new positions, because the
+        columns ``others`` depend on the old ones.
         """
         nodes = self.entry.nodes
         slack = EXACTNESS * self.entry.scale.quantum("node_position")
@@ -244,9 +245,8 @@ class TableFiller:
                 self.patches.replace(self.number, BytesChange(cell.start, cell.end, text.encode()))
 
     def _rows(self, grid: FloatArray, held: np.ndarray) -> None:
-        """Fill the table's existing rows, and add rows for the points beyond them.
-
-        ``held`` (k,): for each row the index of the point whose value it gets.
+        """Fill the table's existing rows, and add rows for the points beyond them. ``grid``: the
+        position of each row; ``held``: the index of the point whose value the row gets.
         """
         rows = self.table.rows
         content = self.patches.files[self.number].content
@@ -264,8 +264,8 @@ class TableFiller:
         self.patches.add_lines(self.number, rows[-1].start, added)
 
     def _cells(self, position: float, node: int, row: Row | None) -> dict[str, str]:
-        """Return the new texts of a row's cells, by column; cells whose number does not change are
-        left out.
+        """Return the new texts of a row's cells by column, for the table point with the index
+        ``node``; cells whose number does not change are left out.
         """
         entry = self.entry
         cells = {

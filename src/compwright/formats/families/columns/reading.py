@@ -58,10 +58,8 @@ def couplings_of(
     wanted: Sequence[str],
     known: Collection[str],
 ) -> Iterator[Coupling]:
-    """Yield the axis couplings stated in the files, such as gantry slaves, by the control's axis
-    numbers.
-
-    ``wanted``: axes under work; ``known``: axes that the job names.
+    """Yield each coupling of axes, such as that of a gantry, stated in the files by axis
+    ``numbers``. ``wanted``: addresses of the axes to be read; ``known``: axes that the job names.
     """
     last = {found.match[1]: found for found in statements_in(files, _LINE, _REMARK)}
     for index, found in last.items():

@@ -30,9 +30,8 @@ _UNITS = {"mm": Decimal(1), "um": Decimal("0.001"), "deg": Decimal(1), "mm/m": D
 
 
 def take_sheet(sources: Sources, file: ControlFile, number: int, faults: list[Fault]) -> None:
-    """Add an entry sheet's points and parameters to ``sources``.
-
-    ``number``: the index of the sheet among the files.
+    """Add the table points and parameters of an entry sheet to ``sources``. ``number``: the index
+    of this file among all files; ``faults``: the list that gets the sheet's errors.
     """
     sheet = read_sheet(file, faults)
     address = None if sheet is None else _address(sources, sheet, faults)
@@ -81,7 +80,9 @@ def _address(sources: Sources, sheet: EntrySheet, faults: list[Fault]) -> str | 
 def _rows(
     sources: Sources, address: str, sheet: EntrySheet, number: int, faults: list[Fault]
 ) -> list[SheetPoint]:
-    """Add an entry sheet's parameters to ``sources``, and return the table points of the sheet."""
+    """Add an entry sheet's parameters to ``sources``, and return the table points of the sheet.
+    ``number``: the index of this file among all files.
+    """
     definition = sources.definition
     names = {name_of(definition, name): name for name in PARAMETERS if name in definition.bindings}
     points: list[SheetPoint] = []
@@ -181,9 +182,8 @@ _MASK = re.compile(r"%([01]{1,32})|([0-9]{1,9})")
 def take_parameters(
     sources: Sources, reader: TextReader, file: ControlFile, number: int, faults: list[Fault]
 ) -> None:
-    """Add the parameters in a text file to ``sources``.
-
-    ``number``: the index of the file.
+    """Add the parameters in a text file to ``sources``. ``number``: the index of this file among
+    all files; ``faults``: the list that gets the file's errors.
     """
     known = len(faults)
     text = reader.read(file, faults, number)

@@ -53,7 +53,8 @@ class AxisNumbers:
         return self.by_number.get(number, str(number))
 
     def follower(self, number: int, known: Collection[str]) -> str:
-        """Return the address of a coupled axis, given by its number, that moves with another axis.
+        """Return the address of an axis that moves with another axis, given by its number.
+        ``known``: addresses of the axes that the job names.
 
         AX and its number if the axis is unknown, or if its letter is that of a rotary axis which
         the job does not name.
@@ -124,8 +125,8 @@ class Sources:
         return f"{self.numbers.number(address)}=F()" if self.numbered else address
 
     def axis_of(self, column: str, *, assigned: bool = False) -> str:
-        """Return the address of the axis to which a table column belongs; for a column without an
-        axis number, its name.
+        """Return the address of the axis that a table column corrects; for a column without an axis
+        number, its name. ``assigned``: the column is in the table that assigns tables to axes.
         """
         match = (
             (_ASSIGNED_COLUMN if assigned else _COLUMN).fullmatch(column) if self.numbered else None

@@ -210,7 +210,8 @@ class TableValues:
     def values(
         self, table: UserTable, name: str, positions: Sequence[Decimal], output: str, moving: str
     ) -> FloatArray | None:
-        """Return the corrections (k,) of a column in mm or deg. None for a blank or faulty column.
+        """Return the corrections (k,) of the axis ``output`` in a table column, mm or deg, at the
+        ``positions`` of the axis ``moving``. None for a blank or faulty column.
 
         A blank cell between two others is interpolated linearly; at an end of the table it is a
         fault.

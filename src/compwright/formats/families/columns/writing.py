@@ -176,10 +176,11 @@ class _OwnTables(Patches):
         self._set(place, f"%{changed:b}" if ambiguous(new) else new)
 
     def _check_other_tables(self, address: str, *, awake: bool) -> None:
-        """Raise NotHeld if the axis' bit would also activate or deactivate columns that correct
-        this axis in tables that follow other axes.
+        """Raise NotHeld if the axis' bit in the activation parameter, once changed, would also
+        activate (``awake``) or deactivate columns that correct this axis in tables that follow
+        other axes.
 
-        The bit selects every table that corrects the axis, not only its own. Raises NotHeld.
+        The bit selects every table that corrects the axis, not only its own.
         """
         column = self.sources.column_of(address)
         others = [

@@ -372,10 +372,12 @@ class GridAxisReader:
         return () if table is None else tuple(float(node) for node in table.positions)
 
     def _backlash(self, scale: NumberScale, *, has_table: bool) -> tuple[float, float]:
-        """Return the backlash, and half the backlash as a constant correction, in mm or deg; at
-        least one of both is 0.
+        """Return two values in mm or deg: the backlash, and half the backlash as a constant
+        correction of each direction. The second is 0 if the control adds the backlash as a whole,
+        the first otherwise.
 
-        The second form if the control shifts each direction by half; (0, 0) if it has a table.
+        Both are 0 if the control adds half and the axis has a table, next to which the control
+        ignores it.
         """
         if "backlash" not in self.definition.bindings:
             return 0.0, 0.0

@@ -71,7 +71,9 @@ class AxisSettingsReader:
         return (), next((each for each in others if each not in following), None)
 
     def _others(self, kind: int) -> list[str]:
-        """Return the addresses of the other axes in the gantry to which this axis belongs."""
+        """Return the addresses of the other axes in this axis' gantry: those whose gantry type
+        (MD37100) has the same gantry number as this axis' type, ``kind``.
+        """
         addresses = (address for address, _ in self.gathered.singles if address is not None)
         return [
             address

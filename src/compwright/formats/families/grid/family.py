@@ -47,8 +47,7 @@ def file_values(
     definition: Definition, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()
 ) -> dict[str, FileValue]:
     """Return every value in the files by name, each table row under the axis of its table file.
-
-    ``naming``: further files that may name the axis.
+    ``naming``: other files of the same control that may name this axis.
     """
     found = by_statements(definition, files)
     table_file = definition.bindings.get("table_file")

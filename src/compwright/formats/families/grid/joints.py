@@ -58,11 +58,11 @@ def joined_joints(files: Sequence[ControlFile]) -> Iterator[Coupling]:
 
 def joint_letters(kinematics: str, order: str, count: str) -> str:
     """Return the axis letter of each joint in one word, such as XYYZ; empty if LinuxCNC's default
-    order applies.
+    order applies. ``kinematics``, ``order``, ``count``: the machine's kinematics, axis letters and
+    number of joints, as the files state them.
 
-    ``kinematics``: its name with its arguments (``coordinates=XYYZ`` has priority); ``order``: the
-    machine's axes, used for kinematics with letters of its own (XYZBC) if there are as many as
-    joints, ``count``.
+    Arguments of the kinematics (``coordinates=XYYZ``) have priority; ``order`` is used for
+    kinematics with letters of its own (XYZBC) if there are as many as joints.
     """
     given = re.search(r"coordinates=\"?([A-Za-z]+(?:[ \t]+[A-Za-z]+(?![\w=]))*)", kinematics)
     if given is not None:
@@ -73,8 +73,8 @@ def joint_letters(kinematics: str, order: str, count: str) -> str:
 
 
 def sure_joints(kinematics: str, order: str, count: str) -> str:
-    """Return the axis letter of each joint in one word, such as XYYZ; empty if the letters are
-    uncertain.
+    """Return the axis letter of each joint in one word, such as XYYZ, also where LinuxCNC's default
+    order applies; empty if the letters are uncertain. Arguments as `joint_letters`.
     """
     letters = joint_letters(kinematics, order, count)
     name = kinematics.split(maxsplit=1)[0].lower() if kinematics.strip() else ""
@@ -99,9 +99,8 @@ def homing_of(
     values: GridAxisValues, factor: float
 ) -> tuple[Homing, tuple[float, Direction] | None]:
     """Return whether homing shifts the correction ("relative"), and the position and direction at
-    which a shifted correction is zero.
-
-    ``factor``: mm or deg per unit of the files.
+    which a shifted correction is zero. ``values``: the settings of one joint; ``factor``: mm or deg
+    per unit of the files.
 
     A switch sets the motor offset to the commanded position less the correction that is applied
     there; an encoder's index that resets its counter, an absolute encoder, and homing in place
@@ -128,9 +127,8 @@ def homing_of(
 
 
 def _is_true(values: GridAxisValues, name: str, *, others: bool = False) -> bool:
-    """Return whether a yes-or-no setting is true; False if no file states it.
-
-    ``others``: any number other than 0 also means true.
+    """Return whether the yes-or-no setting ``name`` is true; False if no file states it.
+    ``others``: numbers other than 0 and 1 also mean true.
     """
     found = values.single(name)
     if found is None:
@@ -140,13 +138,12 @@ def _is_true(values: GridAxisValues, name: str, *, others: bool = False) -> bool
 
 
 def unapplied_steps(values: GridAxisValues, factor: float) -> tuple[float, float] | None:
-    """Return the range of step sizes (mm or deg) of a correction that the control never applies;
-    None if the range is unknown.
+    """Return the smallest and largest step (mm or deg) in a correction that the control leaves out,
+    because it applies smaller and larger steps only; None if unknown. ``factor``: mm or deg per
+    unit of the files.
 
-    Never applied: a step above the first number, up to the second.
-
-    From rest the ramp takes a step up to ``least`` at once; it starts for a step above ``most``
-    (control.c, ``compute_screw_comp``).
+    Left out: a step above the first number, up to the second. From rest the ramp takes a step up to
+    ``least`` at once; it starts for a step above ``most`` (control.c, ``compute_screw_comp``).
     """
     if "max_acceleration" not in values.definition.bindings or not any(
         values.single(name) is not None for name in ("servo_period", "max_acceleration")

@@ -37,7 +37,8 @@ def in_modulo_range(
     compensation: AxisCompensation, start: float, name: str, faults: list[Fault]
 ) -> AxisCompensation:
     """Return a repeating table with its points reordered so that it begins at ``start`` (deg); each
-    angle keeps its correction.
+    angle keeps its correction. ``name``: the axis in messages; ``faults``: the list that gets a
+    fault.
 
     It is not known whether the control would find a table with another start. If no node is at
     ``start``, that is a fault, which names a possible spacing.
@@ -144,10 +145,9 @@ def most_points_of_turn(axis: Axis, rows: int) -> int:
 def spacings_from(
     reference: float, start: float, period: float, quantum: float
 ) -> tuple[float, ...] | None:
-    """Return the spacings (deg) of tables that have one point at the reference and one at the start
-    of the modulo range.
-
-    None: any spacing that divides the turn.
+    """Return the spacings (deg) of tables that have one point at the ``reference`` and one at the
+    ``start`` of the modulo range; None if every spacing that divides the turn is possible.
+    ``quantum``: the smallest step of a position.
     """
     offset = float(np.mod(reference - start, period))
     if min(offset, period - offset) <= quantum / 2:
@@ -217,7 +217,9 @@ def _check_range(values: GridAxisValues, axis: Axis, found: FoundValue) -> None:
 def period_of(
     values: GridAxisValues, axis: Axis | None, rows: Sequence[FoundValue], table: GridTable
 ) -> float:
-    """Return the period of a repeating table, checking that its first and last values are equal."""
+    """Return the period of a repeating table, checking that its first and last values are equal.
+    ``rows``: the lines of the table in the files.
+    """
     if table.positive[0] != table.positive[-1] or table.negative[0] != table.negative[-1]:
         first, last = rows[0].occurrence, rows[-1].occurrence
         values.notes.faults.append(

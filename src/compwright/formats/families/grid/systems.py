@@ -25,7 +25,8 @@ class SystemChoice:
 
     def stated(self, wanted: int, *, by_job: bool) -> str:
         """Return the number (from 0) of the measuring system ``wanted`` (from 1), and check that
-        the axis has this system and an active table for it.
+        the axis has this system and an active table for it. ``by_job``: the job's axis states it,
+        else an option.
         """
         chosen = str(wanted - 1)
         if (count := self._count()) is not None and wanted > count:
@@ -48,7 +49,9 @@ class SystemChoice:
         return chosen
 
     def _check_tables(self, chosen: str, *, by_job: bool) -> None:
-        """Check that the files contain an active table of the chosen measuring system."""
+        """Check that the files contain an active table of the ``chosen`` measuring system (a number
+        from 0). ``by_job``: the job's axis states this system, else an option.
+        """
         number = int(chosen) + 1
         tables = [system for system in self.systems if self._rows(system)]
         active = [system for system in tables if self._switch(system) is not False]
@@ -86,9 +89,7 @@ class SystemChoice:
 
     def found(self, *, asking: bool) -> str:
         """Return the number (from 0) of the measuring system that is in use, as far as the files
-        show it.
-
-        ``asking``: if they do not show it, add a question.
+        show it. ``asking``: if they do not show it, add a question to the user.
         """
         count = self._count()
         if count == 1 or len(self.systems) == 1:

@@ -80,9 +80,8 @@ class TableFiles:
 
     def rows(self, address: str, *, mentioned: bool) -> list[FoundValue] | None:
         """Return the rows in the table file of an axis; None if the control's table rows name their
-        axis, so that no file has to be found.
-
-        ``mentioned``: other lines name the axis, and would name its file.
+        axis, so that no file has to be found. ``mentioned``: lines in other files name the axis, so
+        one of them must name its table file.
         """
         if "table_file" not in self.definition.bindings:
             return None

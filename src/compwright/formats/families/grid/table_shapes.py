@@ -229,8 +229,8 @@ def _steps(source: TableSource, values: Mapping[int, FoundValue]) -> _Grid | Non
 
 
 def _alike(source: TableSource, values: Mapping[int, FoundValue], inside: int) -> bool:
-    """Return whether the files repeat the last point's value in the row after the last point; in a
-    table of zeros the last point is enough.
+    """Return whether the row after the last point, whose index is ``inside``, repeats the value of
+    this point; for a table of zeros, only whether the last point has a row.
     """
     held = [
         [Decimal(row.occurrence.tokens[name].text) for name in source.value_fields]

@@ -59,10 +59,9 @@ class NewFile:
     def made(
         self, placed: Collection[str], switches: Sequence[str], faults: list[Fault]
     ) -> ControlFile | None:
-        """Return the new file. None if it would be empty.
-
-        ``placed``: quantities in the control's own files, which are left out. ``switches``: lines
-        before the end of a file without rows.
+        """Return the new file; None if it would be empty. ``placed``: quantities in the control's
+        own files, which the new file leaves out. ``switches``: lines that activate tables, added at
+        the end of a file without table rows.
         """
         rows = self._rows(placed)
         left = rows is not None
@@ -89,7 +88,7 @@ class NewFile:
 
     def _rows(self, placed: Collection[str]) -> list[str] | None:
         """Return the table rows for this file; None if its template has none, or if the control's
-        own files already contain the table.
+        own files already contain the table. ``placed``: quantities in the control's own files.
         """
         if self.file.rows is None or curves(self.definition)[0] in placed:
             return None
@@ -97,8 +96,8 @@ class NewFile:
         return [print_form(form, {**self.text.named, **row}) for row in self.text.rows]
 
     def _occurrences(self, skeleton: ControlFile) -> tuple[Occurrence, ...]:
-        """Return the lines of a new file without table rows, so that single values, such as the
-        spacing, can be written into them.
+        """Return the lines of the new file ``skeleton``, which has its template's header and
+        footer, so that single values, such as the spacing, can be written into them.
         """
         faults: list[Fault] = []
         read = text_reader(self.definition).read(skeleton, faults)
@@ -279,7 +278,9 @@ class GridWriter:
         return AxisText(work.address, named, table.rows, singles)
 
     def files_for(self, when: When) -> list[WrittenFile]:
-        """Return the file templates that the definition uses always or in the case ``when``."""
+        """Return the templates of new files that the definition uses always, or only for tables of
+        the kind ``when`` (one per axis, one per direction, cross-axis).
+        """
         return [
             file
             for file in self.definition.writing
@@ -294,9 +295,9 @@ class GridWriter:
         switches: Sequence[str],
         work: AxisToWrite,
     ) -> list[ControlFile]:
-        """Return new files for the values without a line in the control's files.
-
-        ``placed``: quantities that have one; ``switches``: see `NewFile.made`.
+        """Return new files, made from the templates ``files``, for the values in ``text`` that have
+        no line in the control's files. ``placed``: quantities that have one; ``switches``: lines
+        that activate tables.
         """
         made = [
             NewFile(self.definition, file, text).made(placed, switches, work.faults)

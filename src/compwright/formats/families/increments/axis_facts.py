@@ -93,8 +93,8 @@ def name_of(values: IncrementAxisValues) -> str | None:
 def with_neighbours(
     facts: AxisFacts, own: AxisParameters, options: Mapping[str, object]
 ) -> AxisFacts:
-    """Return ``facts`` completed by the functions that are active on the axis in addition to its
-    table, and that a new table leaves unchanged.
+    """Return ``facts`` completed by the functions that are active on an axis in addition to its
+    table, and that a new table leaves unchanged. ``own``: the parameters of the axis.
     """
     every = tuple(functions(own))
     alone = left_alone(every, options)
@@ -176,7 +176,7 @@ class Lead:
 
 def screw_lead(own: AxisParameters, kind: AxisKind) -> Lead | None:
     """Return the travel between two reference marks of the motor encoder, which on a screw is its
-    lead. None if the files do not show it.
+    lead. None if the parameters of the axis (``own``) do not show it.
 
     1821 counts detection units from one mark to the next: a turn of the motor, on a screw its lead
     (B-63943EN-1/02 page 109). With a separate detector (1815#1 = 1, from memory) it is the distance

@@ -326,8 +326,8 @@ class IncrementReader:
 
 
 def totals(counts: FloatArray, sections: IncrementSections) -> FloatArray:
-    """Return the correction (k + 1,) at the ends of the sections: the sum of the increments (k,)
-    from the reference, where it is zero.
+    """Return the correction (k + 1,) at the ends of the sections, zero at the reference: the sum of
+    the increments ``counts`` (k,) from there.
     """
     sums = np.concatenate([[0.0], np.cumsum(counts)])
     zero: FloatArray = sums - sums[sections.reference - sections.first + 1]

@@ -90,8 +90,8 @@ class IncrementAxisValues(Values):
         return number * (Decimal("0.0001") if inch else Decimal("0.001"))
 
     def in_inches(self, key: str, kind: AxisKind) -> bool:
-        """Return whether a length is in inches by its letter: M metric, I inch, P the machine's
-        unit.
+        """Return whether a length is in inches by the letter ``key`` before its number: M metric, I
+        inch, P the machine's unit.
         """
         machine = bool(self.own.bit(known.INCH, 0))
         return kind is AxisKind.LINEAR and {"M": False, "I": True}.get(key.upper(), machine)
@@ -184,11 +184,11 @@ class IncrementAxisValues(Values):
 
 
 def length_text(value: Decimal, *, inch: bool = False, whole: bool = False) -> str:
-    """Return a length (mm or deg) as text, written in the way in which the control's files write
-    lengths.
+    """Return a length (mm or deg) as text for the control's files. ``inch``: convert it to inches;
+    ``whole``: write it without a decimal point, in thousandths of a mm or deg, or ten thousandths
+    of an inch.
 
-    With a decimal point and at least one decimal (``50.0``), or ``whole`` in thousandths, of an
-    inch in ten thousandths.
+    With a decimal point it has at least one decimal (``50.0``).
     """
     if inch:
         value /= INCH

@@ -73,10 +73,8 @@ def covers(backlash: int | None, stage: int) -> bool:
 
 
 def active_backlash(values: IncrementAxisValues, feed: int) -> int:
-    """Return the backlash, in detection units, that is active at the kind of motion (feed or rapid)
-    in the axis' test.
-
-    ``feed``: the value of 1851.
+    """Return the backlash, in detection units, that was active when the axis was measured: at rapid
+    traverse (1852) or at cutting feed (``feed``, the value of 1851).
 
     If the files leave it open, that is a fault; if 1851 and 1852 differ, a finding.
     """
@@ -126,11 +124,11 @@ def active_backlash(values: IncrementAxisValues, feed: int) -> int:
 
 
 def both_backlashes(axis: Axis, facts: IncrementFacts, count: int) -> dict[str, int]:
-    """Return the values of 1851 and, if a file states 1852 and none switches it off, of 1852, for a
-    backlash of ``count``.
+    """Return the new values of the backlash parameters: 1851, and 1852 if it is in the files and
+    not switched off. ``count``: the new backlash, in detection units, at the kind of motion at
+    which the axis was measured.
 
-    ``count``: detection units at the motion of the axis' test. The difference of the two parameters
-    stays as in ``facts``.
+    The difference of the two parameters stays as in ``facts``.
     """
     rapid, feed = facts.backlash_rapid, facts.backlash or 0
     if rapid is None or facts.separate_rapid is False:

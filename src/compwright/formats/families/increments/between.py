@@ -127,9 +127,9 @@ def _rows(
     state: ControlState | None,
     numbers: Sequence[int],
 ) -> list[tuple[str, str, str]] | None:
-    """Return the entry sheet's rows (parameter, value, meaning); None if no straight line fits.
-
-    ``state``: the state with the tables of this run; ``numbers``: of an unused pair.
+    """Return the entry sheet's rows (parameter, value, meaning) for a straight line; None if no
+    line fits. ``state``: the control after this run's tables; ``numbers``: the parameters of an
+    unused axis pair.
     """
     added, bent = entry.added, request.axes.get(entry.output)
     table = None if state is None else state.axes.get(added.input)

@@ -124,7 +124,8 @@ class IncrementLimits:
 
     def _wave(self, limit: int, gap: int) -> Wave | None:
         """Return the limits of a new second (cyclic) table; None if this axis cannot get such a
-        table.
+        table. ``limit``: the largest increment; ``gap``: how many successive point numbers are free
+        for it.
 
         Only on a rotary axis: the only page that describes it is about a worm.
         """

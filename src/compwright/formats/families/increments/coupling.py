@@ -73,8 +73,8 @@ def _mastered(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coup
 def _every(
     addresses: Sequence[str], value: ParameterValue, unlike: str, *, switched: bool = False
 ) -> Iterator[Coupling]:
-    """Yield a possible coupling for each axis, because the parameter does not name the axes that it
-    couples.
+    """Yield a possible coupling of each axis by the parameter ``value``, which does not name the
+    axes that it couples. ``unlike``, ``switched``: see `Coupling`.
     """
     for each in addresses:
         yield _parameter(value).coupling((), each, switched=switched, unlike=unlike)

@@ -137,7 +137,7 @@ def resolved_options(
 
 
 def _silent(values: IncrementAxisValues, kind: AxisKind) -> bool:
-    """Return whether no question about an unknown detection unit is needed.
+    """Return whether the user need not be asked for the detection unit although it is unknown.
 
     That is: nothing is active on the axis, or its files contain faults, which are reported first.
     Raises UsageError for a parameter value from which the unit does not follow.

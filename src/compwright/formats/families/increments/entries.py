@@ -184,9 +184,8 @@ class _WholeNumbers:
         self.others = 0 if existing is None else len(existing.others)
 
     def entries(self, used: Sequence[range], start: int) -> Entries:
-        """Return the parameters and increments to enter for the table of the axis.
-
-        ``start``: the lowest number for an axis that has no point numbers.
+        """Return the parameters and increments to enter for the table of the axis. ``used``: point
+        numbers that are not free; ``start``: the lowest number for an axis without point numbers.
 
         Raises NotHeld.
         """
@@ -250,7 +249,10 @@ class _WholeNumbers:
     def _added_functions(
         self, steps: FloatArray, place: NumberPlace, used: Sequence[range], start: int
     ) -> InclinationAndCyclic:
-        """Return the parameters of the new inclination line and second (cyclic) table."""
+        """Return the parameters and increments of the new inclination line and second (cyclic)
+        table. ``steps``: the table points, counted in intervals from the reference; ``place``:
+        their point numbers.
+        """
         parameters: dict[int, str] = {}
         points: dict[int, int] = {}
         sign = -1 if self.options.get("pitch_sign") == "-" else 1
@@ -367,7 +369,8 @@ class _WholeNumbers:
         self, low: int, high: int, interval: float, used: Sequence[range], *, two: bool
     ) -> NumberPlace | None:
         """Return the axis' existing point numbers if the new table has exactly the existing
-        sections; else None.
+        sections; else None. ``low``, ``high``: its ends in intervals from the reference; ``two``:
+        it has one data set per direction.
         """
         now = self.facts.interval
         if now is None or abs(now - interval) > _ON_GRID * interval:
@@ -400,8 +403,9 @@ class _WholeNumbers:
     def _points(
         self, counts: FloatArray, steps: FloatArray, place: NumberPlace, magnification: int
     ) -> dict[int, int]:
-        """Return the increments by point number; for a second set (travel towards -), under the
-        point numbers of the first set.
+        """Return the increments by point number, from the corrections ``counts`` at the points
+        ``steps`` (intervals from the reference). A second set (travel towards -) gets the point
+        numbers of the first set.
         """
         reference = place.reference
         sign = -1 if self.options.get("pitch_sign") == "-" else 1

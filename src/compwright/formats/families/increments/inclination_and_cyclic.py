@@ -62,7 +62,8 @@ def counted(
     increments: Increments,
 ) -> Counted:
     """Return the inclination compensation and the cyclic table of an axis, each only if it is
-    active and an option includes it.
+    active and an option includes it. ``increments``: a function that returns the increments at
+    given point numbers.
     """
     wanted = [
         (OPTION_OF[each.words], each)
@@ -96,10 +97,10 @@ class Counted:
         self, sections: IncrementSections | None, nodes: FloatArray, zero: float, scale: float
     ) -> Iterator[Curve]:
         """Yield the corrections by inclination compensation and by the cyclic table, which the
-        control adds to the correction by the table.
+        control adds to the correction by the table at its points ``nodes``. ``zero``: the reference
+        position; ``scale``: mm or deg per detection unit, with sign.
 
-        ``nodes``: those of the table, mm or deg; ``zero``: the reference position; ``scale``: mm or
-        deg per detection unit, with that sign. A function that cannot be counted is a fault.
+        A function that cannot be counted is a fault.
         """
         try:
             if "inclination" in self.functions:
@@ -118,7 +119,9 @@ class Counted:
     def _inclination(
         self, function: Function, sections: IncrementSections | None, nodes: FloatArray, zero: float
     ) -> FloatArray:
-        """Return the correction by inclination at the table's points, in detection units."""
+        """Return the correction by inclination at the table's points ``nodes``, in detection units;
+        it is zero at the reference position ``zero``.
+        """
         own = self.values.own
         points, amounts = (
             [own.get(number) for number in numbers]
@@ -203,12 +206,11 @@ def line_parameters(numbers: Sequence[int], amounts: Sequence[int]) -> dict[int,
 def second_table(
     totals: FloatArray, interval: str, used: Sequence[range], start: int, highest: int
 ) -> InclinationAndCyclic:
-    """Return a second (cyclic) table with the correction ``totals`` (k,); it uses the first point
-    numbers that are free.
+    """Return a second (cyclic) table with the correction ``totals`` (k,) at its section ends. Its
+    points get the first free numbers from ``start`` to ``highest``; ``used``: numbers that are not
+    free.
 
-    ``start``: the lowest number to use. Raises NotHeld if too few are free.
-
-    ``interval``: the width of its sections, as text.
+    ``interval``: the width of its sections, as text. Raises NotHeld if too few numbers are free.
     """
     first = first_free(totals.size, used, start, highest)
     if first is None:

@@ -57,11 +57,9 @@ def check_travel_limits(values: IncrementAxisValues, kind: AxisKind) -> None:
 def check_reference(
     values: IncrementAxisValues, kind: AxisKind, reference: float, *, unanswered: bool
 ) -> None:
-    """Compare parameter 1240 with the job's reference; report a reference other than machine zero
-    if the table's points may not be counted from there.
-
-    ``reference``: the position from which the points are counted, mm or deg. ``unanswered``: there
-    is a table, and the user did not confirm that the points are counted from there.
+    """Compare parameter 1240 with the job's ``reference``, mm or deg. Report a reference other than
+    machine zero if the user has not answered (``unanswered``) whether the table's points are
+    counted from it.
     """
     given = values.found("reference_coordinate")
     where = values.length("reference_coordinate", kind)
@@ -82,10 +80,9 @@ def check_reference(
 
 
 def points_question(axis: Axis, answer: object) -> Iterator[Fault]:
-    """Yield a question to the user if the reference (1240) is not machine zero: from which of the
-    two the control counts the points.
-
-    Unless the ``answer`` is that the points are counted from it.
+    """Yield the question whether the control counts its points from the reference position (1240)
+    or from machine zero, if these differ. ``answer``: the user's answer; no question if it is
+    "reference".
     """
     if axis.reference == 0 or answer == "reference":
         return
@@ -111,8 +108,11 @@ def points_question(axis: Axis, answer: object) -> Iterator[Fault]:
 
 def check_return(values: IncrementAxisValues, *, two: bool) -> None:
     """Check that the job and the files (1006#5) state the same direction of the reference return.
+    ``two``: the table has one data set per direction; then a difference is a fault, else only a
+    warning.
 
-    It decides the sign of 3627, so two sets are refused; one set differs by a constant only.
+    The direction decides the sign of 3627, which only two sets need; one set differs by a constant
+    only.
     """
     home, bits, axis = values.returning(), values.own.get(known.KIND), values.axis
     if home is None or bits is None or axis is None or home is axis.reference_return:

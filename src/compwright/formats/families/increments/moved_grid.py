@@ -25,13 +25,12 @@ _HELP = (
 def moved_numbers(
     axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: float, magnification: int
 ) -> tuple[tuple[PointNumber, int], ...]:
-    """Return the point numbers in other functions' parameters whose points get new numbers, each
-    with its new number.
+    """Return those point numbers in the parameters of other functions that the new table changes,
+    each with its new number. ``place``, ``interval`` (mm or deg), ``magnification``: those of the
+    new table.
 
-    Empty if no position gets a new number.
-
-    ``place``, ``interval`` (mm or deg), ``magnification``: those of the new table. Raises NotHeld
-    with the first function that the new grid would change.
+    Empty if no position gets a new number. Raises NotHeld with the first function that the new grid
+    would change.
     """
     for each in facts.hung:
         _check_kept(each, facts, magnification)
@@ -46,10 +45,10 @@ def moved_numbers(
 
 
 def check_sets(facts: IncrementFacts, *, two: bool) -> None:
-    """Raise NotHeld if other functions refer to the table and the new table has two data sets
-    instead of one, or one instead of two.
+    """Raise NotHeld if other functions refer to the existing table and the new one has two data
+    sets (``two``) instead of one, or one instead of two.
 
-    Raises NotHeld with the first function: it is not known whether it is active with both kinds.
+    The first function is named: it is not known whether it is active with both kinds.
     """
     for each in facts.hung if two is not facts.two_sets else ():
         mode = "bidirectional" if facts.two_sets else "single"

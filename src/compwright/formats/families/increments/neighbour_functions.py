@@ -99,8 +99,8 @@ def functions_on_points(
 
 
 def straightness_functions(own: AxisParameters, alone: Sequence[Function]) -> str:
-    """Return as text the parameters, with values, of straightness functions that correct the axis
-    and stay unchanged.
+    """Return as text the parameters, with values, of straightness compensation; empty if no such
+    function is among ``alone``, the functions that correct the axis and stay unchanged.
     """
     if all(each.words != _BENT for each in alone):
         return ""

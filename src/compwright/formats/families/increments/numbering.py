@@ -46,16 +46,15 @@ def find_place(
     claimed: Sequence[range] = (),
     start: int,
 ) -> NumberPlace:
-    """Return point numbers for a table that reaches from ``low`` to ``high``, both in intervals
-    from the reference.
+    """Return the point numbers of a table that reaches from ``low`` to ``high``, in intervals from
+    the reference. ``highest``: the control's last number; ``used``: numbers that are not free;
+    ``two``: one data set per direction; ``start``: the first number to use.
 
-    Whole spacings from the reference, low <= 0 <= high.
-
-    ``reference`` and ``negative``: the existing numbers of the reference and of the first of the
-    set for travel towards -, kept if the table still fits there; ``claimed``: all existing numbers
-    of the axis, which have priority over those that are free for every axis, from ``start`` on;
-    ``used``: numbers of other axes; ``two``: a second set of the same length follows. The first
-    number is not above the reference's, the last one above it. Raises NoRoom.
+    Whole spacings from the reference, low <= 0 <= high. ``reference`` and ``negative``: the
+    existing numbers of the reference and of the first of the set for travel towards -, kept if the
+    table still fits there; ``claimed``: all existing numbers of the axis, which have priority over
+    those that are free for every axis, from ``start`` on. A second set has the length of the first.
+    The first number is not above the reference's, the last one above it. Raises NoRoom.
     """
     first, last = min(low + 1, 0), max(high, 1)
     length = last - first + 1
@@ -89,11 +88,9 @@ def kept_place(
     two: bool,
     endless: bool,
 ) -> NumberPlace | None:
-    """Return the existing point numbers of an axis; None if the new table needs more, fewer or
-    other point numbers.
-
-    Nodes ``low`` to ``high`` (whole spacings from the reference) has exactly its sections; None too
-    if other axes use them.
+    """Return the existing point numbers of an axis; None if a table from ``low`` to ``high``
+    (intervals from the reference) needs other numbers, or if other axes use them. ``two``: one data
+    set per direction; ``endless``: of the axis.
 
     A second set that does not exist yet gets the first free numbers.
     """

@@ -356,10 +356,11 @@ class AxisParameters:
 
 
 def _values(number: int, rest: str, where: tuple[str, int, int]) -> list[ParameterValue]:
-    """Return the parameter values in one line.
+    """Return the values of parameter ``number`` in one line, one for each axis, path or machine.
+    ``rest``: the line after the number; ``where``: file, line, and the byte at which ``rest``
+    begins.
 
     Pitch data (Q0, or a large number with neither Q1 nor owner) and spindles have none here.
-    ``where``: file, line, and the byte at which ``rest`` begins.
     """
     file, line, begin = where
     owner, index = "", 0

@@ -43,9 +43,8 @@ class IncrementSections:
         return None if negative is None else range(negative, negative + len(self.numbers))
 
     def nodes(self, zero: float, *, round_turn: bool) -> FloatArray:
-        """Return the section ends, mm or deg, with the reference at ``zero``.
-
-        ``round_turn``: one turn from the reference on.
+        """Return the section ends, mm or deg, with the reference at ``zero``. ``round_turn``: the
+        sections cover one turn that begins at the reference.
         """
         begin = self.reference if round_turn else self.first - 1
         steps = np.arange(begin, self.last + 1) - self.reference
@@ -209,8 +208,8 @@ def _next_to_reference(
 
 
 def _negative_first(values: IncrementAxisValues, own: range, highest: int) -> int | None:
-    """Return the first point number of the set for travel towards -; None if there is no second
-    set.
+    """Return the first point number of the set for travel towards -; None without a second set.
+    ``own``: the point numbers of the first set; ``highest``: the control's last point number.
     """
     if not values.yes("bidirectional"):
         return None

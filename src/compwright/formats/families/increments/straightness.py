@@ -117,10 +117,11 @@ def _own(
 def unused_pairs(
     parameters: Parameters, moving: str
 ) -> Iterator[tuple[tuple[int, ...], dict[int, ParameterValue]]]:
-    """Yield the numbers of each axis pair that is at zero or in no file in the moving axis' path,
-    and those of its parameters that are in the files, by place.
+    """Yield each axis pair of straightness compensation whose parameters are all zero or in no
+    file: its ten parameter numbers, and by index (0 to 9) those of them that are in the files.
 
-    Places: 0 moving, 1 compensated, 2 to 5 points, 6 to 9 amounts.
+    Indices: 0 moving, 1 compensated, 2 to 5 points, 6 to 9 amounts. Parameters of the path of the
+    axis ``moving`` count.
     """
     own = AxisParameters(parameters, moving)
     for pair in range(known.STRAIGHTNESS_PAIRS):

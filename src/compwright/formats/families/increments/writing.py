@@ -202,9 +202,8 @@ class _OwnFiles(Patches):
 
 
 def _fresh(definition: Definition, left: Entries, taken: Collection[str]) -> Iterator[ControlFile]:
-    """Yield new small files with the values that have no line in the user's files.
-
-    ``taken``: file names not to be used.
+    """Yield new small files with the values ``left``, which have no line in the user's files.
+    ``taken``: file names that must not be used.
     """
     for file in definition.writing:
         lines = list(_point_lines(definition, left) if file.rows else _lines(definition, left))

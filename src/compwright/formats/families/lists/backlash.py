@@ -16,9 +16,8 @@ _MOST = 32767
 
 
 def backlash_of(of: AxisStatements, *, two: bool) -> float:
-    """Return the backlash of the axis in mm or deg.
-
-    ``two``: a table with two columns is active.
+    """Return the backlash of the axis with the statements ``of``, in mm or deg. ``two``: the axis
+    has an active table with one column per direction.
     """
     switch = of.one("backlash_switch")
     gears = of.rows("backlash")
@@ -93,8 +92,8 @@ def _check_gears(of: AxisStatements, gears: Mapping[int, FoundValue]) -> None:
 
 
 def check_others(of: AxisStatements) -> None:
-    """Add faults for active compensations of the axis that compwright does not read, such as one by
-    the positions of two other axes.
+    """Add faults for active compensations that compwright does not read, such as one by the
+    positions of two other axes. ``of``: the statements of the axis.
     """
     for found in of.lists.places(of.address, "other"):
         if not _is_zero(found.text):

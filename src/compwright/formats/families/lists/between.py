@@ -165,7 +165,9 @@ def _corners(positions: FloatArray, values: FloatArray) -> list[int]:
 
 
 def _steps(entry: PlannedCross, files: Sequence[ControlFile], meaning: str) -> list[dict[str, str]]:
-    """Return the card's steps to load a cross-axis table: check the sign, then load the data."""
+    """Return the card's steps to load a cross-axis table: check the sign, then load the ``files``.
+    ``meaning``: what the job states the table's values to be, "error" or "correction".
+    """
     added = entry.added
     axes = {"output": entry.output, "input": entry.input}
     loading = control_text(
@@ -190,7 +192,9 @@ def _steps(entry: PlannedCross, files: Sequence[ControlFile], meaning: str) -> l
 
 
 def _checking(entry: PlannedCross, meaning: str) -> str:
-    """Return the card's text on a trial that shows the sign of a table value."""
+    """Return the card's text on a trial at the machine that shows the sign of a table value.
+    ``meaning``: what the job states the table's values to be, "error" or "correction".
+    """
     added = entry.added
     factor, unit = outside_factor(added.output_kind.unit), shown_unit(added.output_kind.unit)
     low, high = (float(value) for value in added.positive[[0, -1]])

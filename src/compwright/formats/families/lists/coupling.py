@@ -35,11 +35,8 @@ _REMARK = re.compile(r"(?!)")  # without_remarks has taken them
 def couplings_of(
     files: Sequence[ControlFile], owners: Mapping[str, int], wanted: Sequence[str]
 ) -> tuple[Coupling, ...]:
-    """Return the axes that follow another axis, as the lists state it.
-
-    ``owners``: axis number by file name.
-
-    ``wanted``: the axes under work.
+    """Return a coupling for each axis that moves with another axis, as the lists state it.
+    ``owners``: axis number by file name; ``wanted``: addresses of the axes to be read.
     """
     plain = [ControlFile(file.name, without_remarks(file.content)) for file in files]
     return (*_of_axes(plain, owners, wanted), *_of_channels(plain, wanted))

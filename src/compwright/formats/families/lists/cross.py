@@ -34,10 +34,11 @@ CROSS_STATEMENTS = (
 def read_cross(
     lists: AxisStatements, kind_of: Callable[[str], AxisKind]
 ) -> CrossCompensation | None:
-    """Return the correction of the axis of ``lists`` by the position of another axis, mm or deg.
+    """Return the correction of the axis of ``lists`` by the position of another axis, mm or deg;
+    None without an active table, or if the meaning of its values is unknown. ``kind_of``: a
+    function that returns the kind (linear, rotary) of an axis.
 
-    None without an active table, and if the meaning of its values is unknown, which is noted.
-    Faults go to the notes.
+    An unknown meaning is noted. Faults go to the notes.
     """
     entries = _entries(lists)
     master = lists.one("cross_master")

@@ -196,7 +196,9 @@ class _Sorter:
     def _address(
         self, text: ReadText, own: Sequence[Occurrence], indices: Sequence[int]
     ) -> str | None:
-        """Return the axis of a list by its header and by the start-up list, which must agree."""
+        """Return the axis of a list by its header (in the lines ``own``) and by the start-up list's
+        entries with the ``indices``, which must agree.
+        """
         headers = [
             FoundValue(each.tokens["axis"].text, each, text.number)
             for each in own

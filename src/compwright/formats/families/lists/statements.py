@@ -126,11 +126,12 @@ class AxisStatements:
         return self.values.word(quantity, found) if found else self.values.absent(quantity)
 
     def is_active(self, switch: str, manual: str, *, zero: bool, label: str) -> bool:
-        """Return whether a table is active: switched on by its own parameter, and not reserved for
-        manual activation by another parameter.
+        """Return whether a table is active: switched on by the parameter ``switch``, and not
+        reserved for manual activation by the parameter ``manual``. ``zero``: the table contains
+        only zeros; ``label``: its name in messages.
 
         A switch in no list counts as on; if it is off, the job's answer is required where
-        measurements depend on it. ``zero``: the table holds only zeros.
+        measurements depend on it.
         """
         on, by_hand = self.one(switch), self.one(manual)
         off = [
@@ -199,8 +200,8 @@ class AxisStatements:
         *,
         needed: bool = True,
     ) -> None:
-        """Check that a column has all entries with indices from 0 to ``count`` - 1, and no further
-        entries.
+        """Check that a ``column`` has entries with all indices from 0 to ``count`` - 1 (unless not
+        ``needed``), and no others. A missing entry is a fault at the line ``place``.
         """
         name = self.lists.name(column)
         missing = count - sum(index < count for index in rows) if needed else 0
@@ -222,7 +223,9 @@ class AxisStatements:
     def check_ascending(
         self, places: Sequence[Decimal], setpoints: Mapping[int, FoundValue], otherwise: FoundValue
     ) -> None:
-        """Report as a fault the first position that is not above the position before it."""
+        """Report as a fault the first position of ``places`` that is not above the one before it:
+        at its line in ``setpoints`` or, for a position without a line, at the line ``otherwise``.
+        """
         for index in range(1, len(places)):
             if places[index] <= places[index - 1]:
                 message = f"the positions do not ascend at entry {index}"

@@ -33,8 +33,8 @@ COLUMNS = ("setpoint", "positive", "negative")
 def counted(
     definition_scale: NumberScale, options: Mapping[str, object], increment: float
 ) -> NumberScale:
-    """Return the scale for whole numbers in the list that count multiples of ``increment`` (mm or
-    deg).
+    """Return the scale that converts whole numbers in an axis' value list to mm or deg and back;
+    each number counts multiples of ``increment`` (mm or deg).
     """
     return NumberScale(
         definition_scale.definition,

@@ -155,7 +155,9 @@ class ListsWriter:
             self._put([place], str(int(place.text) + 1))
 
     def _interval(self, address: str, counts: Sequence[int]) -> int:
-        """Return the interval of equally spaced entries; 0 if each entry has its own position."""
+        """Return the interval, in the list's unit, of entries at the equally spaced positions
+        ``counts``; 0 if each entry states its own position.
+        """
         own = self.lists.places(address, "interval")
         steps = set(np.diff(counts).tolist())
         even = bool(own) and not same_value(own[0].text, "0") and len(steps) == 1
@@ -170,8 +172,9 @@ class ListsWriter:
         columns: Mapping[str, Sequence[str]],
         known: Sequence[str],
     ) -> None:
-        """Write a table's single values and its entries; existing lines are kept if the new table
-        has the same entries.
+        """Write a table: its single values ``singles``, and its entries by column. ``known``: names
+        of all columns that the list can contain; existing lines are kept if the new table has the
+        same entries.
         """
         places = [f for column in known for f in self.lists.places(address, column)]
         new: dict[Entry, str] = {
@@ -207,8 +210,9 @@ class ListsWriter:
         new: Mapping[Entry, str],
         known: Sequence[str],
     ) -> bool:
-        """Return whether the new table has the same entries at the same positions as the list, so
-        that only values change.
+        """Return whether the ``new`` table has the same entries at the same positions as the list,
+        so that only values change. ``known``: names of all columns that the list can contain, that
+        of the positions first.
         """
         old = {
             (column, index): found

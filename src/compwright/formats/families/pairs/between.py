@@ -214,9 +214,8 @@ _OWN = "own files/"
 
 def pairs_between(family: Family, request: BetweenRequest, *, small: bool) -> Between:
     """Return the answer to a request for corrections between axes: tables and loading steps, or the
-    reason why a correction is impossible.
-
-    ``small``: the result is delivered in small files.
+    reason why a correction is impossible. ``small``: the steps name small files, which contain only
+    the new values.
     """
     before = request.read(request.base)
     try:
@@ -236,7 +235,9 @@ def pairs_between(family: Family, request: BetweenRequest, *, small: bool) -> Be
 def _written(
     family: Family, request: BetweenRequest, before: ControlState
 ) -> tuple[ControlFile, ...]:
-    """Return the changed files, and new files with names that none of the control's files has.
+    """Return the changed files and new files with the requested corrections between axes.
+    ``before``: the state of the control's files. A new file has a name that none of these files
+    has.
 
     A new file may have the same name as one that a former round left in the control: it must not
     replace that one.
@@ -257,7 +258,9 @@ def _written(
 
 
 def _named(family: Family, entry: PlannedCross, new: Sequence[ControlFile], *, small: bool) -> str:
-    """Return the names of the files to load that contain a new table, as text."""
+    """Return as text the names of the files to load that contain the new table for ``entry``: the
+    files ``new``, or (``small``) the small file made from them.
+    """
     if not small:
         return and_joined([file.name for file in new])
     form = next(file.name for file in family.definition.writing if file.when == "cross")
@@ -272,6 +275,8 @@ def _steps(
     after: ControlState,
 ) -> list[dict[str, str]]:
     """Return the card's steps for new tables: reserve memory, check the sign, load, activate.
+    ``named``: the files to load; ``before`` and ``after``: the state of the control's files without
+    and with the new tables.
 
     Existing tables of the same axes belong to others, and stay unchanged.
     """

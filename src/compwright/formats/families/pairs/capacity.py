@@ -100,7 +100,9 @@ class PairLimits(GridLimits):
         return resolved_number(self.definition, self.points_option(), self.options, fact)
 
     def _tables(self, addresses: Sequence[str], tables: PairTables) -> list[int]:
-        """Return the indices of the tables to write for these axes, two for each axis."""
+        """Return the indices of the tables to write for the axes at ``addresses``, two for each
+        axis. ``tables``: the cross-axis tables in the control's files.
+        """
         allowed = allowed_tables(self.definition, self.options)
         taken: list[int] = []
         for address in addresses:

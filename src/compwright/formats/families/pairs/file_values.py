@@ -86,8 +86,7 @@ def file_values(
     definition: Definition, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()
 ) -> dict[str, FileValue]:
     """Return every assignment in the files by name; the last value of a variable applies.
-
-    ``naming``: further files that may list the names of the axes.
+    ``naming``: other files of the same control that may list the names of the axes.
     """
     sheets = [file for file in files if is_entry_sheet(file)]
     lines = list(_lines([file for file in files if file not in sheets]))

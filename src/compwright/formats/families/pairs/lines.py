@@ -63,10 +63,9 @@ class SingleValues:
     def word(
         self, label: str, quantity: str, found: FoundValue | None, *, tell: bool = True
     ) -> str | None:
-        """Return the meaning, such as "yes", of a setting with a few possible values; the default
-        if ``found`` is None.
-
-        ``tell``: list the default as assumed.
+        """Return the meaning, such as "yes", of the value ``found`` of a setting with a few
+        possible values. If ``found`` is None, return the default, which (``tell``) is listed as an
+        assumption.
 
         An unknown value is a fault.
         """
@@ -160,10 +159,11 @@ class TableLines(SingleValues):
 
     def is_active(self, *, under_work: bool, stays: bool) -> bool:
         """Return whether the table is active, by its two activation parameters or by the job.
+        ``under_work``: the job names the axis that the table corrects; ``stays``: no new table will
+        replace this one.
 
-        Values of an unknown unit are refused. ``under_work``: the job has its output axis.
-        ``stays``: its index is not to be written; then nothing depends on whether a table that no
-        file switches off was active.
+        Values of an unknown unit are refused. If the table stays, nothing depends on whether a
+        table that no file switches off was active.
         """
         owner = f"axis {self.pair[1]}"
         on_axis = of_axis(self.gathered, self.pair[1])
@@ -204,7 +204,9 @@ class TableLines(SingleValues):
         return base, corrected
 
     def _check_unit(self, owner: str, on_axis: Places) -> None:
-        """Refuse a table whose values may be in inch."""
+        """Refuse a table whose values may be in inch. ``owner``: the corrected axis in messages;
+        ``on_axis``: the settings for all tables that correct this axis.
+        """
         metric = self.values(owner).one("cross_metric", on_axis.get("cross_metric", ()))
         if metric is not None:
             self.word(owner, "cross_metric", metric)
@@ -226,8 +228,8 @@ class TableLines(SingleValues):
         self.notes.find("CW-S034", severity, self.pair[1], label=label, switches=switches)
 
     def _was_active(self, ends: list[_Switch]) -> bool | None:
-        """Return whether a table by which an axis corrects itself was active during the test; None
-        if unknown.
+        """Return whether a table by which an axis corrects itself was active during the test, by
+        the last values ``ends`` of its two activation parameters, else by the job; None if unknown.
         """
         words = [end.word for end in ends]
         word = "no" if "no" in words else None if None in words else "yes"
@@ -239,8 +241,9 @@ class TableLines(SingleValues):
         return self.activity.was_active(owner, _SWITCHES, word, place, self.notes)
 
     def _was_inactive(self, owner: str, word: str | None, place: FoundValue | None) -> bool:
-        """Return whether the table counts as inactive during the test, because it is off and the
-        leadscrew table of its axis is on, or because the user is asked which of the two was active.
+        """Return True if the table must be treated as inactive during the test: it is off while the
+        leadscrew table of its axis is on, or the user is asked which of the two was active.
+        ``word``: its last activation value, in the line ``place``.
 
         If the switch is in another file than the values, no program that loads the values switched
         it off.

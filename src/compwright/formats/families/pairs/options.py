@@ -147,9 +147,10 @@ def unit_unknown(
     control: Family, label: str, output: str, kinds: Iterable[AxisKind]
 ) -> Iterator[Fault]:
     """Yield a fault if no table on the axis ``output`` can be written, because the unit of its
-    tables is inch or unknown.
+    tables is inch or unknown. ``kinds``: the kinds (linear, rotary) of both axes; rotary axes need
+    no length unit.
 
-    These ``kinds``; the control works in inch and no file states their unit.
+    Unknown: the control works in inch and no file states their unit.
     """
     metric = control.state.facts_of(output).pairs.metric
     unknown = metric is None and control.options.get("units") == "inch"

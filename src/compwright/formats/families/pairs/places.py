@@ -76,7 +76,9 @@ def is_whole(places: Places) -> bool:
 
 
 def is_unused(places: Places) -> bool:
-    """Return whether all numbers of a table are zero, as by default in a control without it."""
+    """Return whether all numbers of a table are zero, which is the control's default for a table
+    that was never written.
+    """
     numbers = [place.text for name in AS_TABLE for place in places.get(name, ())]
     return bool(numbers) and all(Decimal(number) == 0 for number in numbers)
 

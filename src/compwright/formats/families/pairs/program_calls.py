@@ -36,7 +36,7 @@ class StartDoubt:
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """A program in a file, with reasons why it may not be executed.
+    """A program in a file, with reasons to doubt that the control executed it.
 
     ``computed``: faults of values known only while the program runs; ``start``: what may keep all
     of it from being executed; ``called``: another one calls it; ``loaders``: the programs of the
@@ -100,7 +100,9 @@ def programs_of(definition: Definition, files: Sequence[ControlFile]) -> tuple[F
 def _scanned(
     definition: Definition, file: ControlFile, names: frozenset[str], returning: frozenset[str]
 ) -> Scanned:
-    """Return the programs in a file, with their calls of the programs ``names``."""
+    """Return the programs in a file, with their calls of the programs ``names``. ``returning``:
+    those whose call changes nothing in what is executed after it.
+    """
     content = file.content.upper() if names else b""
     known = frozenset(one for one in names if one.encode() in content)
     return scanned(definition, file, known, known & returning)
@@ -122,8 +124,9 @@ def _loaders(programs: Sequence[ProgramFlow]) -> frozenset[str]:
 def _start_doubts(
     programs: Sequence[tuple[str, ProgramFlow]], count: Mapping[str, int]
 ) -> dict[int, StartDoubt]:
-    """Return, by the index of each program that may not be executed, the line that causes this
-    doubt.
+    """Return, by program index, the line because of which it is uncertain that a program is
+    executed; programs that are certainly executed are left out. ``count``: the number of programs
+    with each name.
     """
     sites: dict[str, list[tuple[int, Call]]] = {}
     for place, (_, program) in enumerate(programs):

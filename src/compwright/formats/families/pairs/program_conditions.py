@@ -189,6 +189,7 @@ def value_of(text: str, values: Mapping[str, float]) -> float | None:
 
 def _calculated(text: str, masked: str, values: Mapping[str, float]) -> float | None:
     """Return the whole-number result of a sum, difference, product or quotient; None if unknown.
+    ``masked``: the text with zeros inside its brackets; ``values``: numbers by variable.
 
     What a variable of whole numbers makes of it depends on its type.
     """
@@ -220,13 +221,12 @@ def without_known_answers(
     decisions: Mapping[int, Decision | Case],
     setting: Sequence[Mapping[str, str | None]],
 ) -> list[frozenset[int]]:
-    """Return the steps that may follow each step, without steps that a condition excludes because
-    the values of its variables are known.
+    """Return the steps that can follow each step. Where a condition is decided, because its
+    variables have known values, the step that it excludes is left out. ``follow``: the steps before
+    this check; ``setting``: the variables that each step sets.
 
     Every run that comes to the condition has set its variables to the same numbers before.
-
-    ``follow``: where each step may continue; ``setting``: the variables that it sets, with their
-    expressions.
+    ``setting`` has their expressions.
     """
     known: dict[int, dict[str, float]] = {0: {}}
     found = list(follow)
@@ -281,10 +281,9 @@ def together(
     setting: Mapping[int, Collection[str]],
     reached: Callable[[int], set[int]],
 ) -> Iterator[dict[int, frozenset[int]]]:
-    """Yield, for each possible combination of the results of conditions that test the same value,
-    the steps that follow these conditions.
-
-    ``setting``: the variables that steps set; ``reached``: the steps that may follow a step.
+    """Yield one mapping for each possible combination of results of conditions that test the same
+    value: the steps that follow each condition. ``setting``: the variables that a step sets;
+    ``reached``: a function that returns all steps that can come after a step.
     """
     uses: dict[str, list[int]] = {}
     for place, one in decisions.items():
@@ -321,7 +320,10 @@ def _changes(
     setting: Mapping[int, Collection[str]],
     reached: Callable[[int], set[int]],
 ) -> bool:
-    """Return whether a variable of the condition may change between two lines that test it."""
+    """Return whether a variable of the condition can change between two of the steps ``places``
+    that test it. ``setting``: the variables that a step sets; ``reached``: a function that returns
+    all steps that can come after a step.
+    """
     variables = condition.names | {ANY}
     behind = set().union(*map(reached, places))
     between = (place for place, names in setting.items() if not variables.isdisjoint(names))

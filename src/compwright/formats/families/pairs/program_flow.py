@@ -187,7 +187,9 @@ class ProgramFlow:
     followed: frozenset[str] = frozenset()
 
     def ways(self, loaders: frozenset[str]) -> ProgramRuns:
-        """Return the possible runs through the program; lines with values or calls are marked."""
+        """Return the possible runs through the program, in which lines that assign values or call
+        one of the programs ``loaders`` are marked.
+        """
         return possible_runs(
             _step(number, code, self.followed, marked=value or not loaders.isdisjoint(calls))
             for number, code, value, calls in self.lines
@@ -200,7 +202,8 @@ class ProgramFlow:
         return f"lines {lines[0]} to {lines[-1]}"
 
     def branches(self, keys: Callable[[Occurrence], Key]) -> Iterator[tuple[Occurrence, int]]:
-        """Yield each second assignment of a variable in another branch, with the line of the first.
+        """Yield each repeated assignment of a variable that is in another branch of the program
+        than the one before, with the line of that earlier one. ``keys``: returns a line's variable.
 
         Before the first branch, repeated assignments are a sequence.
         """
@@ -233,10 +236,8 @@ def scanned(
     known: frozenset[str] = frozenset(),
     returning: frozenset[str] = frozenset(),
 ) -> Scanned:
-    """Return the programs in a file with their order of execution, as far as it can be read.
-
-    ``known``: names of programs whose calls are wanted; ``returning``: those of them whose call
-    changes nothing in what is executed after it.
+    """Return the programs in a file with their order of execution. ``known``: the programs whose
+    calls are listed; ``returning``: those whose call changes nothing in what is executed after it.
     """
     text = text_reader(definition).read(file, [])
     if text is None:
@@ -465,10 +466,9 @@ def _plain(text: str) -> bool:
 def _codes(
     definition: Definition, file: ControlFile, needed: Collection[int]
 ) -> Iterator[tuple[int, str]]:
-    """Yield number and code of each line that can affect values or their execution.
-
-    Those ``needed``, and all that are not plain lines of an export; of these, only the variables
-    that the definition reads.
+    """Yield number and code of each line that can affect values or their execution, and of the
+    lines ``needed``; of plain lines of an export, only those with variables that the definition
+    reads.
     """
     known = _names(definition)
     for line in text_reader(definition).lines(file.content.decode("latin-1")):

@@ -105,10 +105,8 @@ class ProgramRuns:
             yield replace(self, next=tuple(follow), decisions={})
 
     def left_out(self) -> int | None:
-        """Return the number of a line with a value that no run executes together with all other
-        lines that have values.
-
-        None if one run can execute all.
+        """Return the number of one line because of which no run can execute all lines that assign
+        values or call programs; None if one run can execute all of them.
         """
         first: int | None = None
         for ways in self.consistent():
@@ -220,8 +218,9 @@ def possible_runs(steps: Iterable[Step]) -> ProgramRuns:
 
 
 def _decision(step: Step, follow: frozenset[int], after: int) -> Decision | None:
-    """Return the condition of a line with both steps that may follow it; None if the line has no
-    condition that alone decides which of them follows.
+    """Return the condition of a line with both steps that can follow it: of the steps ``follow``,
+    the next one (``after``) and the other one. None if the line has no condition that alone decides
+    between them.
     """
     found = _ASKING.fullmatch(step.code)
     jumps = len(_GO.findall(step.code))
@@ -235,8 +234,9 @@ def _decision(step: Step, follow: frozenset[int], after: int) -> Decision | None
 def _choice(
     step: Step, place: int, places: Mapping[str, Sequence[int]], follow: frozenset[int], stop: int
 ) -> Decision | Case | None:
-    """Return the steps that may follow a CASE line, or a FOR line whose loop may have no passes,
-    with the values that decide; None for other lines.
+    """Return the values that decide which step follows a CASE line, or a FOR line whose loop can
+    have no passes, with these steps; None for other lines. ``places``: steps by label; ``follow``:
+    the steps that can follow; ``stop``: the program end.
     """
     loop = None if step.skipped else FOR.fullmatch(step.code)
     if loop is not None:
@@ -326,7 +326,9 @@ def _blocks(steps: Sequence[Step]) -> _Blocks:
 def _following(
     steps: Sequence[Step], place: int, places: Mapping[str, Sequence[int]], blocks: _Blocks
 ) -> set[int]:
-    """Return the lines that may be executed after a line that affects the order of execution."""
+    """Return the steps that can follow the step ``place``, a line that affects the order of
+    execution. ``places``: the steps with each label; ``blocks``: the IF blocks and loops.
+    """
     step, word, after, end = steps[place], _word(steps[place]), place + 1, len(steps)
     stop = end + 1
     if "GOTO" in step.code.upper():
@@ -358,7 +360,9 @@ def _following(
 def _destinations(
     code: str, place: int, places: Mapping[str, Sequence[int]]
 ) -> Iterator[Sequence[int]]:
-    """Yield, for each jump or repetition (REPEAT) in a line, the lines at which it may continue."""
+    """Yield, for each jump or repetition (REPEAT) in the line ``code`` of the step ``place``, the
+    steps at which it can continue. ``places``: the steps with each label.
+    """
     for go in _GO.finditer(code):
         yield _destinations_of(go, place, places)
     repeated = _REPEATED.match(code)

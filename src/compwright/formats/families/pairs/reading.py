@@ -262,7 +262,10 @@ class _CrossTableReader(TableLines):
         return None if found is None or int(found.text) == 0 else int(found.text) - 1
 
     def curve(self, scale: NumberScale, *, under_work: bool, stays: bool) -> CecTable | None:
-        """Return the table as corrections by position; None, with reasons noted, if unusable."""
+        """Return the table as corrections by position; None, with reasons noted, if unusable.
+        ``under_work``: the job names the axis that the table corrects; ``stays``: no new table will
+        replace this one.
+        """
         singles = {name: self._one(name) for name in DATA if name != "cross_value"}
         count, anything = self.definition.limit_number("cross_tables"), next(iter(self.places))
         if count is not None and self.index >= count:

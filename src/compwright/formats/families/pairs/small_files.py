@@ -194,7 +194,9 @@ class SmallFiles:
     def _multiplied_by(
         self, tables: Mapping[str, Sequence[Key]], others: Sequence[str], written: Sequence[str]
     ) -> list[str]:
-        """Return the tables by which the control multiplies the values of the tables ``others``."""
+        """Return the tables by which the control multiplies the values of the tables ``others``,
+        without these and without the tables ``written`` by compwright.
+        """
         numbers = (
             int(value_of(self.new.entries[key])) - 1
             for table in others
@@ -211,7 +213,10 @@ class SmallFiles:
         pairs: Mapping[str, tuple[str, str]],
         machine_wide: Sequence[Key],
     ) -> _Plan:
-        """Return the small file with the new cross-axis tables that correct one axis."""
+        """Return the small file with the new cross-axis tables that correct the axis at
+        ``address``. ``tables``: the keys of each table's values; ``pairs``: each table's axes;
+        ``machine_wide``: parameters that are not of one axis.
+        """
         mine = [
             table
             for table, (base, corrected) in pairs.items()
@@ -359,7 +364,9 @@ class SmallFiles:
         return ControlFile(plan.name, content.encode("ascii"))
 
     def _marked(self, header: Sequence[str]) -> Iterator[str]:
-        """Yield a file header with the channel line of the control's own files."""
+        """Yield the lines of a file header; its line that names the channel is replaced by that of
+        the control's own files, if they have one.
+        """
         found = next((found for file in self.own if (found := _CHANNEL.search(file.content))), None)
         own = None if found is None else found[0].decode().strip()
         for line in header:

@@ -155,8 +155,8 @@ class PairsReader(GridReader):
         )
 
     def _others_protected(self, address: str, system: int | None) -> str:
-        """Return as text the activation parameters of active tables, other than an axis' own, in
-        the files that contain the axis' own table.
+        """Return as text which other tables may be active while the file with an axis' own table is
+        loaded, by their activation parameters: tables in the same file that no file deactivates.
 
         The control protects active tables during loading.
         """

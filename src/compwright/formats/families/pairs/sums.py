@@ -20,12 +20,12 @@ def without_cut_sums(
     may_stay: Callable[[CecTable], bool],
     wanted: Iterable[str] = (),
 ) -> Cec:
-    """Return the cross-axis tables, except all tables of an output axis on which the sum of the
-    tables exceeds the control's limit.
+    """Return the cross-axis tables. If the sum of the tables on one output axis exceeds the
+    control's limit, leave all of these out, provided that they ``may_stay`` unchanged; else add a
+    fault. ``wanted``: the axes to check (none: all).
 
     The control cuts such a sum off: it is not a curve, but the same before and after if all of them
-    ``may_stay``. Otherwise it is a fault of the state. ``wanted``: the axes under work (none: all);
-    others are left alone.
+    stay.
     """
     under_work = tuple(wanted)
     for output, limit in cec.max_sum.items():
@@ -74,8 +74,8 @@ def _reach(cec: Cec, tables: Sequence[CecTable]) -> tuple[float, float]:
 def _merged(
     tables: Sequence[CecTable],
 ) -> list[tuple[float | None, FloatArray, FloatArray, FloatArray]]:
-    """Return, for each period and start position that tables have in common, the period, the
-    positions, and the sums of the corrections for + and for -.
+    """Return the sums of cross-axis tables: the tables with the same period and start position
+    become one curve, with its period, its positions, and its corrections for + and for -.
 
     A sum of curves that are straight between their points is straight between the points of all.
     """

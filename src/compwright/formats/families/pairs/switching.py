@@ -76,8 +76,9 @@ class Switches:
         indices: Collection[int],
         named: Mapping[str, str],
     ) -> None:
-        """Activate tables: set their activation parameter to 1 in the line that states it last in
-        each file.
+        """Activate the tables ``indices``: set their activation parameter ``quantity`` to 1 in that
+        one of its lines (``switches``) which is the last in each file. ``named``: axis or table of
+        a new line.
 
         If that line comes before the tables' values it stays off, and a new line follows them.
         """

@@ -253,8 +253,8 @@ class CecWriter:
         return singles
 
     def new_file(self, when: When, address: str, entries: Sequence[PairEntry]) -> ControlFile:
-        """Return a new file, made from the definition, for tables that no file of the control
-        contains.
+        """Return a new file for tables that no file of the control contains, made from the
+        definition's template for ``when``: cross-axis tables, or one table per direction.
         """
         file = next(
             file for file in self.definition.writing if file.when == when and file.rows is not None

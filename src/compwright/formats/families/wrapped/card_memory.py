@@ -229,10 +229,9 @@ def _tables(script: Script) -> Mapping[tuple[str, int], list[tuple[str, Word]]]:
 def _other_ends(
     script: Script, name: str, words: Sequence[Word], ends: Sequence[str]
 ) -> Iterator[Fault]:
-    """Yield a fault for each script of a folder that ends with another result than the last one, so
-    that only the order of file names decides.
-
-    ``ends``: the result of each.
+    """Yield a fault for each script of a folder that gives ``name`` another last value than the
+    last script, so that only the order of file names decides. ``words``: the commands in order;
+    ``ends``: the value after each.
     """
     folder = script.files[words[-1].number].folder
     last_of = {word.number: (word, end) for word, end in zip(words, ends, strict=True)}

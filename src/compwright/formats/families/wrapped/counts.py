@@ -88,7 +88,9 @@ def counts_of(definition: Definition, options: Mapping[str, object], name: str) 
 
 
 def wrong_counts(counts: Counts, defined: float, place: CouplingStatement) -> Iterator[Fault]:
-    """Yield a fault if the option for a motor's counts contradicts the script's axis definition."""
+    """Yield a fault if the option for a motor's ``counts`` contradicts the axis definition in the
+    script: ``defined`` counts per axis unit, at ``place``.
+    """
     ratios = (defined / counts.per_unit / unit for unit in (1.0, MILLIMETRES_PER_INCH))
     if all(abs(ratio - 1.0) > _SAME_COUNTS for ratio in ratios):
         yield Fault(
@@ -105,7 +107,9 @@ def wrong_counts(counts: Counts, defined: float, place: CouplingStatement) -> It
 
 
 def counts_question(name: str, given: object) -> Fault:
-    """Return the question how many counts a motor has per unit of its axis."""
+    """Return the question how many counts a motor has per unit of the axis ``name``. ``given``: the
+    option's unusable value; None if it is not given.
+    """
     return Fault(
         message=f"axis {name}: the counts per mm or deg of its motor are not given, and the "
         "scripts do not contain them reliably",
@@ -123,7 +127,8 @@ def counts_question(name: str, given: object) -> Fault:
 
 def around(axis: Axis | None, zero: float, step: float) -> tuple[float, int]:
     """Return the position of the table point at which a compensation begins, and the number of this
-    point counted from motor zero.
+    point counted from motor zero. ``zero``: the axis position at motor zero; ``step``: the distance
+    of points.
 
     The last one below the travel of an axis with ends.
     """
@@ -134,9 +139,8 @@ def around(axis: Axis | None, zero: float, step: float) -> tuple[float, int]:
 
 
 def turned_about(curve: FloatArray, first: int, counts: Counts) -> FloatArray:
-    """Return table values (n + 1,) ordered by motor position, beginning at motor zero.
-
-    ``curve``: by position of the axis, beginning at the point with the number ``first``.
+    """Return table values (n + 1,) ordered by motor position, beginning at motor zero. ``curve``:
+    the values by axis position; ``first``: the number of its first point, counted from motor zero.
     """
     size = curve.size - 1
     along = first + np.arange(size + 1)

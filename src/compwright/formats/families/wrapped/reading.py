@@ -144,9 +144,7 @@ class WrappedStateReader:
         )
 
     def _ask_about_blocks(self) -> None:
-        """Ask whether commands in conditional blocks were sent, if they concern a motor of the
-        job.
-        """
+        """Ask whether commands for the job's motors in conditional blocks were sent."""
 
         def concerns(motor: int) -> bool:
             return not self.wanted or not motor or str(motor) in self.wanted
@@ -291,7 +289,7 @@ class WrappedStateReader:
         grids: Mapping[tuple[int, int], tuple[FloatArray, FloatArray]],
         step: float,
     ) -> AxisCompensation:
-        """Return a motor's tables as one compensation; each further grid is in its ``others``."""
+        """Return a motor's tables (``grids``, summed by their points) as one compensation."""
         parts: list[AxisCompensation] = []
         for (needed, length), (ahead, back) in grids.items():
             against = back + (0.0 if parts else step)
@@ -318,9 +316,7 @@ class WrappedStateReader:
         return replace(parts[0], others=tuple(parts[1:]))
 
     def _idle_nodes(self, motor: int, tables: Sequence[MemoryTable]) -> tuple[float, ...]:
-        """Return the positions of an inactive table's points over one period, mm or deg; empty if
-        unknown.
-        """
+        """Return an inactive table's positions over one period, mm or deg; empty if unknown."""
         axis = self.axes.get(str(motor))
         if not tables or axis is None:
             return ()
@@ -352,7 +348,9 @@ class WrappedStateReader:
     # --- what switches
 
     def _on(self, label: str, *, needed: bool) -> bool:
-        """Return whether tables are active, by the variable that activates all tables."""
+        """Return whether tables are active, by the variable that activates all tables. ``needed``:
+        a table has values, so the job's answer matters as well.
+        """
         place = self.script.setting("enabled")
         binding = self.definition.bindings["enabled"]
         name = "I51"
@@ -376,7 +374,9 @@ class WrappedStateReader:
         return word is None
 
     def _takes_up(self, label: str, motor: int, *, needed: bool) -> bool:
-        """Return whether backlash compensation of a motor is active, because its rate is not 0."""
+        """Return whether a motor's backlash compensation is active, because its rate is not 0.
+        ``needed``: the motor has a backlash; without one the result is False.
+        """
         if not needed:
             return False
         name, place = f"I{motor}85", self.script.setting("take_up_rate", motor)
@@ -403,7 +403,7 @@ class WrappedStateReader:
         return False
 
     def _constant(self, motor: int, *, with_table: bool) -> int:
-        """Return a motor's constant backlash in the control's unit, a fraction of a count."""
+        """Return a motor's backlash in fractions of a count; ``with_table``: it must be stated."""
         name, place = f"I{motor}86", self.script.setting("backlash", motor)
         if place is not None:
             return self._ranged(place, name)
@@ -490,9 +490,8 @@ def _add(
     *,
     both: bool,
 ) -> None:
-    """Add a table's correction to the sum in ``grids`` of the tables with the same points.
-
-    It is added for both directions (``both``), or only against the counting direction.
+    """Add a table's correction to the sum in ``grids`` of the tables with the same points: for both
+    directions (``both``), or only against the counting direction.
     """
     none = (np.zeros(table.needed + 1), np.zeros(table.needed + 1))
     ahead, back = grids.get((table.needed, table.counts), none)

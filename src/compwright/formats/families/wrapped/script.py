@@ -161,10 +161,11 @@ class _ScriptReader:
     def _carried_out(
         self, key: tuple[str, int], word: Word, guard: ConditionalBlock | None = None
     ) -> bool:
-        """Record a compensation command with the conditional blocks that contain it; return whether
-        it counts.
+        """Record the compensation command ``key`` with the conditional blocks that contain it, or
+        with the block ``guard``. Return False, with a fault, if another branch of a block has the
+        same command, else True.
 
-        False, with a fault, if another branch of a block has the same: they are not both sent.
+        Commands in two branches of a block are not both sent.
         """
         here = self.conditions.here
         apart = [

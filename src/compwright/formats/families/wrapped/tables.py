@@ -96,10 +96,11 @@ def motor_table(
     ring: Sequence[float] = (),
 ) -> MotorTable | None:
     """Return the table entries that correct an axis; None, with reasons in ``faults``, if
-    impossible.
+    impossible. ``ring``: the points of one period of the existing table, with both ends (empty: no
+    table).
 
-    ``ring``: the points of one period of the existing table, with both ends; if the new points are
-    among them and it is long enough, number of entries and length stay the same.
+    If the new points are among these and the existing table is long enough, number of entries and
+    length stay the same.
     """
     label = f"axis {axis.name} ({compensation.address})"
     nodes, wrong = _nodes(axis, compensation, label, ring)

@@ -38,9 +38,8 @@ TAKE_UP = "take_up_rate"
 def fresh_script(
     definition: Definition, tables: Sequence[MotorTable], rates: Mapping[int, int]
 ) -> ControlFile:
-    """Return a new script that defines ``tables`` in a control without tables.
-
-    ``rates``: backlash rate by motor.
+    """Return a new script that defines ``tables`` in a control without tables. ``rates``: the rate
+    at which the control adds the backlash, by motor.
     """
     file = definition.writing[0]
     falling = sorted(tables, key=lambda table: -table.motor)
@@ -83,9 +82,8 @@ def patched_scripts(
     rates: Mapping[int, int],
     faults: list[Fault],
 ) -> tuple[ControlFile, ...]:
-    """Return the user's own scripts with ``tables`` written into them.
-
-    What prevents it is added to ``faults``.
+    """Return the user's own scripts with ``tables`` written into them. ``rates``: the rate at which
+    the control adds the backlash, by motor; ``faults``: gets the reasons if this is impossible.
     """
     patcher = _Patcher(definition, files, tables)
     for table in sorted(tables, key=lambda table: -table.motor):
