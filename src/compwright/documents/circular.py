@@ -85,10 +85,11 @@ def machine_document(
     findings: Iterable[Finding],
 ) -> dict[str, Any]:
     """Return the error causes (such as squareness) that the circular tests of one machine show
-    together, and the causes on which the tests contradict each other.
+    together, and the causes on which the tests contradict each other. ``stated``: name and serial
+    number of the machine.
 
     ``values`` with standard error by cause and axis or plane; ``contradictions``: of a cause the
-    circles with their axes, value and error; ``stated``: ``machine`` and ``serial`` of their files.
+    circles with their axes, value and error.
     """
     return {
         **stated,
@@ -126,7 +127,9 @@ def machine_document(
 
 
 def _correction(cause: str, value: float, error: float) -> dict[str, str]:
-    """Return what `run` does about the squareness of a plane: the rule of `correction_need`."""
+    """Return, as one key of the JSON, whether `run` corrects the squareness of a plane, by the rule
+    of `correction_need`; no key for any other cause.
+    """
     return {"correction": correction_need(value, error)} if cause == "squareness" else {}
 
 
@@ -200,11 +203,8 @@ def _absent(name: str) -> dict[str, Any]:
 
 
 def _effect(effect: CircularEffect, *, given: bool) -> dict[str, Any]:
-    """Return the JSON entry of an error cause (such as lost motion) in a circular test, with its
-    value and unit.
-
-    And what else belongs to it. A cause that is not ``given`` keeps its standard error alone, if it
-    has one.
+    """Return the JSON entry of an error cause (such as lost motion) in a circular test. If the
+    cause has no value (``given`` False), only its standard error and unit are not null.
     """
     entry = {
         "value": _number(effect.value) if given else None,

@@ -33,10 +33,11 @@ def decode_document(
     cross: Iterable[CrossCompensation] = (),
     unknown: Container[str] = (),
 ) -> dict[str, Any]:
-    """Return the corrections of a control by address, at the positions in their given order.
+    """Return the JSON document with the corrections of each axis, by its address and at its
+    positions in their given order. ``unknown``: the addresses of axes that may be linear or rotary.
 
-    ``cross``: what one axis' position adds to another. ``unknown``: addresses of axes of unknown
-    kind; their corrections are thousandths of the unit of their positions, and ``unit`` is null.
+    ``cross``: what one axis' position adds to another. Corrections of axes of unknown kind are
+    thousandths of the unit of their positions, and ``unit`` is null.
     """
     return {
         "schema": SCHEMA,

@@ -56,10 +56,10 @@ def diff_document(
     known: bool,
     unknown: Collection[str],
 ) -> dict[str, Any]:
-    """Return the JSON document of a comparison of two backups.
+    """Return the JSON document of a comparison of two backups. ``known``: the corrections of all
+    axes could be compared; ``unknown``: the addresses of axes for which they could not.
 
-    ``names``: names of the axes in the control's files, by address; ``known``: whether the
-    corrections of both sides are known for all axes; ``unknown``: the axes for which they are not.
+    ``names``: names of the axes in the control's files, by address.
     """
     compensating = [entry for entry in entries if entry.compensates]
     named = (address for entry in compensating for address in entry.addresses)

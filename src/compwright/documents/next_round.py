@@ -23,7 +23,9 @@ def next_document(
     *,
     written: bool = False,
 ) -> dict[str, Any]:
-    """Return the value of the key ``next``. ``between``: sentences on corrections between axes."""
+    """Return the value of the key ``next``: whether the next round was ``written``, the ``reason``
+    as text, and its axes. ``between``: sentences on corrections between axes.
+    """
     return {
         "written": written,
         "reason": reason,

@@ -77,7 +77,9 @@ def _budgets_out(budgets: Mapping[AxisKind, UncertaintyBudget] | None) -> dict[s
 
 
 def carried_definition(content: bytes) -> Texts:
-    """Return the user's control definition that a plan contains, or nothing."""
+    """Return the files (name and contents) of the user's own control definition that a plan
+    contains; empty if it contains none or cannot be read.
+    """
     try:
         return _definition_in(json.loads(content))
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
@@ -85,8 +87,8 @@ def carried_definition(content: bytes) -> Texts:
 
 
 def _definition_out(texts: Texts) -> dict[str, Any]:
-    """Return the plan's entry with the user's own control definition; empty if the user has no own
-    definition.
+    """Return the plan's entry ``definition`` with the files of the user's own control definition,
+    ``texts`` (name and contents); empty if there are none.
     """
     entries = [{"name": name, "text": content.decode("utf-8")} for name, content in texts]
     return {"definition": entries} if entries else {}

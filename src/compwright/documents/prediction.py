@@ -39,11 +39,11 @@ def prediction_document(
     *,
     judged: Judged,
 ) -> dict[str, Any]:
-    """Return the prediction of a run as JSON. ``cross``: corrections of an axis by another axis.
+    """Return the prediction of a run as JSON. ``cross``: corrections of an axis by another axis;
+    ``judged``: whether two independent programs read the written files back, or one alone.
 
-    ``doubts``: what to clear up before the tables are loaded; ``acknowledged``: what the job
-    acknowledges of it. ``judged``: by whom the files
-    of this control were read.
+    ``doubts``: what to clear up before the tables are loaded; ``acknowledged``: those of them that
+    the job acknowledges.
     """
     return {
         "schema": SCHEMA,

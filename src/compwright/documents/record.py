@@ -27,7 +27,9 @@ COPIES_OF_VERIFY = "inputs/verify/"
 
 
 def definition_entry(definition_id: str, data: Any, files: Iterable[str], *, own: bool) -> Any:
-    """Return a record's entry on the control definition: id, SHA-256 and files."""
+    """Return a record's entry on the control definition: id, SHA-256 of the definition ``data``,
+    file names, and whether it is the user's own.
+    """
     text = json.dumps(data, sort_keys=True, ensure_ascii=False, default=str)
     return {
         "id": definition_id,
@@ -48,9 +50,9 @@ def run_record(
     errors: Errors,
 ) -> dict[str, Any]:
     """Return the record of a run (``record.json``): inputs, software, decisions and results.
+    ``about``: the entries on software, machine, control and rules.
 
-    ``about``: software, machine, control and rules; ``files``: all that it writes; ``measured_in``,
-    ``errors``: as `measured_test` takes them.
+    ``files``: all that the run writes; ``measured_in``, ``errors``: as `measured_test` takes them.
     """
     plan = files.get("plan.json")
     return {
@@ -74,7 +76,9 @@ def run_record(
 def planned_record(
     about: Mapping[str, Any], plan: str, evaluation: Mapping[str, Any], errors: Errors
 ) -> dict[str, Any]:
-    """Return a record made from the plan of a run whose record file is missing."""
+    """Return a record made from the plan of a run whose record file is missing. ``about``: the
+    entries on software, machine, control and rules; ``plan``: the SHA-256 of the plan.
+    """
     return {
         "schema": SCHEMA,
         **about,

@@ -23,10 +23,11 @@ def measured_test(
     result: Mapping[str, Any], taken: str, measured_in: Mapping[str, str], errors: Errors
 ) -> dict[str, Any]:
     """Return a record's entry of one test, made from the test's entry in an evaluation document.
+    ``taken``: whether the test was made ``before`` or ``after`` loading.
 
-    ``taken``: ``before`` or ``after``; ``measured_in``: the state by ``axis test`` or the circle's
-    name; ``errors``: gives the standard errors of a positioning result. ``date`` is that of the
-    file, empty where it has none; ``s`` the pooled standard deviation of a reading.
+    ``measured_in``: the state by ``axis test`` or the circle's name; ``errors``: gives the standard
+    errors of a positioning result. ``date`` is that of the file, empty where it has none; ``s`` the
+    pooled standard deviation of a reading.
     """
     header = {str(key).lower(): str(value) for key, value in result.get("header", {}).items()}
     common = {

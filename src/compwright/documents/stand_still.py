@@ -47,10 +47,9 @@ def lost_motion_document(
     depends: bool,
     findings: Iterable[Finding],
 ) -> dict[str, Any]:
-    """Return the JSON entry of a lost motion test: its constant, the largest deviation ``left``,
-    and the readings.
-
-    ``depends``: whether the lost motion is not one constant.
+    """Return the JSON entry of a lost motion test: its constant, the largest deviation ``left``
+    from the constant, and the readings. ``depends``: the lost motion depends on the distance or
+    speed of the moves.
     """
     return {
         "kind": "lost_motion",
