@@ -34,8 +34,8 @@ def main() -> NoReturn:
 
 
 def _side_by_side(items: int, ready: Callable[[], None]) -> AbstractContextManager[Each]:
-    """Return the parallel workers for the axes of a job; their module is imported here because few
-    commands need it.
+    """Return the parallel workers for the axes of a job, of which each calls ``ready`` first; their
+    module is imported here because few commands need it.
     """
     from compwright.foundations.processes import side_by_side
 
@@ -44,8 +44,7 @@ def _side_by_side(items: int, ready: Callable[[], None]) -> AbstractContextManag
 
 def run(arguments: list[str], crew: Crew = alone) -> int:
     """Run a command and return its exit code. Errors are printed as lines, without traceback.
-
-    ``crew``: who works on the axes of a job.
+    ``crew``: makes the parallel workers for the axes of a job.
     """
     session = Session()
     try:

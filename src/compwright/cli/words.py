@@ -67,8 +67,8 @@ class _FileWord(click.ParamType[str]):
 def _matched(
     session: Session, kind: click.ParamType[Any], values: Iterable[object]
 ) -> Iterator[Any]:
-    """Yield the values, with patterns (``*``, ``?``) replaced by the files that match: the shell of
-    Windows does not do that.
+    """Yield the values, with patterns (``*``, ``?``) replaced by the matching files, converted to
+    the option's type ``kind``: the shell of Windows does not replace patterns.
     """
     for value in values:
         text = str(value)

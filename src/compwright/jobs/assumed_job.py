@@ -52,10 +52,9 @@ class _JobLine:
 
 
 def assumed_of(data: Mapping[str, Any], by_files: Mapping[str, object]) -> tuple[Assumption, ...]:
-    """Return the assumptions of a run without a job file: its values for keys of axis, test and job
-    that are not given.
-
-    ``by_files``: keys of the axis that the control's files answered.
+    """Return the assumptions of a run without a job file: the values that it uses for keys of axis,
+    test and job which the command line does not give. ``by_files``: values of axis keys from the
+    control's files.
     """
     ((axis, section),) = data["axes"].items()
     left = _left_out(section, by_files)
@@ -87,11 +86,11 @@ def assumed_job(
     assumed: Sequence[Assumption],
     by_files: Mapping[str, object],
 ) -> str:
-    """Return as text the job file of a run that was started without a job file.
+    """Return as text the job file of a run that was started without a job file. ``by_files``:
+    values of axis keys from the control's files.
 
     ``data``: the values of its command line, in the form of a job; ``options``: every option of the
-    control with its final value; ``assumed``: what a run lists as assumed; ``by_files``: as in
-    `assumed_of`.
+    control with its final value; ``assumed``: what a run lists as assumed.
     """
     ((axis, section),) = data["axes"].items()
     left = [entry for entry in assumed if entry.fact.startswith(_OPTION)]
@@ -120,7 +119,9 @@ def assumed_job(
 def _options(
     given: Mapping[str, object], left: Sequence[Assumption], values: Mapping[str, object]
 ) -> Iterator[_JobLine]:
-    """Yield the control's options as lines: given ones, and default values as comments."""
+    """Yield the control's options as lines: the ``given`` options, and as comments the assumptions
+    about options that are ``left`` out, with their ``values``.
+    """
     yield from [_JobLine("  options:")] if given else []
     for name, value in given.items():
         yield _JobLine(f"    {word(name)}: {flow(value)}", f"--option {name}")

@@ -61,6 +61,7 @@ def job_from_options(
     further: Further | None = None,
 ) -> StatedJob:
     """Return the job that the options of ``run`` describe: one axis, and one test of all ``files``.
+    ``further``: a function that makes additional checks of the job's data.
 
     ``travel`` is ``LO:HI`` in mm or deg; ``states`` are the control's own files, or the single word
     ``none``, or empty (the control's contents are then unknown). Of ``options`` (``K=V``) the keys

@@ -23,7 +23,7 @@ _AXIS_NAME = re.compile(r"\w[\w+-]*")
 
 
 def contradictions(data: Mapping[str, Any]) -> list[KeyFault]:
-    """Return all contradictions between the keys of a job."""
+    """Return a fault for each contradiction between the keys of a job."""
     names = [AS_FOUND, *mapping_of(data.get("states"))]
     standard = data.get("standard", "iso230-2:2014")
     found = [*_states(data.get("states")), *_addresses(data.get("axes"))]

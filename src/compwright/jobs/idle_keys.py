@@ -9,7 +9,9 @@ from compwright.records.job import Acknowledgement, Job
 
 
 def idle_keys(job: Job, *, systems: bool, numbers: bool, motions: bool) -> list[Finding]:
-    """Return findings on the keys of axes in a job that have no effect on this control.
+    """Return findings on the keys of axes in a job that have no effect on this control: on
+    measuring systems, axis numbers or the motion in a test, unless ``systems``, ``numbers`` or
+    ``motions`` is True.
 
     ``systems``: the control's files distinguish measuring systems; ``numbers``: they count axes by
     another number than the address; ``motions``: backlash at rapid traverse may have its own value.

@@ -52,7 +52,9 @@ class NextRound:
 
 
 def name_of_round(states: Sequence[str]) -> str:
-    """Return the name for the control's previous state: ``round_1``, then ``round_2``."""
+    """Return the name under which the next job lists the state of the control in the last round:
+    ``round_1``, or a number one higher than those in ``states``.
+    """
     numbers = [number_of_round(name) or 0 for name in states]
     return f"round_{max(numbers, default=0) + 1}"
 
@@ -79,9 +81,7 @@ def earlier_test(
     section: Mapping[str, Any], files: Sequence[str], name: str, was: str, paths: Mapping[str, str]
 ) -> dict[str, Any]:
     """Return the section of a test of the last job, as an earlier test of the next job, with a new
-    ``name``.
-
-    ``was``: what the state that was in the control then is called now.
+    ``name``. ``was``: the new name of the state ``as_found``; ``paths``: new paths of copied files.
     """
     measured_in = str(section.get("measured_in", AS_FOUND))
     return {
@@ -97,8 +97,9 @@ def test_after(
     temperatures: Mapping[str, Sequence[float]],
     paths: Mapping[str, str],
 ) -> dict[str, Any]:
-    """Return the section of the test after loading for the next job, with the keys of the test that
-    it repeats.
+    """Return the section of the test after loading for the next job. It has the keys of the
+    repeated test's ``section``; new ``files``, ``temperatures`` and ``paths`` (of copied files)
+    replace the old ones.
     """
     test = {**_copied(section, files, paths), "measured_in": AS_FOUND}
     own = test.get("thermal")
@@ -120,7 +121,8 @@ def _copied(
 
 
 def next_job(data: Mapping[str, Any], then: NextRound) -> dict[str, Any]:
-    """Return the data of the next job from the ``data`` of the last job.
+    """Return the data of the next job, made from the ``data`` of the last job and from ``then``,
+    what is different in the next job.
 
     Direct measurements between axes are left out: they were taken before, and what corrects them
     is in the control. Of ``apply`` remains what ``then`` looks at again.

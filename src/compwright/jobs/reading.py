@@ -72,9 +72,10 @@ def _nothing_further(_data: Mapping[str, Any]) -> Iterable[KeyFault]:
 
 
 def read_job(content: bytes, file: str, further: Further = _nothing_further) -> Job:
-    """Read a job file. Paths in it stay as written.
+    """Return the job in a job file, with its paths as written. ``further``: a function that makes
+    additional checks of the job's data.
 
-    ``file`` is its name for messages; ``further`` adds checks of the data.
+    ``file`` is its name for messages.
 
     Raises UsageError with every fault at once, each with file, ``line N, key.path``, expected and
     found: text that is not YAML, keys given twice, unknown keys (with the nearest known one), wrong
@@ -94,7 +95,9 @@ def read_job(content: bytes, file: str, further: Further = _nothing_further) -> 
 
 
 def check(document: YamlDocument, file: str, further: Further = _nothing_further) -> CheckedJob:
-    """Check a job by the schema, for contradictions, and by the ``further`` checks."""
+    """Check a job by the schema, for contradictions, and by the function ``further``; return the
+    validated job, or its faults.
+    """
     data = document.data
     if not isinstance(data, dict):
         return CheckedJob(

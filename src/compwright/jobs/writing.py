@@ -37,9 +37,9 @@ def job_text(
     *,
     active: bool | None = None,
 ) -> str:
-    """Return a job file (schema version 1).
+    """Return the text of a new job file (schema version 1) from values found in the control's
+    files. ``active``: whether compensation was active; None: unknown.
 
-    ``active``: whether the compensation of its state was active, None where that is not known.
     Unknown values are empty keys, so that `run` asks for them.
     """
     lines = [

@@ -39,7 +39,8 @@ if TYPE_CHECKING:
 
 @in_argument_names
 def read(source: PathName | Any, *, profile: PathName | None = None) -> list[MeasuredTest]:
-    """Read the tests of a measurement file, of every file of a folder, or of a pandas table.
+    """Read the tests of a measurement file, of every file of a folder, or of a pandas table; return
+    them as a list.
 
     A table has the columns of the plain CSV form and its keys in ``attrs``. Deviations are measured
     minus target in mm or deg, as in the file: not yet in machine coordinates. ``profile``: the
@@ -103,6 +104,7 @@ def estimate(
     offset: float = 0.0,
 ) -> EstimatedError:
     """Estimate the error of an axis (measured minus target) with its uncertainty from its tests.
+    ``sense``, ``offset``: the conversion from instrument to machine coordinates.
 
     ``travel``: mm or deg, machine coordinates; default: from the first to the last target.
     ``screw_pitch``: known periods of the error, mm or deg. Tests in the instrument's coordinates
@@ -160,10 +162,9 @@ def load_job(path: PathName) -> LoadedJob:
 @in_argument_names
 def plan(job: LoadedJob | PathName, *, accept_worse: bool = False) -> JobPlan:
     """Run a job: evaluate its tests, fit and write tables, read the written files back, predict the
-    next test.
+    next test. ``accept_worse``: also make a table that would not improve its axis.
 
-    ``accept_worse``: make a table even where it would not improve the axis. Raises UsageError,
-    InputError and CapacityError.
+    Raises UsageError, InputError and CapacityError.
     """
     from compwright.workflow.commands.run import planned
 
@@ -239,10 +240,11 @@ def compare(plan: PathName, loaded: PathName | Sequence[PathName]) -> Comparison
 def simulate(
     machine: PathName, *, tables: PathName | None = None, seed: int = 0
 ) -> list[MeasuredTest]:
-    """Measure every axis and circle of a virtual machine. The same ``seed`` gives the same tests.
+    """Measure every axis and circle of a virtual machine. ``tables``: a folder with the files that
+    its control loads. The same ``seed`` gives the same tests.
 
-    ``machine``: a machine file; ``tables``: a folder with what its control loads. Raises UsageError
-    with every fault of the machine file, InputError for files that cannot be read.
+    ``machine``: a machine file. Raises UsageError with every fault of the machine file, InputError
+    for files that cannot be read.
     """
     from compwright.workflow.commands.simulate import load_machine, simulated
 

@@ -16,7 +16,7 @@ from compwright.words.sentences import Sentence
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lattice:
     """Limits of a control that stores a table as whole-number increments; the correction at a point
-    is their sum from the reference position on.
+    is the sum of the increments from the reference position to this point.
 
     The total at table point m = magnification * ``unit`` * sum of the increments up to m.
 

@@ -164,7 +164,9 @@ class CrossCompensation:
     period: float | None = None
 
     def at(self, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the correction of ``output`` at ``positions`` of ``input``, by direction."""
+        """Return the correction of ``output`` with ``input`` at ``positions`` (any shape),
+        approached in ``direction``.
+        """
         as_axis = AxisCompensation(
             address=self.input,
             kind=self.input_kind,

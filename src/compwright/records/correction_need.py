@@ -26,8 +26,8 @@ def correction_need(value: float, std_error: float) -> Need:
 
 
 def most_uncertain(value: float) -> float:
-    """Return the bound for the uncertainty (two standard errors): an error of this ``value`` (µm/m)
-    is corrected if its uncertainty is below.
+    """Return the limit for the uncertainty (two standard errors) of an error of this ``value``
+    (µm/m): the error is corrected only if its uncertainty is below this limit.
     """
     return min(0.5 * abs(value), MOST_UNCERTAIN)
 

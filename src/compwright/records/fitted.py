@@ -47,8 +47,8 @@ class TableRequest:
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """A limit of the control that makes the table less accurate. ``value``: the largest deviation
-    from it, mm or deg.
+    """A limit of the control that makes the table less accurate. ``value``: the rms error over the
+    travel that this limit adds, mm or deg.
     """
 
     cause: str

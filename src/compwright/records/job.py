@@ -207,8 +207,7 @@ class Job:
 
     def with_environment(self, record: Environment, T_m: float | None) -> Job:
         """Return the job with the environment record that corrects its tests of linear axes.
-
-        ``T_m``: the mean of its material (°C), which counts where no key states one.
+        ``T_m``: the mean material temperature (°C) in the record, for tests without a stated one.
         """
 
         def known(thermal: Thermal | None) -> Thermal | None:

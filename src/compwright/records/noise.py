@@ -116,7 +116,7 @@ _ARRAYS: Final = tuple(
 
 def normal_noise(sigma: FloatArray, centre: float = 0.0, half: float = 1.0) -> NoiseDraws:
     """Return draws of normal noise: its standard deviation ``sigma`` (count,) is the same over the
-    whole travel.
+    whole travel. ``centre``, ``half``: the centre and half the length of the travel.
     """
     nothing = np.zeros(sigma.shape)
     return NoiseDraws(
@@ -188,12 +188,13 @@ def traverse_order(positive: int, negative: int) -> tuple[IndexArray, IndexArray
 
 
 def wave_effects(order: FloatArray, signs: FloatArray, count: int, pace: float) -> FloatArray:
-    """Return the covariance matrix of the offsets and tilts of all traverses that a slow
-    disturbance of the whole test causes.
+    """Return the covariance of the offsets and tilts that a slow disturbance causes in k of the
+    ``count`` traverses of a test: in those at the places ``order`` (k,) of time, with the
+    directions ``signs`` (k,).
 
-    A wave of unit standard deviation and correlation time ``pace``, in parts of the test; k of its
-    ``count`` traverses: those in the places ``order`` (k,) of time (from 0) and the directions
-    ``signs`` (k,), 1 or -1.
+    The disturbance is a wave of unit standard deviation and correlation time ``pace``, in parts of
+    the test. Places count from 0; directions are 1 or -1. Shape: (2, k, 2, k), offsets before
+    tilts.
 
     The wave follows the air as a body with a time constant follows a first-order process of the
     same one: the covariance (1 + a) exp(-a), a = √3 t / pace (Rasmussen and Williams, Gaussian
@@ -211,7 +212,8 @@ def wave_effects(order: FloatArray, signs: FloatArray, count: int, pace: float) 
 
 
 def progress(runs: int, rate: FloatArray) -> FloatArray:
-    """Return the fraction (0 to 1) of the whole drift that has happened when each run starts.
+    """Return the fraction (0 to 1) of the whole drift that has happened when each of the ``runs``
+    runs starts. ``rate``: how much the drift slows down (0: not at all).
 
     p_j = (1 - exp(-rate j / (runs - 1))) / (1 - exp(-rate)); ``rate`` 0: j / (runs - 1), even
     progress; above 0: a first-order approach to a steady state, as a body warms up (Newton's law of
@@ -226,8 +228,9 @@ def progress(runs: int, rate: FloatArray) -> FloatArray:
 def slackening(
     runs: int, rate: FloatArray, u: FloatArray, *, returns: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """Return, for + and −, the factor of the drift between successive runs at ``u``, relative to
-    that at the start of the runs.
+    """Return, for + and −, the factor of the drift between successive runs at the position ``u``,
+    relative to that at the start of the runs. ``rate``: as in `progress`; ``returns``: both
+    directions are measured.
 
     From one run to the next; the later reading is at ``u`` (k,), -1 to 1.
 
@@ -243,9 +246,10 @@ def within_run(
     runs: int, rate: FloatArray, u: FloatArray, *, returns: bool
 ) -> tuple[FloatArray, FloatArray]:
     """Return, for + and −, the fraction of the whole drift that happens between a run's first
-    reading and its reading at ``u`` (k,).
+    reading and its reading at ``u`` (k,). ``rate``: as in `progress`; ``returns``: both directions
+    are measured.
 
-    In the means over the runs, between the first reading of a run and the one at ``u``, -1 to 1.
+    It is that of the means over the runs; ``u`` is -1 to 1.
 
     Mean over the runs of p(t + h) - p(t), p as in `progress` and h as in `slackening`; a test of
     one run does not tell: 0.
@@ -264,7 +268,7 @@ def within_run(
 
 def _parts_of_run(u: FloatArray, *, returns: bool) -> tuple[FloatArray, FloatArray]:
     """Return, for + and −, the fraction of a run's time after which the axis is at the positions
-    ``u`` (k,).
+    ``u`` (k,). ``returns``: both directions are measured, − in the second half of the time.
     """
     half = 0.5 if returns else 1.0
     return half * 0.5 * (u + 1.0), half * 0.5 * (1.0 - u) + (0.5 if returns else 0.0)

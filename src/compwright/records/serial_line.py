@@ -17,8 +17,9 @@ _NO_TEXT = re.compile(rb"[\x00-\x08\x0e-\x1f]")
 
 
 def from_line(name: str, raw: bytes, folder: str = "") -> ControlFile:
-    """Return a file of a control. Characters that a serial line added before and after the text are
-    separated from the text.
+    """Return a control's file, in which the characters that a serial line added before and after
+    the text are separated from the text. ``folder``: the folder that the user named in place of the
+    file, or "".
     """
     head = raw[: len(raw) - len(raw.lstrip(_AROUND))]
     tail = raw[len(raw.rstrip(_AROUND)) :]

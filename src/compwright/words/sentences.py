@@ -1,4 +1,5 @@
-"""Sentences as a name with values, written as text from the catalogue of a language.
+"""Sentences in several languages: a sentence is stored as the name of a template and its values,
+and becomes text by the template of a language.
 
 A template is text with fields. ``{name}`` inserts a value, in the form behind a colon:
 
