@@ -35,7 +35,9 @@ from compwright.words.sentences import ControlText, SentenceText, control_text, 
 def axis_documents(
     job: Job, control: Control, work: AxisWork, loaded: DecodedState, old: DecodedState
 ) -> Iterator[dict[str, Any]]:
-    """Yield the card's data of an axis, and of its gantry slave if that gets a table of its own."""
+    """Yield the card's data of the axis of ``work``, and of its gantry slave if that gets a table
+    of its own. ``loaded``: the written files, decoded; ``old``: the control's files before.
+    """
     own = _axis(job, control, work, loaded, old)
     yield own
     axis = work.planned.axis
@@ -126,6 +128,7 @@ def _numbering(numbered: NumberedSections | None) -> dict[str, Any] | None:
 
 def _backlash(table: AxisCompensation | None, held: DecodedState, axis: Axis) -> float:
     """Return an axis' backlash in mm or deg, including backlash that its table values contain.
+    ``held``: the control's files, decoded, in which the ``table`` is.
 
     They contain it if the control's parameter is evaluated in the curve of one direction.
     """
@@ -162,11 +165,9 @@ def _rows(
     new: tuple[AxisCompensation | None, float],
     typed: tuple[str, str],
 ) -> list[dict[str, str]]:
-    """Return the card's rows on an axis' table (points, range, corrections, backlash): old value,
-    new value and unit.
-
-    ``old``, ``new``: table and backlash; ``typed``: the old and the new backlash as the control's
-    parameter.
+    """Return the card's rows on an axis' table (points, range, corrections, backlash) with old
+    value, new value and unit. ``old``, ``new``: table and backlash; ``typed``: the old and the new
+    backlash as texts to type into the control.
     """
     unit = axis.kind.unit
     factor, small = outside_factor(unit), shown_unit(unit)
@@ -244,7 +245,8 @@ def step_documents(
     between: Sequence[Mapping[str, Any]],
 ) -> list[Mapping[str, Any]]:
     """Return the card's steps for loading the new tables: those of the control's definition, then
-    those for cross-axis tables.
+    ``between``, those for cross-axis tables. ``written``: the axes that get tables, by name;
+    ``loaded``: the written files, decoded.
     """
     tells = any("{gantry}" in rule.text for rule in control.definition.card)
     steps = [
@@ -345,12 +347,11 @@ def restore_texts(
     steps: bool,
     between: bool,
 ) -> list[str]:
-    """Return the card's texts on how to restore the old state by loading files: ``back`` if there
-    are any, else ``files``.
+    """Return the card's texts on how to restore the old state by loading files: ``back``, small
+    files with the old values, if there are any; else ``files``, the control's old files.
+    ``between``: there are new cross-axis tables.
 
-    ``files``: the control's own; ``back``: small files with the old values.
-
-    ``steps``: `restore_steps` give the rest; ``between``: there are new cross-axis tables.
+    ``steps``: `restore_steps` give the rest.
     """
     if not files:
         nothing = control_text("The job says that nothing was active.")

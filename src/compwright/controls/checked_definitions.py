@@ -115,8 +115,8 @@ def _judged(
 
 @dataclass(frozen=True, slots=True)
 class HandWorked:
-    """How far the corrections that a file reader of compwright finds deviate at most from those
-    worked out by hand.
+    """The largest deviation of the corrections that one of compwright's two file readers finds from
+    the corrections worked out by hand, for one hand-worked example.
 
     ``count``: how many corrections; ``reader``: ``formats`` or ``controllers``.
     """

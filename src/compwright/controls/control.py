@@ -271,16 +271,16 @@ def decode(
     drafting: bool = False,
 ) -> DecodedState:
     """Decode a control's files with compwright's two independent file readers, and compare their
-    results.
+    results. ``axes``: the axes of a job; ``address``: the only axis to be read; ``written``:
+    compwright has just written the files.
 
-    ``axes``: those of a job; ``address``: the one axis wanted. Either names the axis of a table
-    that does not. ``written``: compwright has just written these files. ``active``: whether
-    the tables were active by the job, if the files do not state it; ``asking``: the job has to
-    state it (else UsageError). ``carried_out``: all values of the state's programs are known
-    to have been executed. ``drafting``: a job is drafted from the files, and tables that no job
-    changes exclude no axis. Raises InputError when the files cannot be read, contradict themselves
-    or can be read in two ways: two different readings are not a state to build on. In files written
-    by compwright that is a fault of its own (CompwrightError).
+    ``axes`` or ``address`` names the axis of a table that does not. ``active``: whether the tables
+    were active by the job, if the files do not state it; ``asking``: the job has to state it (else
+    UsageError). ``carried_out``: all values of the state's programs are known to have been
+    executed. ``drafting``: a job is drafted from the files, and tables that no job changes exclude
+    no axis. Raises InputError when the files cannot be read, contradict themselves or can be read
+    in two ways: two different readings are not a state to build on. In files written by compwright
+    that is a fault of its own (CompwrightError).
     """
     if not files:
         return DecodedState(files=(), state=ControlState(format=control.id, axes={}), judge=None)
@@ -354,8 +354,8 @@ def decode(
 
 
 def _judged_at(definition: Definition, axis: Axis) -> Mapping[str, str]:
-    """Return the motion (rapid) at which an axis was measured, if the control has another backlash
-    for it; else an empty mapping.
+    """Return the option ``motion`` with the kind of motion at which an axis was measured (rapid),
+    if the control has another backlash for it; else no options.
     """
     differs = "backlash_rapid" in definition.bindings and axis.motion != "feed"
     return {"motion": axis.motion} if differs else {}

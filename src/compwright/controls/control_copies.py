@@ -72,9 +72,8 @@ class ControlCopies:
 def control_copies(
     session: Session, files: Sequence[ControlFile], cuts: Mapping[str, Cuts], format_id: str | None
 ) -> ControlCopies:
-    """Return the checked copies of control files. ``format_id``: the control, if it is known.
-
-    Each file has ``cuts`` of its own, by its name.
+    """Return the checked copies of control files. ``cuts``: by file name, the record of the texts
+    that are removed from the file; ``format_id``: the control, if it is known.
 
     Raises UsageError for a control that is not known.
     """
@@ -148,10 +147,10 @@ def _copy(file: ControlFile, likely: Sequence[Definition], cuts: Cuts) -> Contro
 
 
 def _as_read(file: ControlFile, likely: Sequence[Definition]) -> tuple[Definition, ReadText]:
-    """Return the first definition of a control by which a file can be read without a fault, and the
-    contents of the file.
+    """Return the first of the ``likely`` definitions by which a file can be read without a fault,
+    and the contents of the file. Raises InputError if there is none.
 
-    Raises InputError with the first control's faults.
+    The error has the first definition's faults.
     """
     first: tuple[Fault, ...] = ()
     for definition in likely:
@@ -246,7 +245,9 @@ def _named_by_others(files: Sequence[ControlFile]) -> frozenset[str]:
 
 
 def _bare(file: ControlFile, definition: Definition, named: frozenset[str]) -> bool:
-    """Return whether the text of a file does not show which control it belongs to."""
+    """Return whether the text of a file, read by ``definition``, does not show to which control it
+    belongs. ``named``: file names that other files mention.
+    """
     if "/" in file.name or RULES[definition.layout.shape].kept.begins(file.content):
         return True
     if not (file.name.lower().endswith(_BARE_TABLE) or file.name in named):

@@ -53,12 +53,13 @@ def write_planned(
     axes: Mapping[str, Axis],
     tabled: Collection[str] = (),
 ) -> CrossOutcome:
-    """Write the cross-axis tables in addition to the axis tables ``tables``, and read all back.
+    """Write the ``planned`` cross-axis tables into the control's files, together with the files
+    ``tables`` that contain the new axis tables, and read all files back. ``as_found``: the
+    control's files before; ``tabled``: names of the axes with a new axis table.
 
-    ``control``: as it is in the state ``as_found``. ``tabled``: the axes (names of ``axes``) that
-    get a table of their own in ``tables``. What the control cannot hold is not written: a finding
-    and a step of the card say so, and what would help. Raises CompwrightError (a fault of our own)
-    when something else comes back than was written.
+    ``control``: as it is in the state ``as_found``. What the control cannot hold is not written: a
+    finding and a step of the card say so, and what would help. Raises CompwrightError (a fault of
+    our own) when something else comes back than was written.
     """
     if not planned:
         return CrossOutcome(files=tables)

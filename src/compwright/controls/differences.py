@@ -40,13 +40,10 @@ def read_axis_by_axis(
     among: Collection[str] | None = None,
     caught: type[InputError] | tuple[type[InputError], type[UsageError]] = InputError,
 ) -> AxisReadings:
-    """Return the compensation in ``files`` after reading each axis separately; axes that cannot be
-    read are listed with their errors.
+    """Return the compensation in ``files`` after reading each axis separately (with ``among`` only
+    these axes); axes for which ``read`` raises an error of the type ``caught`` are listed with it.
 
-    ``among`` these if given.
-
-    An axis on which nothing is active, by the others, is skipped. ``caught``: errors that leave an
-    axis out.
+    An axis on which nothing is active, by the others, is skipped.
     """
     refused: dict[str, InputError | UsageError] = {}
     state: ControlState | None = None
@@ -152,10 +149,8 @@ def compared_side(
     name: str,
     naming: Sequence[ControlFile] = (),
 ) -> ComparedSide:
-    """Return one set of files for a comparison, read as far as possible.
-
-    ``name``: what it is called in findings; ``naming``: the other set, which may say what the axes
-    are called.
+    """Return one set of files for a comparison, read as far as possible. ``name``: the set's name
+    in findings; ``naming``: the other set of files, which may contain the names of the axes.
 
     Raises InputError where the files enter nothing at all, or cannot be opened.
     """

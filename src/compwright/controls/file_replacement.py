@@ -52,9 +52,10 @@ def with_new_tables(
     tables: Sequence[ControlFile],
     tabled: Collection[str],
 ) -> tuple[ControlFile, ...]:
-    """Return the control's own files with the new ``tables`` in place of the old ones.
+    """Return the control's own files with the new ``tables`` in place of the old ones. ``tabled``:
+    addresses of the axes that get a new table; their old entry sheets are left out.
 
-    Left out: entry sheets that these replace, and lines of files that the user changes by hand.
+    Left out too: lines of files that the user changes by hand.
     """
     new = {sheet.axis for file in tables if (sheet := _sheet(file)) is not None} | set(tabled)
     kept = [file for file in own if (sheet := _sheet(file)) is None or sheet.axis not in new]
@@ -72,10 +73,10 @@ def _sheet(file: ControlFile) -> EntrySheet | None:
 def contents_after_loading(
     before: Sequence[ControlFile], back: tuple[ControlFile, ...]
 ) -> tuple[ControlFile, ...]:
-    """Return the control's contents after loading, from the files ``back`` that the user read back
-    from the control.
+    """Return the control's contents after loading: the files ``back`` that the user read back from
+    the control, together with an archive in the files ``before`` if it was not read back.
 
-    An archive in ``before`` that was not read back stays, with the files ``back`` over it.
+    The values of the files ``back`` replace those in the archive.
     """
     if holds_archive(before) and not holds_archive(back):
         return merged_files(before, back)
@@ -90,10 +91,11 @@ def loadable_files(
     image: DecodedState | None,
 ) -> Delivery:
     """Return the files that the user has to load into the control: the written ``files`` or smaller
-    files made from them.
+    files made from them. ``image``: the written files, decoded; if given, smaller files must have
+    the same effect.
 
     Raises UsageError if the files cannot be had in the requested form, and CompwrightError (a fault
-    of our own) if small files have another effect than the whole ``image`` that they replace.
+    of our own) if small files have another effect.
     """
     try:
         delivery = control.format.delivered(files, as_found.files, axes)

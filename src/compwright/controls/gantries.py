@@ -184,8 +184,8 @@ def skew_findings(
     gains: Mapping[str, float],
 ) -> Iterator[Finding]:
     """Yield findings on the difference between a gantry's two tables, before and after loading.
-
-    ``gains``: by how much the parameter that judges tables falls, mm or deg, by name of the axis.
+    ``gains``: by axis name, by how much the new table reduces the main parameter of the test (such
+    as A or E), mm or deg.
     """
     for axis in axes:
         if axis.gantry is None or axis.gantry_table is None or loaded is None:
@@ -224,7 +224,9 @@ def skew_findings(
 
 
 def _skew(axis: Axis, state: DecodedState, where: FloatArray) -> list[FloatArray]:
-    """Return the correction of the slave axis minus that of its master, by direction."""
+    """Return the correction of the slave axis minus that of its master at the positions ``where``,
+    for each direction.
+    """
     own, leading = (
         judged_correction(state, partner_of(axis, str(axis.gantry))),
         judged_correction(state, axis),
@@ -331,10 +333,9 @@ def _by_node(
     capacity: Capacity,
     idle: Sequence[float],
 ) -> AxisCompensation | None:
-    """Return the slave's ``own`` table plus the master's change at each point; None if the control
-    cannot store the sum.
-
-    From ``old`` to ``new``.
+    """Return the slave's table ``own`` plus, at each point, the change of its master's table from
+    ``old`` to ``new``; None if the control cannot store the sum. ``idle``: the points of the
+    slave's inactive table.
 
     Steps are treated as lines between their points: a step at another place would move the axes
     apart by the whole step. Beyond the points around the travel the change is constant.

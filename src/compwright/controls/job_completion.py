@@ -34,11 +34,11 @@ def named_axes(
     job: Job, control: Control, by_name: Callable[[], Mapping[str, tuple[str, str]]]
 ) -> tuple[Job, tuple[Assumption, ...]]:
     """Return the job with each axis' address in the control, and the assumptions made to find these
-    addresses.
+    addresses. ``by_name``: a function that returns address and evidence for each axis name in the
+    control's files.
 
-    ``by_name``: the addresses of axis names in the control's own files, each with its evidence;
-    called only if the control cannot have an address of the job. Raises UsageError if the files do
-    not give such an address, and for two axes at one address.
+    It is called only if the control cannot have an address of the job. Raises UsageError if the
+    files do not give such an address, and for two axes at one address.
     """
     axes: dict[str, AxisJob] = {}
     assumed: list[Assumption] = []
@@ -118,9 +118,9 @@ def _number_question(control: Control, axis: Axis, by_name: Mapping[str, tuple[s
 
 
 def completed_by_files(job: Job, states: Mapping[str, DecodedState], as_found: str) -> Job:
-    """Return the job with detection units, meaning of values and measuring systems from the files.
-
-    ``states``: all that were read; ``as_found``: the name of the one that is in the control now.
+    """Return the job with detection units, meaning of values and measuring systems from the
+    control's files. ``states``: the decoded files of each state that the job names; ``as_found``:
+    the name of the present state.
     """
     read = [decoded.state for decoded in states.values()]
     axes = {
@@ -134,10 +134,9 @@ def completed_by_files(job: Job, states: Mapping[str, DecodedState], as_found: s
 
 
 def completed_axis(axis: Axis, states: Sequence[ControlState], given: Mapping[str, object]) -> Axis:
-    """Return an axis with what the control's files state: its options, the screw lead, and the
-    reversal steps that the control leaves out.
-
-    ``given``: the options of the whole control, which take precedence.
+    """Return an axis with the facts in the control's files: its options, the screw lead, and the
+    reversal steps that the control leaves out. ``given``: options of the whole control, which the
+    files do not replace.
     """
     options = dict(axis.options)
     for name in (DETECTION_UNIT, TABLE_VALUES):

@@ -40,9 +40,9 @@ def harmful_parts(
     tables: Sequence[ControlFile],
     works: Mapping[str, AxisWork],
 ) -> tuple[str, ...]:
-    """Return a text for each file that makes an axis worse if only this file is loaded.
-
-    ``own``: the control's files before.
+    """Return a text for each of the files ``tables`` that makes an axis worse if only this file is
+    loaded. ``own``: the control's files before; ``works``: by axis name, the first test and the new
+    table.
     """
     old = {file.name: file.content for file in own}
     changed = [file for file in tables if old.get(file.name) != file.content]

@@ -53,12 +53,12 @@ def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
 def pairs_not_read_back(
     planned: Iterable[PlannedCross], whole: Differences, found: ComparedSide
 ) -> dict[tuple[str, str], Finding]:
-    """Return, for each written cross-axis table that was not completely read back, a finding that
-    names a missing value.
+    """Return, by axis pair, a finding for each written cross-axis table that was not completely
+    read back; it names a missing value. ``whole``: the differences between the planned files and
+    the files read back (``found``).
 
-    By addresses of the axis pair; ``whole``: differences between planned and ``found`` files. A
-    control may name one of the axes in a value, or none: these count where no table of the pair was
-    read back.
+    A control may name one of the axes in a value, or none: these count where no table of the pair
+    was read back.
     """
     lost = _not_read(whole)
     missing = {}
@@ -88,13 +88,12 @@ def read_back_differences(
     names: Mapping[str, str],
     planned: Sequence[PlannedCross] = (),
 ) -> ReadBackDifferences:
-    """Return the differences between read-back and expected contents.
-
-    ``names``: axis names by address; ``planned``: the corrections between axes of the plan.
+    """Return the differences between read-back and expected contents. ``names``: names of the job's
+    axes by address; ``planned``: the plan's corrections between axes.
 
     Files that were not read back are ignored; so is a value that was in no file before, unless its
-    file was. A neighbour's table of which a part is missing differs, as does a value
-    between axes that is missing in its file.
+    file was. A neighbour's table of which a part is missing differs, as does a value between axes
+    that is missing in its file.
     """
     whole = differences(control, expected, found)
     known = {entry.file for entry in expected.entries.values()}
@@ -143,8 +142,8 @@ def _assumed_instead(expected: ComparedSide, found: ComparedSide) -> Iterator[Fi
 
 
 def _compared(placed: Placed, known: set[str]) -> bool:
-    """Return whether a difference is reported: the value was read back, and it was expected or is
-    not 0 in an expected file.
+    """Return whether a difference is reported: the value was read back, and the plan's files
+    contain it, or it is new in one of these files and not 0. ``known``: names of the plan's files.
     """
     change = placed.change
     if change.new is None:
@@ -156,7 +155,7 @@ def _compared(placed: Placed, known: set[str]) -> bool:
 
 def _between_axes(placed: Placed, read: set[str]) -> bool:
     """Return, for a value that was not read back, whether it belongs to several axes (a cross-axis
-    table) and the file that should contain it was read back.
+    table) and its file was read back. ``read``: names of the files that were read back.
     """
     old = placed.change.old
     return len(set(placed.axes)) > 1 and old is not None and old.file in read
@@ -171,8 +170,9 @@ def _difference(placed: Placed, axis: str) -> Difference:
 def _corrections(
     whole: Differences, compensating: list[Placed], names: Mapping[str, str]
 ) -> Iterator[Difference]:
-    """Yield the changed corrections of axes outside the plan and of axis pairs, where a compared
-    value belongs to these axes.
+    """Yield the changed corrections of axes outside the plan and of axis pairs, if one of the
+    values ``compensating`` belongs to these axes. ``whole``: all differences; ``names``: names of
+    the job's axes by address.
     """
     touched = [set(one.axes) for one in compensating]
     for address, change in whole.corrections.items():
@@ -215,7 +215,7 @@ def _not_read(whole: Differences) -> list[Placed]:
 
 def _partly_read(control: Control, whole: Differences, found: ComparedSide) -> list[Placed]:
     """Return the values that were not read back although other values of the same table or list
-    were read back.
+    were read back. ``whole``: all differences; ``found``: the files that were read back.
     """
     missing = _not_read(whole)
     groups = {one.entry.group for one in missing}
