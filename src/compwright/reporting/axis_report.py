@@ -33,9 +33,8 @@ _CHUNK: Final = 24  # rows of the table in numbers before a second column is beg
 
 
 def axis_block(task: tuple[int, str, Document, Document, Document]) -> dict[str, Any]:
-    """Return the report section of an axis.
-
-    Its number on the page, name, view, prediction, and what it needs of the whole view.
+    """Return the report section of an axis. ``task``: its number on the page, its name, what the
+    view contains on it, its prediction, and the parts of the view on all axes.
     """
     return _run_axis(*task)
 

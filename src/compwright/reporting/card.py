@@ -301,7 +301,9 @@ def _numbering(numbering: Document | None, language: Language) -> dict[str, Any]
 
 
 def _with_parameter(value: object, typed: object) -> str | Sentence:
-    """Return a value to type at the control, with the name of its parameter if there is one."""
+    """Return an old value as text: as the control's parameter holds it (``typed``), with ``value``
+    in parentheses; ``value`` alone if ``typed`` is empty.
+    """
     return say("card.with_unit", text=typed, unit=_typed(value)) if typed else _typed(value)
 
 

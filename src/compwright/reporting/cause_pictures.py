@@ -49,8 +49,8 @@ def _since(angle: float, direction: float) -> float:
 
 
 def cause_pictures(causes: Sequence[CircleCause]) -> dict[str, Any] | None:
-    """Return the pictures of the significant causes, whose paths are lines of points; None if no
-    significant cause has a picture.
+    """Return the pictures of the significant causes, each with the paths of a ccw and a cw run;
+    None if no significant cause has a picture.
     """
     pictures: list[dict[str, Any]] = []
     for cause in significant_causes(causes):
@@ -85,7 +85,10 @@ def cause_pictures(causes: Sequence[CircleCause]) -> dict[str, Any] | None:
 def _line(
     kind: str, sign: float, direction: float, centre: tuple[float, float], *, second: bool
 ) -> str:
-    """Return the path of one run as points of an SVG polyline, in the order of its motion."""
+    """Return the path of one run as points of an SVG polyline, in the order of its motion.
+    ``sign``: the sign of the cause's value; ``centre``: of the picture; ``second``: the cause is
+    one of the second axis.
+    """
     points = []
     for number in range(360 // _STEP + 1):
         # Half a step aside: at a reversal point itself a step has no side.

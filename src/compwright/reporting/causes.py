@@ -107,7 +107,9 @@ class CircleCause:
 
     @property
     def corrected(self) -> bool:
-        """Whether `run` corrects the cause where the control can: a squareness by its own rule."""
+        """Whether `run` corrects the cause if the control can do so: its value is large and certain
+        enough, for a squareness also by the rule of `correction_need`.
+        """
         return self.shown and self.known and self.correction in {None, "correct"}
 
     @property
@@ -158,7 +160,9 @@ def ranked_causes(result: Mapping[str, Any]) -> list[CircleCause]:
 
 
 def summed_causes(result: Mapping[str, Any]) -> list[CircleCause]:
-    """Return the values of a circular result that sum up its causes."""
+    """Return those values of a circular result that summarise its causes, such as the positional
+    tolerance.
+    """
     return [_cause(name, result) for name in _SUMMARIES if name in _given(result)]
 
 

@@ -144,7 +144,8 @@ def _frame(
 
 def _along(x: _Scale, steps: Sequence[float]) -> tuple[list[float], int]:
     """Return the values that are printed at the horizontal axis, as many as there is room for, and
-    their number of decimals.
+    their number of decimals. ``steps``: the possible distances between two values, times any power
+    of 10.
     """
     for most in range(_MOST_NUMBERS, 1, -1):
         columns, decimals = _ticks(x.low, x.high, most, steps)
@@ -155,7 +156,9 @@ def _along(x: _Scale, steps: Sequence[float]) -> tuple[list[float], int]:
 
 
 def _ticks(low: float, high: float, most: int, steps: Sequence[float]) -> tuple[list[float], int]:
-    """Return about ``most`` round numbers from low to high, and how many decimals they have."""
+    """Return about ``most`` round numbers from low to high, and how many decimals they have.
+    ``steps``: the possible distances between two numbers, times any power of 10.
+    """
     least = (high - low) / max(most, 1)
     power = 10.0 ** math.floor(math.log10(least))
     step = next(

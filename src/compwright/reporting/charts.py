@@ -329,8 +329,8 @@ def _add_band(
     look: CurveLook,
     label: str | Sentence = "",
 ) -> None:
-    """Add the band y ± ``half`` to a chart if ``half`` has values. With a ``label`` the limits of
-    the band are drawn as lines too.
+    """Add the band y ± ``half`` with the style ``look`` to a chart if ``half`` has values. With a
+    ``label`` the limits of the band are drawn as lines too.
     """
     if not _any_known(half):
         return
@@ -416,8 +416,8 @@ def title_of(result: Document) -> Sentence:
 
 
 def parameter_line(result: Document, most: int = 4) -> str | Sentence:
-    """Return, as one line, the main parameters for both directions together; for a test in one
-    direction, those of that direction.
+    """Return, as one line, at most ``most`` main parameters (such as A, E, R, B) for both
+    directions together; for a test in one direction, those of that direction.
     """
     given = {
         key: value for key, value in (result.get("parameters") or {}).items() if value is not None
@@ -440,7 +440,9 @@ def _single(direction: str) -> tuple[str, ...]:
 
 
 def prediction_line(predicted: Document, before: Document, most: int) -> str | Sentence:
-    """Return the predicted medians and 5-95 % ranges of the main parameters as text."""
+    """Return the predicted medians and 5-95 % ranges of at most ``most`` main parameters (such as A
+    and E) as text.
+    """
     given = before.get("parameters") or {}
     order = [
         key
@@ -455,7 +457,9 @@ def prediction_line(predicted: Document, before: Document, most: int) -> str | S
 
 
 def quantiles(name: str, one: Document) -> Sentence:
-    """Return the predicted median and 5-95 % range of a parameter as text."""
+    """Return as text the name of a parameter with its predicted median and 5-95 % range, which
+    ``one`` contains.
+    """
     return say(
         "chart.quantiles",
         symbol=name,

@@ -31,8 +31,8 @@ _AGREES: Final = 2.0
 
 
 def circle_page(result: Document, index: int, job: Sequence[str] | None = None) -> dict[str, Any]:
-    """Return the contents of a circular test's report page. ``job``: lines that the user can copy
-    into a job file; None means that they are made from this test alone.
+    """Return the contents of a circular test's report page. ``index``: the number of the test in
+    the report; ``job``: lines to copy into a job file; None: lines made from this test alone.
     """
     name = plain(result.get("name") or "")
     causes, sums = ranked_causes(result), summed_causes(result)
@@ -155,7 +155,9 @@ def _causes(causes: Sequence[CircleCause]) -> TextTable:
 
 
 def _sums(sums: Sequence[CircleCause], *, printed: bool) -> TextTable:
-    """Return the table of the values that sum up causes."""
+    """Return the table of the values that summarise causes, ``sums``. ``printed``: with a column
+    for the values that the vendor's software printed.
+    """
     rows = [[cause.words, *_values(cause, printed=printed)] for cause in sums]
     return {"heads": _heads(say("head.quantity"), printed=printed), "rows": rows}
 
@@ -180,7 +182,8 @@ def _values(cause: CircleCause, *, printed: bool) -> list[str | Sentence]:
 
 
 def _comparison(cause: CircleCause) -> str | Sentence:
-    """Return "agrees", "differs" with the reason, or "not valid" for a cause; "" without a value.
+    """Return how the value of a cause compares with the value that the vendor's software printed:
+    "agrees", "differs" with the reason, or "not valid"; "" if no value was printed.
 
     The plain regression of the same readings, without spikes, is the experiment: it shows how much
     of the difference the spikes make.

@@ -120,7 +120,9 @@ def _with_unit(text: str, unit: str) -> str | Sentence:
 
 
 def rules(circle: Document) -> list[Sentence]:
-    """Return the decision rule for a circle's limits, or nothing if it has no limits."""
+    """Return the sentence on the decision rule for a circle's limits; an empty list if it has no
+    limits.
+    """
     return sections.rule_lines(circle.get("accept") or {}, "µm", after="after" in circle)
 
 

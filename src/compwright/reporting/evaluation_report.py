@@ -27,7 +27,8 @@ _CIRCULAR: Final = ("G_ccw", "G_cw", "G_bidirectional", "H", "D")
 
 def evaluation_report(view: Document) -> bytes:
     """Return the report as HTML: first the results and the statement of conformity, then a page for
-    each test, the raw readings, and the source files.
+    each test, the raw readings, and the source files. ``view``: the documents and facts to be
+    shown.
 
     Raises UsageError when the report extra is missing.
     """

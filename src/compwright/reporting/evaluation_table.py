@@ -228,8 +228,8 @@ def _last(result: _Result) -> list[Cell]:
 
 
 def _in_use(results: Iterable[_Result], part: Callable[[_Result], Mapping[str, Any]]) -> list[str]:
-    """Return all names (such as those of parameters) that the ``part`` of at least one result
-    contains, in the usual order.
+    """Return, in the usual order, the names (such as those of parameters) that occur in at least
+    one result. ``part``: the function that returns the part of a result with these names.
     """
     names = dict.fromkeys(name for result in results for name in part(result))
     order = {name: place for place, name in enumerate(PARAMETERS)}

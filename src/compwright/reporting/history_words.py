@@ -28,7 +28,9 @@ def parameter_name(parameter: str) -> str:
 
 
 def trend_lines(one: Mapping[str, Any]) -> Iterator[str]:
-    """Yield the significant rates of change (beyond three standard errors) and jumps as text."""
+    """Yield as text the significant rates of change (beyond three standard errors) and the jumps of
+    all parameters of ``one`` axis or plane in a history.
+    """
     tests = one["tests"]
     for parameter, trend in one["trends"].items():
         name, unit = parameter_name(parameter), unit_text(trend["unit"])
@@ -47,8 +49,8 @@ def trend_lines(one: Mapping[str, Any]) -> Iterator[str]:
 
 
 def limit_lines(one: Mapping[str, Any]) -> Iterator[str]:
-    """Yield sentences on when a parameter of an axis or plane will probably reach its limit, for
-    each parameter with a trend towards its limit.
+    """Yield sentences on when a parameter of ``one`` axis or plane will probably reach its limit,
+    for each parameter with a trend towards its limit.
     """
     for parameter, trend in one["trends"].items():
         if trend["crosses"] is not None:

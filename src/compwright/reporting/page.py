@@ -70,11 +70,10 @@ class Figure(Protocol):
 
 def inline_figure(svg: bytes, *, prefix: str, description: str) -> Any:
     """Return an SVG file (from the module `plots`) as markup that can be inserted into an HTML
-    page.
+    page. ``prefix``: what all its element ids begin with, so that they are unique in the page.
 
-    ``prefix`` makes its ids its own (figures on one page must not use each other's clips and
-    letters), name spaces and metadata go (HTML needs none), ``description`` is what a screen reader
-    says.
+    Name spaces and metadata are removed (HTML needs none); ``description`` is the text for screen
+    readers.
     """
     markupsafe = need("markupsafe")
     text = svg.decode("utf-8")

@@ -15,7 +15,7 @@ def common(
     view: Document, evaluations: Sequence[tuple[str | Sentence, Document | None]]
 ) -> dict[str, Any]:
     """Return the contents that every page has: title, machine, control, and the tests, each with a
-    label such as "before".
+    label such as "before". ``view``: the documents and facts that the page shows.
 
     ``evaluations``: each with the label of its tests.
     """
@@ -48,9 +48,10 @@ def common(
 
 
 def paper_content(view: Document, results: Sequence[Document]) -> dict[str, Any]:
-    """Return the contents of a formal report: head, text on accreditation, and command line.
+    """Return the contents of a formal report on the tests ``results``: head, text on accreditation,
+    and command line. ``view``: the documents and facts that the page shows.
 
-    The wording for a firm without accreditation; ``results``: the tests that it is about.
+    The wording is for a firm without accreditation.
     """
     return {
         "head": paper.head(view.get("report") or {}, results),
@@ -72,8 +73,8 @@ def conditions(blocks: Iterable[Document]) -> list[dict[str, Any]]:
 def remaining(
     view: Document, blocks: Iterable[Document], *evaluations: Document | None
 ) -> list[dict[str, Any]]:
-    """Return the findings that no section (``blocks``) of the page shows, including a finding for
-    each unreadable file.
+    """Return the findings in ``view`` (what the page shows) that no section (``blocks``) of the
+    page contains, and a finding for each unreadable file.
     """
     shown = {(item["code"], item["message"]) for block in blocks for item in block["findings"]}
     every = sections.findings(sections.unreadable(*evaluations), view.get("findings"))

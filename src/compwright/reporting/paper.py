@@ -72,8 +72,7 @@ def head(report: Document, evaluations: Sequence[Document]) -> dict[str, Any]:
 
 def conformity(decisions: Sequence[str], *, proven: bool) -> Sentence:
     """Return the statement of conformity of a machine, from the ``decisions`` on its limits.
-
-    ``proven``: nothing but the limits is open.
+    ``proven``: nothing except the limits is undecided, such as whether the loaded table is active.
     """
     if not decisions:
         return NO_LIMITS
@@ -112,7 +111,9 @@ def _of_every_test(key: str, results: Sequence[Document]) -> str | Sentence:
 
 
 def measured_block(result: Document, stated: Mapping[str, str | Sentence]) -> dict[str, Any]:
-    """Return the page of one positioning test: figures, extremes, conditions and budget."""
+    """Return the page of one positioning test: figures, extremes, conditions and budget.
+    ``stated``: what the job states about its conditions, by item.
+    """
     axis = plain(result.get("axis"))
     reversal = any(target.get("reversal") is not None for target in result.get("targets") or ())
     return {
@@ -126,7 +127,7 @@ def measured_block(result: Document, stated: Mapping[str, str | Sentence]) -> di
 
 def sheet(result: Document, stated: Mapping[str, str | Sentence]) -> dict[str, Any]:
     """Return the conditions of a test: the items that its standard requires, and further statements
-    in the measurement file.
+    in the measurement file. ``stated``: what the job states, by item.
     """
     return {
         "standard": standard_text(result.get("standard", "")),
@@ -164,8 +165,8 @@ def sheets_together(
 
 
 def _of_each(names: Sequence[str | Sentence], values: Sequence[str | Sentence]) -> str | Sentence:
-    """Return the statement if it is the same for all tests, else each different statement with the
-    names of its tests.
+    """Return the statement on one item, such as the instrument, if it is the same for all tests
+    ``names``; else each different statement in ``values`` with the names of its tests.
     """
     names_by_value: dict[str | Sentence, list[str | Sentence]] = {}
     for name, value in zip(names, values, strict=True):

@@ -256,7 +256,8 @@ def _trimmed(parts: list[Any]) -> list[Any]:
 
 def _columns(rows: list[list[dict[str, Any]]], *, narrow: bool) -> list[dict[str, int]]:
     """Return, for each column, how its width is set: by its ``share`` of the table, by a number of
-    ``letters``, or automatically.
+    ``letters``, or automatically. ``narrow``: the table has the class ``narrow``, so that no column
+    gets a share.
     """
     shares: list[int] = []
     letters: list[int] = []

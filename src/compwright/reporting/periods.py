@@ -71,7 +71,10 @@ def _percent(probability: float) -> str:
 
 
 def _odds_picture(search: Document, periods: Sequence[Document]) -> dict[str, Any]:
-    """Return the curve of log10 odds for a periodic error over the logarithm of its period."""
+    """Return the curve of log10 odds for a periodic error over the logarithm of its period.
+    ``search``: the evidence for each possible period; ``periods``: the periodic errors, to be
+    marked.
+    """
     sizes = search["periods"]
     odds = [max(float(each) / math.log(10.0), _LOWEST) for each in search["log_odds"]]
     top = max(_LEAST_ODDS, 1.08 * max(odds))
@@ -91,7 +94,9 @@ def _odds_picture(search: Document, periods: Sequence[Document]) -> dict[str, An
 
 
 def _amplitude_picture(search: Document) -> dict[str, Any]:
-    """Return the least detectable amplitude over the logarithm of the period, as a curve."""
+    """Return the least detectable amplitude over the logarithm of the period, as a curve.
+    ``search``: the evidence for each possible period.
+    """
     shown = [
         each if each is not None and each <= _LARGEST else None for each in search["detectable"]
     ]

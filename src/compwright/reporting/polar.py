@@ -275,7 +275,9 @@ def _base(result: Document, values: Sequence[float]) -> float:
 
 
 def _rings(panel: Any, place: _Place, most: float, least: float, language: Language) -> None:
-    """Draw faint circles at round deviations, with the values written next to the second axis."""
+    """Draw faint circles at round deviations between ``least`` and ``most`` (µm), with the values
+    written next to the second axis.
+    """
     step = _round_step(max(most, -least, 0.05))
     box = {"boxstyle": "square,pad=0.12", "facecolor": "white", "edgecolor": "none", "alpha": 0.8}
     for count in range(
@@ -303,7 +305,9 @@ def _round_step(largest: float) -> float:
 
 
 def _axes(panel: Any, result: Document, reach: float) -> None:
-    """Draw both machine axes through the centre, with their names at the positive ends."""
+    """Draw both machine axes through the centre, with their names at the positive ends. ``reach``:
+    their length from the centre, in the figure's units.
+    """
     first, second = result["axes"]
     arrow = {
         "arrowstyle": "-|>",

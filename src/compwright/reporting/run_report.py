@@ -43,9 +43,10 @@ from compwright.words.sentences import Sentence, say
 
 def run_report(view: Document, each: Each = in_turn) -> bytes:
     """Return the report of ``run`` as HTML: first the verdict, then a section for each axis, the
-    assumptions, the findings, the raw readings, and the files.
+    assumptions, the findings, the raw readings, and the files. ``view``: the documents and facts to
+    be shown.
 
-    ``each`` works on the axes.
+    ``each``: maps a function over the axes, possibly in parallel.
 
     Raises UsageError when the report extra is missing.
     """

@@ -137,9 +137,8 @@ def acknowledged(items: Iterable[Document] | None) -> list[Sentence]:
 
 def rule_lines(accept: Mapping[str, Any], unit: str, *, after: bool = False) -> list[Sentence]:
     """Return the sentence on the decision rule for the limits, with the guard bands if the rule has
-    any; no sentence if there are no limits.
-
-    Of a prediction, or of the test ``after`` loading.
+    any; an empty list if there are no limits. ``after``: the limits are those of a test after
+    loading.
     """
     guarded = {
         symbol(name): entry.get("U")
@@ -321,7 +320,9 @@ def _spread(column: Document, key: str) -> str | Sentence | None:
 
 
 def result_block(result: Document, label: str | Sentence = "") -> dict[str, Any]:
-    """Return the section of a positioning test: sentence, uncertainty, statistics, readings."""
+    """Return the section of a positioning test: a sentence on its conditions, the uncertainty,
+    statistics, and readings. ``label``: a word for its title, such as "before".
+    """
     unit = unit_text(result.get("unit"))
     where = unit_text(result.get("position_unit") or position_unit(result.get("unit")))
     runs = result.get("n_runs") or {}

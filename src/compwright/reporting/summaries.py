@@ -105,8 +105,8 @@ def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def _table_of_parameters(*headings: str) -> Table:
-    """Return a table without rows. Its columns: the parameter names, one for each of the
-    ``headings``, and one for a word such as the decision.
+    """Return a table without rows. It has a column for parameter names, a column for each of the
+    ``headings``, and a last column for a word such as the decision.
     """
     table = plain_table()
     table.add_column("", no_wrap=True)
@@ -332,7 +332,9 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
 def demo_tables(
     steps: Sequence[Any], document: Mapping[str, Any], pages: Sequence[str]
 ) -> list[RenderableType]:
-    """Return the terminal output of ``demo``: steps with time and size, A of each axis, verdict."""
+    """Return the terminal output of ``demo``: steps with time and size, A of each axis, verdict,
+    and the names of the ``pages`` to open.
+    """
     done = plain_table()
     for right in (False, False, True, True, True):
         done.add_column(justify="right" if right else "left", no_wrap=True)
@@ -359,8 +361,8 @@ def demo_tables(
 
 
 def _verdict(verdict: str, headline: str, last: str = "") -> RenderableType:
-    """Return the line with the verdict. The ``headline`` follows, unless it begins with the verdict
-    itself.
+    """Return the line with the verdict and then ``last``. The ``headline`` is between them, unless
+    it begins with the verdict itself.
     """
     more = "" if headline.lower().startswith(verdict) else f". {headline}"
     return Text.assemble("Verdict: ", _word(verdict), f"{more}{last}")

@@ -53,8 +53,7 @@ def evaluation_tables(
     document: Mapping[str, Any], *, targets: bool = False
 ) -> list[RenderableType]:
     """Return an evaluation for the terminal: a group of lines per result, then the errors.
-
-    Of a ``compwright/evaluation/1`` document.
+    ``targets``: each positioning test has a table of its targets too.
 
     ``targets`` adds the table per target. A finding that several standards share is shown once per
     file. Deviations are shown as the document holds them, in µm or arcsec.

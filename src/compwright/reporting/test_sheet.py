@@ -23,10 +23,9 @@ _IN_RESULT: Final = {"axis", "cycle", "plane", "nominal_radius_mm", "feed_mm_min
 
 def sheet_rows(result: Document, stated: Mapping[str, str | Sentence]) -> list[dict[str, Any]]:
     """Return a row for each item that the standard requires in a test report: its ``key``,
-    ``label``, ``value`` and ``clause``.
+    ``label``, ``value`` and ``clause``. ``stated``: what the job states, by the key of the item.
 
-    ``stated``: what the job says, by the key of the item. Several statements stand one after the
-    other; none is "not stated".
+    Several statements follow one another; none is "not stated".
     """
     header = _by_key(result.get("header") or {})
     edition = READ_EDITION.get(str(result.get("standard")), "")

@@ -24,7 +24,7 @@ AFTER_LOADING = say("given.compensation_loaded")
 
 def verify_report(view: Document) -> bytes:
     """Return the report of ``verify`` as HTML: first the verdict, then a section for each axis with
-    its values before, predicted and after loading.
+    its values before, predicted and after loading. ``view``: the documents and facts to be shown.
 
     Raises UsageError when the report extra is missing.
     """
