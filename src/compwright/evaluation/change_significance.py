@@ -93,11 +93,11 @@ def difference(
     between_tests: float = 0.0,
     scatter: tuple[float, float] = (0.0, math.inf),
 ) -> Change:
-    """Return the difference of a parameter between two tests, with its standard uncertainty.
+    """Return the difference of a parameter between two tests, with its standard uncertainty. Two
+    contributions that neither test contains are added: the standard uncertainty ``between_tests``,
+    and ``scatter``, an estimated variance with its degrees of freedom.
 
-    ``between_tests``: a standard uncertainty of the difference that neither test contains;
-    ``scatter``: another, as an estimated variance with its degrees of freedom. GUM (JCGM 100:2008)
-    5.1.2 and G.4.1.
+    GUM (JCGM 100:2008) 5.1.2 and G.4.1.
     """
     size = after.value - before.value
     scattered = [(parameter.std_error**2, parameter.dof) for parameter in (before, after)]

@@ -54,7 +54,7 @@ def equal_tests(tests: Sequence[PositioningTest]) -> list[list[int]]:
 
 def tests_with_equal_run(tests: Sequence[PositioningTest], fewest: int) -> Iterator[list[int]]:
     """Yield groups of ``tests`` (two or more indices, ascending) that possibly contain the same
-    run.
+    run, compared at ``fewest`` common targets or more.
 
     Their runs in one direction agree but for a constant at the `_LOOKED_AT` lowest common targets,
     of which there are ``fewest`` or more. All tests with a run that agrees at every common target
@@ -77,7 +77,7 @@ def tests_with_equal_run(tests: Sequence[PositioningTest], fewest: int) -> Itera
 
 def _agreeing(runs: Sequence[_CandidateRun], fewest: int) -> Iterator[set[int]]:
     """Yield groups of tests. Each test of a group has a run that agrees with a run of each other
-    test of the group at the compared targets.
+    test of the group at the compared targets, which are ``fewest`` or more.
     """
     grids: dict[bytes, list[_CandidateRun]] = defaultdict(list)
     for run in runs:

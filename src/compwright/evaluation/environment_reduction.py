@@ -51,12 +51,13 @@ def reduce_by_record(
     own_temperature: bool,
 ) -> PositioningTest:
     """Return ``test`` corrected for air and thermal expansion with the environment record.
+    ``zero``: position at which the display was zeroed, mm; ``own_temperature``: the material
+    temperature in ``thermal`` is stated by the test itself.
 
     Each reading is corrected for the refractive index of the air at its time, and with ``thermal``
-    for the differential expansion too. Machine coordinates. ``zero``: position at which the display
-    was zeroed, mm; ``own_temperature``: the test itself states T_m of ``thermal``. Readings without
-    times are corrected with the mean of the record; their material temperature only if the test
-    states none. Without columns of the air only the expansion is corrected.
+    for the differential expansion too. Machine coordinates. Readings without times are corrected
+    with the mean of the record; their material temperature only if the test states none. Without
+    columns of the air only the expansion is corrected.
 
     Findings: CW-T024 and CW-T028 corrections made; CW-T029 changes of light, expansion and the rest
     over the test; CW-T038 a gap in the record; CW-T039 readings without times. Raises UsageError
@@ -289,8 +290,9 @@ def _changes(
     *,
     unused: bool,
 ) -> Iterator[Finding]:
-    """Yield a finding about the changes of the readings in the test, µm: the change by the air, the
-    change by thermal expansion, and the remaining change.
+    """Yield a finding about the changes of the readings during the test, µm: the change ``light``
+    by the air, the change ``expansion`` by temperature, and the change ``rest`` that remains. The
+    first ``split`` columns are runs in +, the others in −.
 
     ``unused``: whether the record has a temperature of the material that the job does not use.
 
@@ -323,7 +325,9 @@ def _changes(
 
 
 def _centred(values: FloatArray, split: int) -> FloatArray:
-    """Return values (m, n) minus the mean at each target and direction, 0 where missing."""
+    """Return values (m, n) minus the mean at each target and direction, 0 where missing. The first
+    ``split`` columns are runs in +, the others in −.
+    """
     blocks = []
     for block in (values[:, :split], values[:, split:]):
         there = np.isfinite(block)

@@ -34,13 +34,14 @@ def disagreeing_test(
     names: tuple[str, str],
     unknown: Sequence[float] = (),
 ) -> Finding | None:
-    """Return the finding CW-T036 if ``test`` contradicts the error of another test, else None.
+    """Return the finding CW-T036 if ``test`` contradicts the error ``expected`` from another test
+    of the axis (standard deviation ``std``), else None. Waves of periods ``unknown`` to the other
+    test do not count; ``names``: of the other test, then of ``test``.
 
     ``expected``, ``std`` (m,) by direction: the error at the targets of ``test`` according to the
-    other test, and ``noise`` of one reading of ``test``; mm or deg. ``names``: of the other test,
-    then of ``test``. ``unknown``: periods, mm or deg, that the other test could not show; a wave of
-    them is no contradiction. The zero of the instrument is free. Detected are reversed signs or
-    directions, another axis, another unit, and another state of the control.
+    other test, and ``noise`` of one reading of ``test``; mm or deg. The zero of the instrument is
+    free. Detected are reversed signs or directions, another axis, another unit, and another state
+    of the control.
     """
     shown, wanted, spread, where = [], [], [], []
     for direction in Direction:
@@ -96,8 +97,8 @@ def disagreeing_test(
 
 
 def _without(values: FloatArray, where: FloatArray, periods: Sequence[float]) -> FloatArray:
-    """Return the values after waves of the given ``periods`` are subtracted, with the amplitudes
-    that fit the values best.
+    """Return the ``values`` at positions ``where`` after waves of the given ``periods`` are
+    subtracted, with the amplitudes that fit the values best.
     """
     if not periods or values.size <= 2 * len(periods) + 1:
         return values

@@ -89,8 +89,9 @@ def reached(
     slope: FloatArray | None = None,
     reversal: FloatArray | None = None,
 ) -> Ahead:
-    """Return the years until a parameter exceeds ``limit`` (early, median, late), apart from the
-    scatter of single tests. None: the parameter does not grow, or the time is too long to state.
+    """Return the years until a parameter exceeds ``limit`` (early, median, late), from draws of
+    slope and reversal error, and of the part ``rest`` that follows from neither; scatter of single
+    tests is ignored. None: the parameter does not grow, or the time is too long to state.
 
     ``rest``, ``slope``, ``reversal`` (2, n): draws of level now and rate per year; a limit that is
     exceeded is reached now.

@@ -134,7 +134,9 @@ def _reach(x: FloatArray, y: FloatArray, distance: FloatArray) -> float:
 
 
 def _outside(distance: FloatArray, low: float, high: float) -> Indices:
-    """Return the outermost and innermost point of each sector that lies outside the zone."""
+    """Return the indices of points outside the ring from radius ``low`` to ``high``: of each
+    sector, the farthest and the nearest point if it is outside.
+    """
     bounds = np.linspace(0, distance.size, _SECTORS + 1).astype(np.intp)
     found = []
     for begin, end in pairwise(bounds):

@@ -95,11 +95,12 @@ def _run_number(test: PositioningTest, direction: Direction, column: int) -> int
 def reading_findings(
     test: PositioningTest, compare: Compare, reported: Collection[str] = ()
 ) -> list[Finding]:
-    """Return all findings about the readings of ``test``.
+    """Return all findings about the readings of ``test``. ``compare`` returns the parameters with
+    and without some readings as text; ``reported``: codes of findings that the noise estimate
+    reports.
 
-    ``compare`` returns the result with and without some of the readings as text. ``reported``:
-    codes that the noise estimate reports already. With CW-T012 in it, drift is not reported again;
-    with CW-T014, only the result with and without the suspect readings is.
+    With CW-T012 in ``reported``, drift is not reported again; with CW-T014, only the result with
+    and without the suspect readings is.
     """
     return [
         *missing_reading_findings(test),
@@ -241,8 +242,9 @@ def _drift_sentence(
     means: FloatArray,
     growths: FloatArray,
 ) -> Sentence:
-    """Return the drift of each direction as text: the mean drift, or the drift at both ends of the
-    travel if the drift varies along the travel by more than its mean.
+    """Return the drift of each direction as text: its mean from ``means`` or, if ``growths``
+    (variation of the drift along the travel) exceed the means, the drift at both ends of the
+    travel.
     """
     if np.abs(growths).max() <= np.abs(means).max():
         each = [
@@ -274,7 +276,8 @@ def _along(targets: FloatArray) -> FloatArray:
 
 
 def _chance(table: FloatArray, centred: FloatArray) -> float:
-    """Return the probability that runs in random order show at least the measured drift.
+    """Return the probability that runs in random order show at least the measured drift. ``table``:
+    drift scores (rows) of each run (column); ``centred``: numbers of the runs minus their mean.
 
     In random order, the progressions of many runs are normal with the covariance of their scores
     times the square sum of the places, and the statistic a sum of squares of normals.
@@ -308,7 +311,8 @@ def _orders(runs: int) -> FloatArray:
 
 def suspect_traverse_findings(test: PositioningTest, compare: Compare) -> list[Finding]:
     """Return the finding CW-T013 for each run whose readings in one or both directions deviate as a
-    whole. At least three runs are needed.
+    whole, with the text of ``compare`` about the parameters without them. At least three runs are
+    needed.
     """
     shifts = _shifts(test)
     suspect = _suspect(test, shifts)
@@ -393,9 +397,8 @@ def suspect_reading_findings(
     test: PositioningTest, compare: Compare, *, reported: bool = False
 ) -> list[Finding]:
     """Return one finding (CW-T014) for all readings that are outliers both at their target and in
-    their traverse. At least four readings per target are needed.
-
-    ``reported``: another finding names them; this one gives the result with and without them.
+    their traverse. At least four readings per target are needed. If ``reported`` elsewhere, it
+    contains only what ``compare`` states: the parameters with and without these readings.
     """
     found, scale = outlying_readings(test)
     if not found:
@@ -432,10 +435,9 @@ def suspect_reading_findings(
 
 def _run_scores(residual: FloatArray, along: FloatArray, scale: float) -> FloatArray:
     """Return two drift scores of each run, (2, n): the mean residual, and the mean of residual
-    times position.
+    times the place ``along`` (m,) the travel. Residuals are clipped at three times ``scale``.
 
-    Residuals are clipped at three ``scale``; ``along`` (m,): the place along the travel; 0 for a
-    run without readings.
+    0 for a run without readings.
     """
     clipped = np.clip(np.nan_to_num(residual), -3.0 * scale, 3.0 * scale)
     number = np.maximum(np.isfinite(residual).sum(axis=0), 1)

@@ -34,10 +34,10 @@ _POWERS: Final = (2.0, 4.0)
 def without_environment(
     test: PositioningTest, sigma: float, count: int, rng: np.random.Generator
 ) -> tuple[FloatArray, FloatArray]:
-    """Return ``count`` random draws of the readings without environmental variation, in + (count,
-    m, n) and in −; mm or deg.
+    """Return ``count`` random draws of the readings without the environmental variation, whose
+    standard deviation is ``sigma``, in + (count, m, n) and in −; mm or deg.
 
-    Its standard deviation is ``sigma``, one draw per reading; NaN where no reading was made.
+    One draw per reading; NaN where no reading was made.
     """
     blocks = (test.positive, test.negative)
     if sigma <= 0.0:
@@ -70,9 +70,8 @@ def _own_variance(
     squares: FloatArray, number: FloatArray, sigma: float, count: int, rng: np.random.Generator
 ) -> FloatArray:
     """Return random draws (count, k) of the variance of the axis' own scatter at each target and
-    direction.
-
-    ``squares`` (k,): the sum of squares over ``number`` (k,) readings.
+    direction, from the sum of squares ``squares`` (k,) of ``number`` (k,) readings and the standard
+    deviation ``sigma`` of environmental variation.
 
     The cells share a level and a spread about it, both drawn by their likelihood; within a cell the
     squares are chi-square times own variance plus sigma².
@@ -155,9 +154,10 @@ def _curve(
     count: int,
     rng: np.random.Generator,
 ) -> FloatArray:
-    """Return random draws (count, m) of a mean curve ``values`` (m,) less environmental variation.
+    """Return random draws (count, m) of a mean curve ``values`` (m,) without its environmental
+    variation of variance ``noise``. ``own``: variance of the axis' own scatter, which always
+    remains.
 
-    ``noise``: its variance; ``own``: the variance of the axis' own scatter, which always remains.
     Without its straight line a curve is smooth plus rough: the variance of its cosine coefficients
     in the order of the targets is a / frequency^p + w. a, p and w are weighted by their evidence.
     """

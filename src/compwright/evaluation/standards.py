@@ -181,12 +181,13 @@ def evaluate(
     other_tests: Sequence[PositioningTest] = (),
     checked: bool = True,
 ) -> PositioningResult:
-    """Evaluate ``test`` (mm or deg) to ``standard``; the result is in mm or deg.
+    """Evaluate ``test`` (mm or deg) to ``standard``; the result is in mm or deg. ``reported``:
+    codes of findings that are reported elsewhere; ``checked``: with findings.
 
     ``spread`` "range" takes s from the range of the readings (1988 and GOST only). ``travel``,
     ``periods`` (mm or deg, machine coordinates) and ``other_tests`` of the axis are used by the
     test checks, ``budget`` and ``thermal`` by the uncertainty; ``reported``: codes of reading
-    checks that the noise estimate reports already (`reading_findings`); ``checked``: with findings.
+    checks that the noise estimate reports already (`reading_findings`).
 
     A parameter is None where the standard does not define it, the approach direction was not
     measured, or a target lacks the two readings that s needs; ``not_applicable`` gives the reason.
@@ -343,7 +344,7 @@ def _reason(
     standard: Standard,
     measured: np.ndarray[tuple[int, ...], np.dtype[np.bool_]],
 ) -> str:
-    """Return why the parameter ``name`` cannot be computed."""
+    """Return why the parameter ``name`` cannot be computed; ``measured``: targets with readings."""
     return SentenceText(_why(name, test, standard, measured))
 
 
@@ -397,7 +398,7 @@ def _extremes(
     at: Mapping[str, float],
     coverage: float,
 ) -> dict[str, tuple[Extreme, Extreme]]:
-    """Return the highest and lowest values that determine A, E, M and R, with their targets."""
+    """Return the highest and lowest values that determine A, E, M, R. ``at``: target of each R."""
     means = dict(zip(_BOTH, (columns.mean_positive, columns.mean_negative), strict=True))
     both = zip(_BOTH, (columns.s_positive, columns.s_negative), strict=True)
     spread = [(way, means[way] + coverage * s, means[way] - coverage * s) for way, s in both]
@@ -422,7 +423,7 @@ def _extremes(
 def _extreme(
     test: PositioningTest, bounds: Sequence[tuple[Direction | None, FloatArray]], sense: float
 ) -> Extreme:
-    """Return the highest value of several curves over targets, or the lowest if ``sense`` is -1."""
+    """Return the highest of all values of the curves ``bounds``; the lowest if ``sense`` is -1."""
     places = [(int(np.nanargmax(sense * values)), way, values) for way, values in bounds]
     index, way, values = max(places, key=lambda one: float(sense * one[2][one[0]]))
     return Extreme(float(values[index]), float(test.targets[index]), way)

@@ -182,9 +182,7 @@ def parameters(
     only: str | None = None,
 ) -> dict[str, FloatArray]:
     """Return the axis parameters of ISO 230-2:2006, 2.13 to 2.24, each (...), from means and s
-    (..., m). The coverage factor k is 2 or 3.
-
-    ``only``: that one alone, where it is one of them.
+    (..., m); with ``only`` the one of this name. The coverage factor k is 2 or 3.
 
     B_i = mean+ - mean-, so lost motion gives a negative ``B_mean``; ``R`` is max R_i, not the
     larger of R+ and R-. The unit is that of the input. NaN in means or s goes through to the

@@ -88,7 +88,8 @@ class Trend:
         return abs(self.rate) > self.threshold * self.std_error
 
     def lines(self, random: np.random.Generator, ahead: float = 0.0) -> FloatArray:
-        """Return random draws (2, n): level at ``ahead`` years after the last test, and rate.
+        """Return draws (2, n) from the generator ``random``: level at ``ahead`` years after the
+        last test, and rate per year.
 
         A rate that is not clear is zero.
         """
@@ -167,7 +168,7 @@ class _Tests:
         self, jumps: Sequence[int], certain: frozenset[int], size: float, *, season: bool
     ) -> tuple[FloatArray, FloatArray]:
         """Return the matrix columns (n, p) for level, rate, jumps and season, and the prior
-        standard deviation of each coefficient.
+        standard deviation of each coefficient: ``size`` for the jumps that are not ``certain``.
         """
         columns = [np.ones(self.count), self.years, *(self.steps[:, place] for place in jumps)]
         widths = [_LEVEL, _RATE, *(_CERTAIN if place in certain else size for place in jumps)]
@@ -249,9 +250,10 @@ def _variants(
 def _found_jumps(
     tests: _Tests, certain: Sequence[int], start: Sequence[int]
 ) -> tuple[list[int], float]:
-    """Return the jumps whose probability exceeds one half, and the log evidence with these jumps.
+    """Return the jumps whose probability exceeds one half, in addition to the ``certain`` jumps,
+    and the log evidence with all these jumps. The search begins with the jumps ``start``.
 
-    Starting from ``start``, the best change (one jump more or less) is made first.
+    The best change (one jump more or less) is made first.
     """
     found = list(start)
     log_odds = np.log(tests.odds / (1.0 - tests.odds))
@@ -333,7 +335,9 @@ class _Mixture:
         return float(ends[0]), float(ends[1])
 
     def lines(self, random: np.random.Generator, *, grows: bool) -> tuple[FloatArray, FloatArray]:
-        """Return random draws of the level and of the rate (0 unless ``grows`` is True)."""
+        """Return draws of the level and of the rate from the generator ``random``. The rate is 0
+        unless ``grows``.
+        """
         which = random.choice(len(self.weight), size=_DRAWS, p=self.weight)
         by_rate, own = random.standard_normal((2, _DRAWS))
         deviation = np.sqrt(self.rate_variance[which])
@@ -413,7 +417,7 @@ def _moved(
     others: Sequence[int],
 ) -> tuple[FloatArray, ...]:
     """Return the values of `_ends` for models with one jump in addition to ``jumps``: one model for
-    each of the ``others`` as the additional jump.
+    each of the ``others`` as the additional jump, whose size has the ``precision`` (1 / variance).
     """
     functional = _functional(jumps, solution.coefficients.shape[1])
     change = np.array([1.0, 0.0]) - solution.loading[:, others] @ functional

@@ -181,6 +181,8 @@ def expanded_uncertainties(
     table_slope: float = 0.0,
 ) -> tuple[dict[str, ExpandedUncertainty] | None, list[Finding]]:
     """Return U (mm or deg, k = 2) of each parameter in ``given``, and the assumptions made.
+    ``table_slope``: standard deviation (mm/mm) of a slope error that a table brings into a test
+    made after loading.
 
     ``coverage`` is the factor k of the standard on s, ``spread`` gives s (..., m) of deviations
     (..., m, n). U is half the width of the interval about the stated value that holds, in 95.45 of

@@ -41,10 +41,9 @@ def choose_candidate(
     capacity: Capacity,
     wanted: WantedCorrection,
 ) -> HeldGrid:
-    """Return the best grid of table points among the candidates, with the correction to fit on it.
-
-    ``pool``: those with a node at the reference; ``others``: the rest; ``ends`` of the table, mm or
-    deg.
+    """Return the best grid of table points, with the correction to fit on it. The candidates are
+    ``pool``, grids with a table point at the reference, and ``others``, without such a point.
+    ``ends``: ends of the table, mm or deg.
 
     Raises CapacityError where there is none.
     """
@@ -128,7 +127,8 @@ def candidates_over(
 
 def _with_most_points(pool: list[GridCandidate], others: list[GridCandidate]) -> GridCandidate:
     """Return the grid with most points. A grid without a point at the reference (``others``) is
-    chosen only if it has more than 1.5 times as many points.
+    chosen only if it has more than 1.5 times as many points as any grid with such a point
+    (``pool``).
     """
     best = max(pool or others, key=lambda candidate: candidate.count)
     spare = max(others, key=lambda candidate: candidate.count, default=best)
@@ -163,7 +163,8 @@ def _coarsest(
     capacity: Capacity,
 ) -> FloatArray | None:
     """Return the table points of the coarsest grid with a small enough interpolation error
-    (`good_enough`), or None if no grid has one. Grids with a point at the reference are preferred.
+    (`good_enough`), or None if no grid has one. Grids with a point at the reference (``pool``) are
+    preferred to the ``others``.
     """
     on, off = _first_good(pool, wanted, capacity), _first_good(others, wanted, capacity)
     if on is None or (off is not None and off.count * 3 < on.count):

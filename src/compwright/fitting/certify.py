@@ -64,7 +64,9 @@ def rounded_proof(proof: Mapping[str, float]) -> dict[str, float]:
 
 
 def _in_lengths(problem: QuadraticProblem, y: FloatArray, stiffness: FloatArray) -> FloatArray:
-    """Return each multiplier (c,) as the change of a table value that it causes, mm or deg."""
+    """Return each multiplier ``y`` (c,) as the change of a table value that it causes, mm or deg.
+    ``stiffness`` (n,): diagonal of the matrix P of the problem.
+    """
     if not y.size:
         return y
     return problem.A.largest_in_rows(stiffness) * y
@@ -82,10 +84,8 @@ def range_gap(
     reached: float,
     box: float,
 ) -> float:
-    """Return an upper bound of the difference between ``reached`` and the minimum of the linear
-    objective c'x.
-
-    The minimum is over all x within ``box`` with Gx <= h.
+    """Return an upper bound of the difference between the objective ``reached`` and the minimum of
+    the linear objective c'x over all x with Gx <= h and absolute values up to ``box``.
 
     Weak duality (Boyd and Vandenberghe 2004, section 5.2.2): for multipliers y >= 0, c'x >= -h'y +
     (c + G'y)'x; the last term is at least -box |c + G'y|_1. ``cost`` (n,), ``G`` (r, n), ``h`` and
@@ -106,9 +106,9 @@ def lattice_certificate(
 ) -> dict[str, float]:
     """Return the numbers that prove a table of whole increments (its certificate): the largest
     violation of a limit, the rms error of the table, and a lower bound of this rms error.
+    ``claimed``: mean square and its lower bound according to the search, mm² or deg².
 
-    ``claimed``: its mean square, and the lower bound of the mean square over real numbers, mm² or
-    deg². Keys: ``primal``, the largest violation of a limit; ``objective`` and ``lower_bound``, the
+    Keys: ``primal``, the largest violation of a limit; ``objective`` and ``lower_bound``, the
     square roots of both mean squares; ``recomputed``, the difference between the claimed objective
     and the one computed here from the table (exact: `quadrature`, two Gauss points); all mm or deg.
 

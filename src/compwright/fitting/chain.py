@@ -134,11 +134,12 @@ def build_chain(
     closed: bool,
 ) -> CurveChain:
     """Return the objective of a curve with ``size`` table points: half the weighted sum of squared
-    differences between this curve and the wanted curves ``wishes``.
+    differences between this curve and the wanted curves ``wishes``. ``fixed``: points with the
+    value zero; ``kept``: points outside the travel that are optimised too; ``closed``: both ends
+    have the same value.
 
     Normal equations of hat functions, which couple only neighbouring points (de Boor 1978, chapter
-    III). ``fixed``: indices of points with the value zero; ``kept``: indices of points outside the
-    travel that are optimised because they have limits.
+    III).
     """
     diagonal, off, linear, coupling = (
         np.zeros(size),

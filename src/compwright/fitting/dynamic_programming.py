@@ -36,8 +36,8 @@ def reachable_windows(
 def closed_lanes(
     lanes: IntArray, low: FloatArray, high: FloatArray
 ) -> tuple[IntArray, FloatArray, FloatArray]:
-    """Return the ranges of closed curves, with one copy of each range for every value that both
-    ends can have in common. In a copy, both ends are fixed at this value.
+    """Return ranges of values for closed curves, whose ends have the same value. Each range is
+    repeated for every value that both its ends allow, with both ends fixed at this value.
 
     ``lanes``: the rows of ``low`` and ``high`` to use. Returns the row from which each copy was
     made, and the smallest and largest values of the copies (copies, m), in steps.
@@ -59,8 +59,9 @@ def closed_lanes(
 def cheapest_totals(
     chain: CurveChain, limits: ChainLimits, targets: FloatArray, low: IntArray, high: IntArray
 ) -> tuple[FloatArray, IntArray]:
-    """Return the smallest objective (n,) over whole-number table values (n, m) in the given ranges,
-    and these values.
+    """Return the smallest objective (n,) over whole-number table values (n, m) from ``low`` to
+    ``high``, and these values. ``targets`` (n, m): table values of the optimum over real numbers,
+    in steps.
 
     Objective: (T - target)'H(T - target)/2. Forward over the nodes: the smallest cost for each
     value of the node (Bellman 1957). Backward: the values that gave it (Forney 1973). All lanes use
@@ -107,7 +108,8 @@ def _arrive(
     targets: FloatArray,
 ) -> tuple[FloatArray, IntArray]:
     """Return the smallest cost (n, w) of each value at the point ``node``, and the increment from
-    the previous point that leads to it.
+    the previous point that leads to it. ``costs``: those of the previous point; ``here``: values
+    minus the optimum ``targets``.
 
     ``window``: first value at the previous point, first value here, their number w. With e the
     deviation from the target here and d the increment, the deviation at the previous point is e +

@@ -62,7 +62,8 @@ def fit_table(
     address: str,
     costs: bool = True,
 ) -> FittedTable:
-    """Return the best table for ``wanted`` (totals, mm or deg) within the control's limits.
+    """Return the best table for ``wanted`` (totals, mm or deg) within the control's limits and the
+    job's ``request``. With ``costs``, the table states what each limit costs.
 
     Goal ``expected``: least mean square of table minus wanted correction over the travel and both
     directions. This is the expected squared deviation plus a constant that no table changes
@@ -72,9 +73,8 @@ def fit_table(
 
     The correction is zero in the zero state. A single slope is always fitted with goal
     ``expected``; so are whole increments where rounding cancels the gain of the goal. A finding
-    reports both. ``costs``: compute what each limit costs, which doubles the time. Raises
-    CapacityError where the control cannot hold the requested table or no certified solution was
-    found.
+    reports both. Raises CapacityError where the control cannot hold the requested table or no
+    certified solution was found.
     """
     _refuse(capacity, request)
     if capacity.line is not None:
@@ -191,9 +191,8 @@ def _whole_goal(
     capacity: Capacity,
     aim: WantedCorrection,
 ) -> FittedTable:
-    """Return the whole-increment table that is closest to the best table for the ``goal``.
-
-    Returns the ``usual`` table if simulated tests do not show the other to be better for this goal.
+    """Return the whole-increment table that is closest to the best table for the ``goal``, or the
+    table ``usual`` of least mean square if simulated tests do not show a gain.
     """
     scenarios = wanted.scenarios
     if scenarios is None or capacity.lattice is None:
@@ -251,10 +250,10 @@ class _Fit:
         return _Best(solution.x, solution.certificate, free=not pushed)
 
     def best(self, goal: Goal, wanted: WantedCorrection, usual: _Best) -> _Best:
-        """Return the best table values for the ``goal``, before rounding.
+        """Return the best table values for the ``goal``, before rounding. ``usual``: the values of
+        least mean square.
 
-        ``usual``: the table of least mean square. ``wanted``: the wanted correction, including
-        short periods that the nodes cannot follow.
+        ``wanted``: the wanted correction, including short periods that the nodes cannot follow.
         """
         if goal == "expected":
             return usual
@@ -267,9 +266,8 @@ class _Fit:
     def unlimited(
         self, *, shape: Shape | None = None, reversal: Literal["free"] | None = None
     ) -> float:
-        """Return the rms error (mm or deg) that the best table without limits leaves.
-
-        ``shape``, ``reversal``: another kind of table or of reversal value.
+        """Return the rms error (mm or deg) that the best table without limits leaves. ``shape``,
+        ``reversal``: kind of the table and of its reversal value, if other than in this fit.
         """
         layout = replace(
             self.layout, shape=shape or self.layout.shape, reversal=reversal or self.layout.reversal
@@ -343,10 +341,11 @@ def _as_unknowns(table: AxisCompensation, layout: UnknownsLayout) -> FloatArray:
 def _limits(
     fit: _Fit, usual: _Best, best: _Best, table: AxisCompensation, grid: HeldGrid
 ) -> tuple[Limit, ...]:
-    """Return the rms error (mm or deg) that each limit of the control adds over the travel.
+    """Return the rms error (mm or deg) that each limit of the control adds over the travel, as
+    computed from ``usual``, the table of least mean square.
 
-    ``usual``: the table of least mean square. Each is the root of the difference of two mean
-    squares, with and without the limit, so that they add as squares.
+    Each is the root of the difference of two mean squares, with and without the limit, so that they
+    add as squares.
     """
     capacity, layout = fit.capacity, fit.layout
     costs: list[tuple[str, float]] = [("spacing too wide for the period", grid.left_out)]

@@ -51,12 +51,12 @@ def optimise_goal(
     start: FloatArray,
 ) -> tuple[FloatArray, dict[str, float]]:
     """Return the table values (n,) with the least mean of the parameter ``goal`` over simulated
-    tests, and the numbers that prove this optimum (certificate).
+    tests, and the numbers that prove this optimum (certificate). ``start`` (n,): the table values
+    of least mean square under the same ``limits``.
 
-    ``start`` (n,): the table values of least mean square under the same ``limits``. The result lies
-    on the straight line from ``start`` to the optimum of the linear program; all points of it keep
-    the limits, which are convex. Without ``wanted.scenarios`` the range of the mean error curve is
-    minimised. Raises CapacityError where no solution is certified.
+    The result lies on the straight line from ``start`` to the optimum of the linear program; all
+    points of it keep the limits, which are convex. Without ``wanted.scenarios`` the range of the
+    mean error curve is minimised. Raises CapacityError where no solution is certified.
     """
     if wanted.scenarios is None:
         deviations = _of_the_mean(goal, wanted, layout, capacity)
@@ -266,8 +266,8 @@ def _of_the_mean(
 
 
 def _together(parts: Sequence[Deviations], size: int, *, middle: bool) -> Deviations:
-    """Return the deviations of both directions as one set, or with ``middle`` the mean of both
-    directions.
+    """Return the deviations ``parts`` of the directions as one set with ``size`` table values or,
+    with ``middle``, the mean of both directions.
     """
     first, last = parts[0], parts[-1]
     if middle and len(parts) > 1:

@@ -69,10 +69,10 @@ def best_totals(
     magnifications: tuple[int, ...],
 ) -> LatticeSolution | None:
     """Return the best whole-number table values, reversal values and magnification, or None if the
-    limits allow no table.
+    limits allow no table. ``unit``: size of one increment at magnification 1, mm or deg. Of equally
+    good ``magnifications`` (ascending) the smallest is taken.
 
-    ``unit`` mm or deg; ``magnifications`` ascending. Of those that are equal within `EQUAL` the
-    smallest is taken. Best bound first (branch and bound; Land and Doig, Econometrica 28, 1960).
+    Best bound first (branch and bound; Land and Doig, Econometrica 28, 1960).
     """
     search = _LatticeSearch(parts, unit, increments)
     best: LatticeSolution | None = None

@@ -87,8 +87,9 @@ def product(one: SparseMatrix, other: SparseMatrix) -> SparseMatrix:
 def solve_ranges(
     shown: Deviations, limits: QuadraticProblem, *, slack: float
 ) -> tuple[FloatArray, dict[str, float]]:
-    """Return the table values with the smallest mean range under ``limits``, and the numbers that
-    prove this optimum (certificate).
+    """Return the table values under ``limits`` with the smallest mean range of the deviations
+    ``shown``, and the numbers that prove this optimum (certificate). A range that is larger by
+    ``slack`` (mm or deg) counts as equal.
 
     Among all values within ``slack`` (mm or deg) of the smallest mean range, those of least mean
     square are returned; where the solver fails there, those of the smallest range. Both have the
@@ -130,7 +131,8 @@ def solve_ranges(
 def _linear_program(
     shown: Deviations, limits: QuadraticProblem, size: float
 ) -> tuple[FloatArray, SparseMatrix, FloatArray]:
-    """Return the arrays c, G, h of the linear program: minimise c'z subject to Gz <= h.
+    """Return the arrays c, G, h of the linear program for the smallest mean range of the deviations
+    ``shown``: minimise c'z subject to Gz <= h.
 
     z: table values, then the largest and the smallest deviation of each test, in units of ``size``.
     """

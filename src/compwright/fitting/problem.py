@@ -52,12 +52,12 @@ def rows_at(
     interpolation: Interpolation = "linear",
 ) -> Rows:
     """Return the interpolation weights at ``positions`` (p,) between ascending table points
-    ``nodes`` (k,), k >= 2.
+    ``nodes`` (k,), k >= 2. ``below``, ``above``: whether the correction beyond this end of the
+    table keeps the end value or is zero.
 
     Linear: straight lines (de Boor, A Practical Guide to Splines, 1978, chapter III). Step: the
     nearest node's value; exactly in the middle that of the upper node, as in the record
-    `AxisCompensation`. Outside the nodes the end value is held or the correction is zero, by
-    ``below`` and ``above``.
+    `AxisCompensation`.
     """
     right = np.clip(np.searchsorted(nodes, positions, side="right"), 1, nodes.size - 1)
     if interpolation == "step":
@@ -87,7 +87,8 @@ def hat_matrix(
     interpolation: Interpolation = "linear",
 ) -> SparseMatrix:
     """Return the matrix (p, k) from table values at ``nodes`` (k,) to the control's correction at
-    ``positions`` (p,), made of hat functions (de Boor 1978, chapter III).
+    ``positions`` (p,), made of hat functions (de Boor 1978, chapter III). ``below``, ``above``:
+    whether the correction beyond this end of the table keeps the end value or is zero.
     """
     rows = rows_at(positions, nodes, below=below, above=above, interpolation=interpolation)
     value = np.column_stack([rows.lower, rows.upper]).ravel()

@@ -179,7 +179,8 @@ def _least_distance_set(problem: QuadraticProblem) -> tuple[BoolArray, FloatArra
 def _with_equations(
     problem: QuadraticProblem, active: BoolArray, bound: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the optimum with the ``active`` limits as equations, and the multipliers (c,).
+    """Return the optimum with the ``active`` limits as equations (right sides ``bound``), and the
+    multipliers (c,).
 
     Source of the conditions: Boyd and Vandenberghe 2004, section 10.1.1; solved with iterative
     refinement (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. 2002, chapter 12).

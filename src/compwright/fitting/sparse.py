@@ -80,7 +80,7 @@ class SparseMatrix:
         )
 
     def placed(self, shape: tuple[int, int], row: int = 0, column: int = 0) -> SparseMatrix:
-        """Return a matrix of ``shape`` that contains this one, beginning at ``row``, ``column``."""
+        """Return a matrix of ``shape``: this matrix from ``row``, ``column`` on, elsewhere zero."""
         return SparseMatrix(
             shape=shape, row=self.row + row, column=self.column + column, value=self.value
         )

@@ -54,12 +54,11 @@ def added_rms(larger: float, smaller: float) -> float:
 def edge_findings(
     table: AxisCompensation, wanted: WantedCorrection, *, kept: bool
 ) -> tuple[Finding, ...]:
-    """Return the findings about the two ends of the table.
+    """Return the findings about the two ends of the table. ``kept``: the table keeps the existing
+    points of the control.
 
     They concern the correction where the table does not cover the travel, and points beyond the
-    travel.
-
-    An endless table has no ends; one on an existing grid (``kept``) keeps its range.
+    travel. An endless table has no ends.
     """
     if table.period is not None:
         return ()

@@ -134,11 +134,9 @@ def held_grid(
     loss: float = 0.0,
     finest: FloatArray | None = None,
 ) -> HeldGrid:
-    """Return the table points with the correction that they can reproduce, and a finding about
-    short periods that they cannot reproduce.
-
-    ``loss``: rms that more points would remove. ``finest``: the finest nodes that the control
-    allows, if the nodes were chosen among them.
+    """Return the table points ``nodes`` with the correction that they can reproduce, and a finding
+    about short periods that they cannot reproduce. ``loss``: rms error that more points would
+    remove; ``finest``: the closest points that the control allows, if the finding is to state them.
     """
     lost = unresolved_periods(nodes, wanted.periods)
     if not lost:
@@ -159,9 +157,8 @@ def _finding(
     finest: FloatArray | None,
 ) -> Finding:
     """Return the finding about short periods that a table with points ``nodes`` cannot reproduce.
-
-    It states the ``rms`` of what is left and of the whole (mm or deg), and which spacing would hold
-    them.
+    ``rms`` (mm or deg): of what the table leaves of these periods, and of all of them; ``finest``:
+    the closest points that the control allows, if they are stated instead of ``nodes``.
     """
     shown = nodes if finest is None else finest
     lost = unresolved_periods(nodes, wanted.periods)

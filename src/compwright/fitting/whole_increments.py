@@ -172,8 +172,9 @@ def fit_whole_increments(
     *,
     address: str,
 ) -> tuple[AxisCompensation, dict[str, float], tuple[Limit, ...], tuple[Finding, ...]]:
-    """Return the table, the numbers that prove that it is optimal (certificate), the error that
-    each limit of the control adds, and the finding about the magnification.
+    """Return the table for the correction ``aim`` in this ``shape`` (one curve, or one for each
+    direction), the numbers that prove that it is optimal (certificate), the error that each limit
+    of the control adds, and the finding about the magnification.
 
     Costs are rms, mm or deg. ``aim``: wanted totals, zero in the zero state. The table is the exact
     optimum of the mean square over the travel and both directions. Raises CapacityError where the

@@ -53,10 +53,9 @@ def fit_all(
     each: Each = in_turn,
     rule: Literal["simple", "guarded"] = "simple",
 ) -> dict[str, AxisWork]:
-    """Fit the tables of all axes within the limits of the control. Raises CapacityError with the
-    faults of all axes.
-
-    ``rule``: how the job decides, for the tests that judge a goal.
+    """Fit the tables of all axes within the limits of the control. ``each`` runs the fits, in turn
+    or in parallel; ``rule``: the job decides with or without a guard band for uncertainty. Raises
+    CapacityError with the faults of all axes.
     """
     errors: list[CompwrightError] = []
     capacities: dict[str, Capacity] = {}

@@ -161,9 +161,8 @@ def evaluate_test(
     reported: Collection[str] = (),
     other_tests: Sequence[PositioningTest] = (),
 ) -> PositioningResult:
-    """Return the evaluation of a test of an axis with the settings of the job.
-
-    ``reported``: see `evaluate`; ``other_tests``: other tests of the axis.
+    """Return the evaluation of a test of an axis with the settings of the job. ``reported``: codes
+    of findings that are reported elsewhere; ``other_tests``: other tests of the axis.
     """
     return evaluate(
         test,
@@ -184,9 +183,10 @@ def start_axis(
     states: Mapping[str, ControlState],
     as_found: Correction,
 ) -> AxisWork:
-    """Evaluate the tests of an axis, and estimate its error from those tests that agree.
+    """Evaluate the tests of an axis (``entry`` of the job), and estimate its error from those tests
+    that agree. ``states``: the known states of the control, by name; ``as_found``: the correction
+    that is active at present.
 
-    ``states``: the known states, by name; ``as_found``: the correction that is active at present.
     Raises UsageError for tolerances that fit no test, InputError where the tests that count cover
     less than half of the travel.
     """
@@ -256,10 +256,9 @@ def predict_axis(
     job: Job,
     fresh: FreshTests | None = None,
 ) -> AxisPrediction:
-    """Return the prediction of repeated tests of an axis under the correction ``new``.
-
-    ``table``: the written table, as read back; None where none was written. ``fresh``: tests like
-    the first one at new targets, where they are drawn already.
+    """Return the prediction of repeated tests of an axis under the correction ``new``. ``table``:
+    the written table as read back; ``fresh``: simulated repetitions of the first test at new
+    targets, if they exist already.
     """
     axis, rule = work.planned.axis, job.decision_rule
     first = fresh or repeats_of_first(work, rule)
@@ -320,7 +319,8 @@ def _offered(
     rule: Literal["simple", "guarded"],
 ) -> Iterator[Finding]:
     """Yield the finding that freely chosen table points would give clearly better tests than the
-    existing points, which are kept.
+    existing points, which are kept. ``tests``: predictions with the existing points; ``fresh``:
+    simulated repetitions of the first test at new targets.
     """
     capacity, chosen = work.capacity, work.chosen
     if chosen is None or capacity is None:

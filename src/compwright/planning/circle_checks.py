@@ -36,7 +36,8 @@ def laser_values(
     work: CircleWork, axis: AxisWork, index: int, during: ActiveCorrections
 ) -> LaserValues:
     """Return the lost motion of an axis (mm, positive for lag) and its scale error over the
-    diameter of a circle, from its positioning test.
+    diameter of a circle, from its positioning test, converted to the corrections ``during`` the
+    circular test.
 
     ``index`` 0: the axis is the circle's first one. The laser's own uncertainty per metre counts
     where the job gives it.

@@ -187,7 +187,8 @@ def _mean_scale(
     result: CircularResult, of_mismatch: float, turning: float
 ) -> Iterator[Observation]:
     """Yield an equation for the mean scale error of both axes of a circular test. A second unknown
-    in the equation is the shrinkage of the radius by the servo loops.
+    in the equation is the shrinkage of the radius by the servo loops. ``of_mismatch``: standard
+    error of the scale mismatch; ``turning``: squared angular speed, (rad/s)².
     """
     found = [effect_of(result, f"scale_error_{side}") for side in ("first", "second")]
     # What is taken off for unequal lags has opposite signs and is not in the mean.

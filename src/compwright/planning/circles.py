@@ -322,8 +322,8 @@ def predicted_circle(
     change_from: ActiveCorrections,
     change_to: ActiveCorrections,
 ) -> CirclePrediction:
-    """Return the prediction of a circular test after corrections ``change_from`` are replaced by
-    ``change_to``.
+    """Return the prediction of the circular test ``planned``, with its measured ``result``, after
+    corrections ``change_from`` are replaced by ``change_to``.
     """
     axes = planned.test.axes
     old, new = change_from.displacement(axes), change_to.displacement(axes)

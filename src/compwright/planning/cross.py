@@ -77,12 +77,9 @@ def plan_cross(
     states: Mapping[str, ActiveCorrections],
     now: ActiveCorrections,
 ) -> CrossPlan:
-    """Return the corrections between axes that the job requests.
-
-    Direct measurements, and the circles that ``apply`` names.
-
-    ``states``: the active corrections in each state of the job, by its name; ``now``: those in the
-    control at present.
+    """Return the corrections between axes that the job requests, from direct measurements and
+    circular tests. ``states``: the active corrections in each state of the control, by name;
+    ``now``: those that are active at present.
     """
     planner = _Planner(job, circles, states, now)
     planned = tuple(planner.measured()) + tuple(planner.squareness())

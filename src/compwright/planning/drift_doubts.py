@@ -37,6 +37,7 @@ _OF_THE_NOISE: Final = 0.5
 
 def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
     """Yield a finding if a table may contain drift of the test instead of the error of the axis.
+    ``fresh``: simulated repetitions of the first test, which contain its drift.
 
     CW-P153: the second table that the job requires; CW-P154: the constant between the directions,
     which is the backlash value, or that of two curves where the control has none.
@@ -60,9 +61,8 @@ def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
 
 
 def _second_table(work: AxisWork, drift: float, within: float) -> Iterator[Finding]:
-    """Yield the finding CW-P153 if drift can explain the difference of the tables for + and −.
-
-    ``drift`` from the first run to the last, ``within`` a run; mm or deg.
+    """Yield the finding CW-P153 if the drift ``within`` each run can explain the difference of the
+    tables for + and −. ``drift``: from the first run to the last; mm or deg.
     """
     rises = reversal_rise(work.planned.estimate, work.active)
     if not explained_by_drift(rises, within):
@@ -74,9 +74,8 @@ def _second_table(work: AxisWork, drift: float, within: float) -> Iterator[Findi
 
 
 def _backlash_value(work: AxisWork, drift: float, moved: float) -> Iterator[Finding]:
-    """Yield the finding CW-P154 if drift may have changed the backlash value.
-
-    ``drift`` from the first run to the last, by which the mean reversal is ``moved``; mm or deg.
+    """Yield the finding CW-P154 if drift changed the mean reversal error, and so the backlash
+    value, by a significant amount ``moved``. ``drift``: from the first run to the last; mm or deg.
     """
     _, reversal = reversal_curve(work.planned.estimate, work.active)
     mean = rounded_number(float(np.mean(reversal)))

@@ -31,11 +31,9 @@ def guard_bands(
     posterior: MeasuredError,
     change: Correction,
 ) -> Mapping[str, ExpandedUncertainty] | None:
-    """Return the expanded uncertainty U (mm or deg, k = 2) of each parameter of a repeated test,
-    after a ``change`` of the correction.
-
-    ``result``: the test at ``place`` of its axis. None where the job declares no uncertainty, and
-    for VDI 3441.
+    """Return the expanded uncertainty U (mm or deg, k = 2) of each parameter of a repetition of the
+    test with index ``place``, after a ``change`` of the correction. None: the job declares no
+    uncertainty, or the standard is VDI 3441.
 
     It is the U of the measured test after the change (`expanded_uncertainties`), because U depends
     on the remaining curve. Temperature, misalignment and set-up are drawn twice: for the test from

@@ -105,12 +105,12 @@ def measured_decisions(
     believed: bool,
     proven: bool,
 ) -> dict[str, AcceptDecision]:
-    """Return the decision about each limit of an axis (µm or arcsec) from the test after loading.
+    """Return the decision about each limit of an axis (µm or arcsec) from the test after loading:
+    undecided if its readings are not ``believed``, and never accept if the test is not ``proven``
+    to show as much as the test that it repeats.
 
     A guarded decision needs the uncertainty of this test only: the tests before are contained in
-    the table, which is active and measured with it. Readings that are not ``believed`` give no
-    decision. A test that is not ``proven``, because it shows less than the one that it repeats,
-    accepts nothing.
+    the table, which is active and measured with it.
     """
     if entry.accept is None:
         return {}
@@ -129,8 +129,9 @@ def measured_circle_decisions(
     believed: bool,
     proven: bool,
 ) -> dict[str, AcceptDecision]:
-    """Return the decision about each limit of a circular test (µm) from the repetition of this test
-    after loading.
+    """Return the decision about each limit of a circular test (µm) from its repetition after
+    loading: undecided if its readings are not ``believed``, and never accept if it is not
+    ``proven`` to show as much as the test that it repeats.
     """
     if accept is None:
         return {}
@@ -236,9 +237,10 @@ def check_limits(job: Job, entry: AxisJob, results: tuple[PositioningResult, ...
 def limit_faults(
     job: Job, accept: Acceptance, result: PositioningResult | CircularResult, place: str
 ) -> list[Fault]:
-    """Return a fault for each limit on a parameter that ``result`` does not contain.
+    """Return a fault for each limit on a parameter that ``result`` does not contain. ``place``: the
+    section of the job that the fault names, such as ``axes.X``.
 
-    Also for a guarded decision without uncertainty; ``place``: the section of the job.
+    Also for a guarded decision without uncertainty.
     """
     faults = [
         Fault(

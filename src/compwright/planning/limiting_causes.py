@@ -44,14 +44,15 @@ _WORTH_SAYING: Final = 0.005
 
 def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> LimitingCauses | None:
     """Return how much each cause contributes to one predicted parameter, such as A, of an axis with
-    the correction ``new``.
+    the correction ``new``. ``fresh``: simulated repetitions of the first test at new targets. None:
+    no parameter can be judged.
 
-    It is the first of A, E, ... that the first test has; None where it has none.
+    It is the first of A, E, ... that the first test has.
 
-    ``fresh``: tests like that one, at new targets. Each cause is removed alone, while all
-    others stay. The part of the known error that the table does not hold is the sum of the causes
-    that `shortfalls` names: to remove one is to add what it lacks. No median contains the periods
-    that the test leaves open (`FreshTests.band`): their value is what they would add.
+    Each cause is removed alone, while all others stay. The part of the known error that the table
+    does not hold is the sum of the causes that `shortfalls` names: to remove one is to add what it
+    lacks. No median contains the periods that the test leaves open (`FreshTests.band`): their value
+    is what they would add.
     """
     name = judged_parameter(work.results[0])
     if name is None:
@@ -112,10 +113,9 @@ def _without(
     shown: _ShownParameter,
     without_outliers: Quantiles,
 ) -> Iterator[tuple[str, Quantiles, float | None]]:
-    """Yield each cause with two results: the parameter of simulated tests without this cause, and
-    the rms error (mm or deg) by this cause, None where that is unknown.
-
-    ``without_outliers``: the parameter without outlying readings.
+    """Yield each cause with two results: the parameter of simulated tests without this cause
+    (``without_outliers``: the parameter without outlying readings), and the rms error (mm or deg)
+    by this cause, None where that is unknown.
     """
     for cause, parts in _SCATTERING.items():
         if fresh.has(parts):

@@ -147,7 +147,9 @@ def _middle_of_table(state: ControlState, axis: Axis, test: PositioningTest) -> 
 
 
 def _noise(bare: ObservedTest) -> float:
-    """Return the standard deviation of the mean over all readings at a target."""
+    """Return the standard deviation of the mean of all readings at one target, both directions
+    together.
+    """
     counts = sum(count_readings(bare.test.deviations(direction)) for direction in Direction)
     return 0.0 if bare.noise is None else float(bare.noise.sigma / np.sqrt(np.max(counts)))
 

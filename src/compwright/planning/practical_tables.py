@@ -42,7 +42,8 @@ def practical_table(
     shown: Shown,
 ) -> tuple[Capacity, FittedTable]:
     """Return the control's limits, narrowed if needed, and the fitted table: the easiest to load
-    that is good enough. Raises CapacityError if the control can hold no table.
+    that is good enough. ``shown`` returns the predicted test for a table. Raises CapacityError if
+    the control can hold no table.
     """
     capacity, table = _with_kept_magnification(wanted, capacity, request, axis, shown)
     if capacity.typed and request.named_spacing is None:
@@ -71,8 +72,8 @@ def planned_request(
 def _with_kept_magnification(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest, axis: Axis, shown: Shown
 ) -> tuple[Capacity, FittedTable]:
-    """Return the best table that keeps the magnification set in the control, if a test would show
-    almost no difference.
+    """Return the control's limits and the best table. The table keeps the magnification set in the
+    control if the test that ``shown`` predicts for it shows almost no difference.
 
     A new magnification is a risk: loaded without its increments, or these without it, it multiplies
     the whole table.

@@ -34,9 +34,8 @@ def predict(
     fresh: FreshTests | None = None,
 ) -> TestPrediction:
     """Return the prediction of a repeated test after a ``change`` of the correction, at the same
-    targets and at new targets.
-
-    ``fresh``: tests at new ones, where they are drawn already.
+    targets and at new targets. ``like``: the conditions of the repetition; ``fresh``: simulated
+    tests at new targets, if they exist already.
     """
     drawn = fresh or fresh_tests(result, posterior, axis, like)
     return TestPrediction(
@@ -55,7 +54,7 @@ def predict_same_targets(
     like: RepeatConditions = FIRST,
 ) -> Mapping[str, Quantiles]:
     """Return the prediction of a repeated test after a ``change`` of the correction, at the same
-    targets.
+    targets. ``like``: the conditions of the repetition.
     """
     targets = result.test.targets
     positive, negative, scatter = _drawn(result, posterior, axis.name, like)
@@ -78,7 +77,7 @@ def _drawn(
     result: PositioningResult, posterior: MeasuredError, axis: str, like: RepeatConditions
 ) -> tuple[FloatArray, FloatArray, FreshScatter]:
     """Return random draws (s, m) of the deviation at the targets in + and −, and of the scatter of
-    the readings.
+    the readings, in a repetition of the test under the conditions ``like``.
     """
     targets = result.test.targets
     rng = generator(axis, result.test.name, "draws")
@@ -97,9 +96,9 @@ def why_not_better(
     new: Mapping[str, Quantiles],
 ) -> Sentence | None:
     """Return the reason why a table would not improve the axis, or None if the table improves it.
+    Compared are the measured test (evaluated with the present correction ``before`` and with the
+    new one ``after``) and quantiles of simulated tests at new targets (``old``, ``new``).
 
-    ``before``, ``after``: the measured test evaluated with the present correction and with that of
-    the new files; ``old``, ``new``: quantiles of tests at new random targets, from the same draws.
     The first of A, E, ... that the test has decides.
     """
     name = judged_parameter(before)
@@ -125,7 +124,7 @@ def why_not_seen(
     before: PositioningResult, old: Mapping[str, Quantiles], new: Mapping[str, Quantiles]
 ) -> Sentence | None:
     """Return the reason why no test would show the gain of a table, or None if a test would show
-    it.
+    it. ``old``, ``new``: quantiles of simulated tests with the present and with the new correction.
 
     The parameter that judges tables has to fall by more than the standard deviation by which it
     differs from test to test.

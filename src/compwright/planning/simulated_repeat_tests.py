@@ -96,7 +96,9 @@ class FreshTests:
         waves: FloatArray | None = None,
     ) -> Mapping[str, Quantiles]:
         """Return quantiles of each parameter of the simulated tests after a ``change`` of the
-        correction.
+        correction. Other arguments leave out parts of the deviation (``known``, ``unknown``,
+        ``warm`` False) or of the noise (``cured``), add periodic errors ``waves``, or select one
+        parameter (``only``).
 
         ``known``: whether to include the estimated error and the change, ``unknown``: the
         uncertainty of the estimate, ``warm``: the slopes; ``cured``: parts of the noise to leave
@@ -130,8 +132,8 @@ class FreshTests:
         }
 
     def band(self, change: Correction, *, only: str | None = None) -> Mapping[str, Quantiles]:
-        """Return quantiles of each parameter of the simulated tests after a ``change`` of the
-        correction, with all possible periods of the error included.
+        """Return quantiles of each parameter (or ``only`` one) of the simulated tests after a
+        ``change`` of the correction, with all possible periods of the error included.
 
         Those that the readings show at all are in the draws, each as often as it is probable. Those
         that they leave open count for the upper end alone: the axis may have none of them.
@@ -198,8 +200,8 @@ def draws_like(result: PositioningResult) -> int:
 def fresh_tests(
     result: PositioningResult, posterior: MeasuredError, axis: Axis, like: RepeatConditions = FIRST
 ) -> FreshTests:
-    """Return simulated repetitions of the test ``result`` of ``axis`` at new random targets. Equal
-    names of axis and test give equal draws.
+    """Return simulated repetitions of the test ``result`` of ``axis`` at new random targets, under
+    the conditions ``like``. Equal names of axis and test give equal draws.
     """
     return _fresh_tests(result, posterior, axis.name, axis.kind, axis.travel, like)
 

@@ -25,10 +25,10 @@ def verdict(
     axis: Axis, limiting: LimitingCauses, *, tabled: bool, refused: bool
 ) -> Iterator[Finding]:
     """Yield the finding CW-P150 if a table improves an axis little, and CW-P151 if most of the
-    remaining error is scatter.
+    remaining error is scatter. ``tabled``: a table is written; ``refused``: a table was made, but
+    improves nothing.
 
-    ``tabled``: a table is written; ``refused``: one was made and improves nothing. A gain counts
-    when it is more than one standard deviation of the parameter between tests.
+    A gain counts when it is more than one standard deviation of the parameter between tests.
     """
     left = limiting.then if tabled else limiting.now if refused else limiting.least
     gained = limiting.now - left
@@ -85,7 +85,9 @@ def no_table_finding(axis: Axis, limiting: LimitingCauses) -> Finding:
 
 
 def _what_remains(axis: Axis, limiting: LimitingCauses, scatter: float) -> Iterator[Finding]:
-    """Yield a finding about the largest cause that remains after a table that helps."""
+    """Yield a finding about the largest cause that remains after a table that helps. ``scatter``:
+    share of the present parameter that remains with a perfect table.
+    """
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
     main = _main_cause(limiting, 0.0)
     if main is not None and main.cause != NOISE:
@@ -115,7 +117,7 @@ def _what_remains(axis: Axis, limiting: LimitingCauses, scatter: float) -> Itera
 
 def _main_cause(limiting: LimitingCauses, scatter: float) -> LimitingCause | None:
     """Return the main cause why a table does not help, or None if no cause with a known remedy is
-    large enough.
+    large enough. ``scatter``: share of the present parameter that remains with a perfect table.
     """
     known = [cause for cause in limiting.causes if cause.cause in _CURED_ELSEWHERE]
     largest = max(known, key=lambda cause: cause.value, default=None)

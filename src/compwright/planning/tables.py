@@ -68,10 +68,9 @@ def fit_remaining(
     costs: bool = True,
 ) -> FittedTable:
     """Return the table that, added to the existing tables that stay active, gives the wanted
-    correction.
+    correction. With ``costs``, the table states what each limit of the control costs.
 
-    ``costs``: whether to compute what each limit costs. Raises CapacityError where the control
-    cannot hold it.
+    Raises CapacityError where the control cannot hold it.
     """
     own = without_kept_tables(wanted, capacity.stays)
     table = fit_table(own, capacity, request, address=axis.address, costs=costs)
@@ -182,12 +181,12 @@ def new_grid_offer(
     written: bool,
 ) -> Finding | None:
     """Return the finding that the ``chosen`` table, with new points, is better than a table at the
-    existing points ``there`` (mm or deg), or None if it is not better.
+    existing points ``there`` (mm or deg), or None if it is not better. ``kept`` and ``offered``:
+    tests predicted with the existing points (without a table if none is ``written``) and with the
+    new points.
 
-    ``kept``, ``offered``: the first test's predictions with both; ``written``: False where no table
-    on the existing grid improves the axis, and ``kept`` is the prediction without one. A gain
-    counts when it is larger than ``quantum``, the control's resolution, and than one standard
-    deviation of the parameter between tests.
+    A gain counts when it is larger than ``quantum``, the control's resolution, and than one
+    standard deviation of the parameter between tests.
     """
     name = judged_parameter(kept.before)
     if name is None:

@@ -57,9 +57,7 @@ def fresh_slope(rule: Literal["simple", "guarded"], test: PlannedTest) -> float:
 
 def slope_in_table(job: Job, tests: Sequence[PlannedTest], coming: PositioningTest) -> float:
     """Return the standard deviation (mm/mm) of the slope error in the table, which has its slope
-    from the first of the ``tests``.
-
-    It is relative to the slope of a test like ``coming``.
+    from the first of the ``tests``, relative to the slope of a later test ``coming``.
 
     It combines the uncertain slope of the first test with the effect of the uncertain coefficient
     over the difference of their temperatures.

@@ -58,8 +58,9 @@ def contradictory(scatter: float, free: float) -> bool:
 def worse_doubts(
     value: float, std_error: float, axes: tuple[str, ...], plane: str = ""
 ) -> tuple[Finding, ...]:
-    """Return the doubt that a correction by ``value`` (µm/m) makes the error larger, or nothing.
-    The value is the squareness of a ``plane`` or, without a plane, the scale error of an axis.
+    """Return the doubt that a correction by ``value`` (µm/m) makes the error larger; an empty tuple
+    if this is improbable. The value is the squareness of a ``plane`` or, without a plane, the scale
+    error of an axis.
 
     The error grows where the true value is below half of ``value``: then the correction leaves a
     larger error of opposite sign. Assumed: normal error, and no other knowledge of the machine.
