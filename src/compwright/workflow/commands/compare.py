@@ -146,8 +146,8 @@ def _new_doubts(found: Sequence[Finding], known: Collection[str]) -> Iterator[Fi
 def _found(
     control: Control, files: Sequence[ControlFile], axes: Sequence[Axis], loaded: Sequence[Path]
 ) -> tuple[dict[str, DecodedState | _Refused], _Refused | None]:
-    """Return, for each axis address, the correction in the files read back, or the error because of
-    which it cannot be read.
+    """Return, for each axis address, the correction in the files read back (``loaded``: their
+    paths), or the error because of which the correction cannot be read.
 
     Where axes can be read alone, a fault of one hides no other. Raises InputError where the files
     contain no data of an axis.
@@ -189,7 +189,8 @@ def planned_files(
     control: Control, plan: Plan, as_found: DecodedState
 ) -> tuple[tuple[ControlFile, ...], DecodedState | None]:
     """Return the control's files as they are if the plan is loaded completely, and the corrections
-    in these files.
+    that are decoded from these files (None if the plan has no table). ``as_found``: the control's
+    contents before.
 
     The plan's files in the place of those that were patched.
     """
@@ -218,10 +219,10 @@ def _compared(
     partly: PartialLoad | None,
 ) -> ComparedAxis:
     """Return how the correction and the other values of one axis in the files read back differ from
-    the plan.
+    the plan. ``own``: the differences of other values, by axis; ``partly``: which files were
+    loaded, None if all of them.
 
-    ``found`` an error: why the correction of the values read back is unknown. ``partly``: which
-    files were loaded, where not all were.
+    ``found`` an error: why the correction of the values read back is unknown.
     """
     axis = entry.axis
     if isinstance(found, (InputError, UsageError)):
@@ -249,8 +250,8 @@ def _compared(
 
 
 def _not_read_back(axis: ComparedAxis) -> ComparedAxis:
-    """Return an axis; if its values equal the plan, its message says that they were compared in
-    files that ``run`` wrote, not in files read back.
+    """Return the comparison of an axis with files that ``run`` itself wrote. If the values equal
+    the plan, the message states that these files do not show what is in the control.
     """
     found = axis.read_back
     if isinstance(found, str) or found.verdict != "loaded":
@@ -259,8 +260,8 @@ def _not_read_back(axis: ComparedAxis) -> ComparedAxis:
 
 
 def _partly(load: PartialLoad, why: str) -> SentenceText:
-    """Return the sentence for a plan of which only some files were loaded: which files are missing,
-    and ``why`` the values cannot be read.
+    """Return the sentence for a plan of which only some files were loaded (``load``: which ones,
+    and which are missing). ``why``: the reason why the values cannot be read, or how they differ.
     """
     loaded, missing = list(load.loaded), list(load.missing)
     return SentenceText(say("read_back.partly", loaded=loaded, missing=missing, why=why))

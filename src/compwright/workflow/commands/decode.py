@@ -30,11 +30,12 @@ def decoded_files(
     at: str | None = None,
 ) -> tuple[DecodedState, Kinds, dict[str, Any]]:
     """Return the contents of the control files, the axes for which linear or rotary is unknown, and
-    the JSON document of the command.
+    the JSON document of the command. ``axis``: the only axis address to decode (None: all); ``at``:
+    the positions, as text (None: those of the tables).
 
-    ``axis`` restricts it to one address; the option ``active`` states whether the tables are
-    active, and whether all values of a program were carried out. Raises UsageError (options, a bad
-    list) and InputError (files, or an axis that they do not contain).
+    The option ``active`` states whether the tables are active, and whether all values of a program
+    were carried out. Raises UsageError (options, a bad list) and InputError (files, or an axis that
+    they do not contain).
     """
     active = stated_activity(options)
     wanted = None if at is None else positions_of(at)

@@ -96,7 +96,8 @@ def evaluate_files(
     watch: Watch = _unwatched,
 ) -> EvaluationRun:
     """Evaluate every file of ``paths`` by the standard for its kind of test, in the order of the
-    files.
+    files. ``spread``: the formula for the scatter s of repeated readings; ``watch``: a function
+    that is called with the progress.
 
     Folders: every file in them except hidden ones; ``crew``: the processes.
 
@@ -439,8 +440,8 @@ def _with_circles(
     crew: Crew,
     watch: Watch,
 ) -> tuple[list[Evaluated], list[Noted]]:
-    """Return all evaluated tests in their order, and the faults. Circular tests are joined from
-    their two files and evaluated here.
+    """Return all evaluated tests in their order, and the faults, those ``noted`` earlier first.
+    Circular tests are evaluated here, after the two files of one test have been joined.
     """
     from compwright.workflow.inputs.circles import pairs_joined
 

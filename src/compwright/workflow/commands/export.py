@@ -61,7 +61,8 @@ def export_plan(
     *,
     force: bool = False,
 ) -> ExportOutcome:
-    """Fit the total correction in a plan to a control, and write the control's files into ``out``.
+    """Fit tables to the total corrections in the plan file ``path`` within the limits of a control,
+    and write the control's files into ``out``.
 
     Another control has its own names of the axes: the options ``address.NAME`` give them, else the
     plan's names are used. ``states``: the present contents of the control, ``none`` or its files;
@@ -214,7 +215,10 @@ def _state(
     *,
     active: bool | None,
 ) -> DecodedState:
-    """Return the compensation in the control for the given ``axes``, read from control files."""
+    """Return the existing compensation in the control for the given ``axes``: none, that of the
+    control files ``states``, or, without ``states``, that in the plan ``file``. ``active``: whether
+    the tables are active, None if not stated.
+    """
     if list(states) == ["none"]:
         return decode(control, (), axes)
     if "none" in states:

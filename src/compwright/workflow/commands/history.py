@@ -48,11 +48,12 @@ def history_of(
     table_path: Path | None = None,
     force: bool = False,
 ) -> HistoryOutcome:
-    """Show the tests in the result folders below ``tops`` by machine, axis and date, with the
-    changes between them.
+    """Return the tests in the result folders below ``tops`` by machine, axis and date, with the
+    changes between them, and write the requested files. ``index``: a database that keeps what was
+    read for the next call.
 
-    ``index``: a database of what was read, kept between calls. Raises UsageError, InputError where
-    nothing can be read or the index is none, and StorageError; nothing is written then.
+    Raises UsageError, InputError where nothing can be read or the index is none, and StorageError;
+    nothing is written then.
     """
     named = [
         path for path in (json_path, plot_path, page_path, table_path, index) if path is not None

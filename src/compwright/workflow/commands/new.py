@@ -107,8 +107,8 @@ def _unknown_option(control: Control) -> UnansweredOption | None:
 
 
 def _unanswered(unknown: UnansweredOption, drafts: Sequence[AxisDraft]) -> dict[str, Prefilled]:
-    """Return the control's ``unknown`` option as a key for the user to fill in, or nothing if each
-    axis states its own options.
+    """Return the control's ``unknown`` option as a job key for the user to fill in; an empty
+    mapping if every axis in ``drafts`` has control options of its own.
     """
     if all("options" in draft.values for draft in drafts):
         return {}
@@ -128,7 +128,8 @@ def _without_lengths(draft: AxisDraft, unknown: UnansweredOption) -> AxisDraft:
 def _read(
     control: Control, files: Sequence[ControlFile], *, active: bool | None
 ) -> tuple[ControlState, tuple[str, ...]]:
-    """Return the contents of the files, and messages about axes that cannot be read.
+    """Return the contents of the files, and messages about axes that cannot be read. ``active``:
+    whether the tables are active, None if the user did not state it.
 
     Raises InputError where nothing is left.
     """
@@ -306,8 +307,7 @@ def _travel(
     address: str, axis: AxisCompensation, facts: AxisFacts, messages: str, *, turns: bool
 ) -> Iterator[tuple[str, Prefilled]]:
     """Yield the job's keys for the travel of an axis, or for the full turn of a rotary axis.
-
-    ``turns``: a table that repeats says that its axis has none, whatever else the files say.
+    ``turns``: whether a table that repeats shows that its axis is endless.
     """
     low, high = facts.limits or (0.0, 0.0)
     endless = facts.endless if facts.turn is None else facts.turn.length

@@ -92,7 +92,9 @@ def planned(
     accept_worse: bool = False,
     each: Each = in_turn,
 ) -> PlannedJob:
-    """Return a job after all stages of ``run``, without writing any file.
+    """Return a job after all stages of ``run``, without writing any file. ``stated``: the values of
+    the command line, for a run without a job file; ``accept_worse``: also write tables that would
+    not improve their axis.
 
     ``out``: where its results go; ``each`` works on the axes, in turn or side by side: the bytes
     are the same. Raises UsageError (2), InputError (3) and CapacityError (4).
@@ -116,9 +118,8 @@ def write_planned(
     json_path: Path | None = None,
     report: Path | None = None,
 ) -> RunOutcome:
-    """Write the files of a finished job into ``out``, all of them or none.
-
-    The prediction to ``json_path`` too, the report as PDF to ``report``.
+    """Write the files of a finished job into ``out``, all of them or none, together with the
+    prediction (``json_path``) and the report as PDF (``report``) if these paths are given.
 
     Raises StorageError (5); nothing is written then. Without a state of the control, evaluation,
     prediction and report are written but no table (exit 2).
@@ -186,8 +187,8 @@ def write_planned(
 
 
 def _assumed_job(stated: Mapping[str, Any], finished: Finished) -> dict[str, bytes]:
-    """Return a job file that states all assumptions. No file is returned if the name of an input
-    file is not valid UTF-8.
+    """Return, by file name, a job file with the values ``stated`` on the command line and all
+    assumptions. No file is returned if the name of an input file is not valid UTF-8.
     """
     as_text = json.dumps(stated, ensure_ascii=False)
     if encoded(as_text).decode() != as_text:
@@ -197,7 +198,9 @@ def _assumed_job(stated: Mapping[str, Any], finished: Finished) -> dict[str, byt
 
 
 def _no_job(stated: Mapping[str, Any] | None, draft: Mapping[str, bytes]) -> Iterator[str]:
-    """Yield the note that no job file is written because file names are not valid UTF-8."""
+    """Yield the note that no job file is written because file names are not valid UTF-8, if a run
+    from the command line (``stated``) made no job file (``draft``).
+    """
     if stated is not None and not draft:
         texts = re.findall(r'"([^"]*)"', json.dumps(stated, ensure_ascii=False))
         shown = {text: encoded(text).decode() for text in texts}

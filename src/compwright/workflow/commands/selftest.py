@@ -88,8 +88,8 @@ def write_selftest(
     *,
     force: bool,
 ) -> list[Path]:
-    """Write the self-test as ``pages`` to be signed and as JSON documents, all or none. Returns the
-    written paths.
+    """Write the self-test as pages to be signed (to the paths ``pages``) and as JSON documents (to
+    the paths ``answers``), all or none. Returns the written paths.
 
     Raises StorageError, and UsageError where the report extra is missing.
     """

@@ -46,10 +46,11 @@ def simulate_files(
     file: str = "",
 ) -> list[Path]:
     """Measure every axis and every circle of a virtual machine, and write a measurement file for
-    each axis and circle into ``out``.
+    each axis and circle into ``out``. ``tables``: the folder with the tables that are loaded in its
+    control, None for no tables.
 
-    ``tables``: a folder with what the control loads; ``file``: the machine file, for messages.
-    Noise comes from ``seed`` alone: the same seed gives the same bytes.
+    ``file``: the machine file, for messages. Noise comes from ``seed`` alone: the same seed gives
+    the same bytes.
     """
     measured = simulated(session, machine, seed=seed, tables=tables, file=file)
     files = dict(_file_of(machine, name, test) for name, test in measured.items())
@@ -64,7 +65,10 @@ def simulated(
     tables: Path | None = None,
     file: str = "",
 ) -> dict[str, PositioningTest | CircleRecording]:
-    """Return the simulated test of every axis and circle by name. Raises UsageError, InputError."""
+    """Return the simulated test of every axis and circle by name. ``tables``: the folder with the
+    tables that are loaded in the machine's control, None for no tables. Raises UsageError,
+    InputError.
+    """
     loaded = NO_CORRECTIONS if tables is None else _loaded(session, machine, tables, file)
     tests: dict[str, PositioningTest | CircleRecording] = {}
     for number, name in enumerate(machine.axes):

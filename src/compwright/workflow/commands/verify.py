@@ -117,7 +117,8 @@ def verify_job(
     profile: Path | None = None,
     each: Each = in_turn,
 ) -> VerifyOutcome:
-    """Judge the tests after loading, and write the results into ``out``, all or nothing.
+    """Judge the tests after loading, and write the results into ``out``, with ``update`` also the
+    files of the next round, all or nothing.
 
     ``verification.json`` and ``verification.html``, and with ``update`` the next round into
     ``next`` below it.
@@ -324,8 +325,9 @@ def _stored(
 
 
 def _left_over(out: Path, then: Round | None) -> tuple[str, ...]:
-    """Return a warning that the folder still contains the next round of an earlier verification,
-    whose files must not be loaded; else nothing.
+    """Return a tuple with the warning that the folder still contains the next round of an earlier
+    verification, whose files must not be loaded. The tuple is empty if there is none, or if the new
+    next round ``then`` replaces it.
     """
     if (then is not None and then.files) or not storage.is_folder(out / FOLDER):
         return ()
@@ -384,8 +386,9 @@ def _verdict(
     circles: Mapping[str, VerifiedCircle],
     general: Sequence[Finding],
 ) -> OverallVerdict:
-    """Return the verdict on the job. If there are only circular tests, the decisions on squareness
-    are used in place of loading verdicts.
+    """Return the verdict on the job. ``general``: findings about the whole job, each of which
+    prevents the verdict ``good``. If there are only circular tests, the decisions on squareness are
+    used in place of loading verdicts.
     """
     squareness = squareness_decisions(circles)
     tested: list[VerifiedAxis | VerifiedCircle] = [*axes.values(), *circles.values()]

@@ -103,8 +103,8 @@ class HistoryIndex:
             raise _refused(self._file, "is a damaged index", str(error)) from error
 
     def notes_of(self, folder: Path) -> tuple[list[str], list[tuple[str, str]]]:
-        """Return the notes about a folder, and those files of the folder that were changed after
-        the command had written them.
+        """Return the notes about a result folder, and name and state of each of its files that was
+        changed or is missing since a command wrote it.
         """
         row = self._one("SELECT notes, files FROM folder WHERE path = ?", _key(folder))
         if row is None:
@@ -187,8 +187,8 @@ def _row(key: str, entry: HistoryEntry) -> tuple[object, ...]:
 
 
 def _entry(data: dict[str, Any], folder: Path) -> HistoryEntry:
-    """Return the history entry stored as ``data``, with ``folder``, where the result folder is now,
-    as its folder.
+    """Return the history entry that is stored as ``data``. As its folder the entry gets ``folder``,
+    the present place of the result folder.
     """
     pairs = {
         key: {name: (pair[0], pair[1]) for name, pair in data[key].items()}

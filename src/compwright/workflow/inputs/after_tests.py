@@ -31,7 +31,9 @@ from compwright.workflow.inputs.measurement_files import load_profile
 def read_again(
     session: Session, job: Job, entry: AxisJob, request: TestRequest
 ) -> PositioningTest | None:
-    """Return a positioning test of the job, read again from its files, or None if that fails."""
+    """Return the positioning test ``request`` of the job's axis ``entry``, read again from its
+    files, or None if that fails.
+    """
     try:
         return read_test(session, entry, request, Path(job.file).parent)
     except CompwrightError:
@@ -45,11 +47,10 @@ def after_tests(
     specs: Sequence[str | PositioningTest],
     profile: Path | None = None,
 ) -> list[AfterTest]:
-    """Read the tests after loading; several files of one test are joined. Raises one error with the
-    faults of all files.
+    """Read the tests after loading, given as ``specs`` (values of ``--after``, or tests in memory);
+    several files of one test are joined. Raises one error with the faults of all files.
 
-    ``specs``: values of ``--after``, or tests in memory; ``profile``: that of the tests after
-    loading, in the place of the job's.
+    ``profile``: that of the tests after loading, in the place of the job's.
     """
     profiles = _profiles(job) if profile is None else [profile]
     errors: list[CompwrightError] = []

@@ -52,7 +52,8 @@ def decode_kinds(
     active: bool | None = None,
 ) -> tuple[Control, DecodedState, Kinds]:
     """Return a control, the decoded contents of its files, and the axes for which the files leave
-    open whether they are linear or rotary.
+    open whether they are linear or rotary. ``address``: the only axis to decode (None: all);
+    ``active``: whether the tables are active, None if not stated.
 
     Raises UsageError where the numbers themselves depend on an unknown kind, or a given kind
     contradicts the files.
@@ -137,7 +138,10 @@ def _check(control: Control, found: DecodedState, given: object) -> None:
 def _readable(
     control: Control, files: Sequence[ControlFile], address: str | None, *, active: bool | None
 ) -> DecodedState | None:
-    """Return the contents of the files, or None if they cannot be read."""
+    """Return the decoded contents of the files (of one axis ``address``, or of all axes if it is
+    None), or None if the files cannot be read. ``active``: whether the tables are active, None if
+    not stated.
+    """
     try:
         return decode(control, files, address=address, active=active)
     except CompwrightError:

@@ -59,8 +59,8 @@ def pairs_joined(tests: Sequence[T | CircularTest]) -> list[T | CircularTest]:
 
 
 def machines_of(circles: Sequence[CircularResult]) -> tuple[list[dict[str, Any]], list[Fault]]:
-    """Return, for each machine with several circles, the result that they have in common, and the
-    faults.
+    """Return, for each machine with several circular tests, the JSON document about the errors that
+    explain all of its tests together (such as squareness and scale errors), and the faults.
     """
     machines: dict[tuple[str | None, ...], list[CircularResult]] = {}
     seen: set[str] = set()

@@ -135,7 +135,8 @@ def files_at(
     session: Session, role: InputRole, of: str, text: str, folder: Path
 ) -> Iterator[GivenFile]:
     """Yield the file with the path ``text`` (relative to ``folder``); if the path is that of a
-    folder, every file in that folder.
+    folder, every file in that folder. ``role``: the kind of input; ``of``: the test, circle or
+    state that uses the files.
     """
     start = storage.named_from(folder, text)
     for path in control_entries(session, start):
@@ -143,8 +144,8 @@ def files_at(
 
 
 def _named(text: str, path: Path, start: Path) -> str:
-    """Return the name that a file has in the job. ``text``: the path as the job states it, of the
-    file itself or of its folder.
+    """Return the name that the file ``path`` has in the job. ``text``: the path as the job states
+    it, of the file itself or of its folder; ``start``: the file or folder to which ``text`` leads.
     """
     name = Path(text).as_posix()
     return name if path == start else f"{name}/{path.relative_to(start).as_posix()}"
@@ -168,8 +169,9 @@ def kept(
     there: Mapping[str, bytes],
     written: Collection[str],
 ) -> tuple[tuple[RecordedInput, ...], dict[str, bytes]]:
-    """Return the input files, each with its place in the result folder, and the copies that have to
-    be written there.
+    """Return the input files of the command ``by``, each with its place in the result folder
+    ``out``, and the copies to be written there. A file is not copied if it, or a file ``there``
+    with the same contents, is in the folder already.
 
     No bytes are kept twice: what is among the files ``there`` (relative name -> bytes: the way back
     holds what was in the control), or lies in ``out`` (the inputs of a next round are written
@@ -213,8 +215,8 @@ def _inside(path: Path | None, out: Path, written: Collection[str]) -> str | Non
 
 
 def _place(name: str, by: str) -> str:
-    """Return the place in the result folder to which a file is copied. It is chosen so that the
-    copied job finds the copied file.
+    """Return the place in the result folder to which a file is copied, chosen so that the copied
+    job finds the copied file. ``by``: the command that was given the file (run, verify).
     """
     parts = PurePosixPath(name).parts
     if by == BY_VERIFY:

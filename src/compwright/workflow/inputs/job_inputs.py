@@ -143,7 +143,8 @@ def read_test(
     folder: Path,
     measured: Sequence[PositioningTest] = (),
 ) -> PositioningTest:
-    """Read the files of one test (or its parts in memory) as one record in machine coordinates.
+    """Read the files of the test ``request`` of one axis (or its parts ``measured`` in memory) as
+    one record in machine coordinates.
 
     The temperature is that of the environment record, else of the test's own keys, else of its
     files, else of the axis.
@@ -194,7 +195,9 @@ def read_test(
 
 
 def _check_one_map(entry: AxisJob, request: TestRequest, parts: Sequence[PositioningTest]) -> None:
-    """Raise an error if both job and profile convert the instrument's positions (position_map)."""
+    """Raise an error if both the job and the mapping profile convert the instrument's positions
+    (``position_map``), so that the ``parts`` of a test would be converted twice.
+    """
     if request.position_map == PositionMap():
         return
     faults = [

@@ -53,10 +53,10 @@ _ANY_TRAVEL = "0:1"
 
 
 def read_job_file(session: Session, path: Path, plan: Path | None = None) -> Job:
-    """Read a job file, with the drift tests, environment record and logo that it names.
+    """Read a job file, with the drift tests, environment record and logo that it names. ``plan``:
+    the plan of an earlier run, whose copy of the user's own control definition is used.
 
-    ``plan``: the plan of an earlier run, whose copy of the user's own definition is used. Raises
-    InputError when one of them cannot be read, UsageError with every fault of the job.
+    Raises InputError when one of them cannot be read, UsageError with every fault of the job.
     """
     carried = () if plan is None else carried_definition(storage.earlier_bytes(session, plan))
     further = partial(wrong_control, session, folder=path.parent, carried=carried)
@@ -153,6 +153,7 @@ def wrong_control(
     session: Session, data: Mapping[str, Any], *, folder: Path = Path(), carried: Texts = ()
 ) -> Iterator[KeyFault]:
     """Yield the faults of the control's id and of its options in the data of a job file.
+    ``carried``: the texts of the control definition that is copied into a plan, if any.
 
     ``folder``: what the path of a definition is relative to.
     """
@@ -217,8 +218,7 @@ def _unknown_diameter(axes: object, control: Control, *, files: bool) -> Iterato
 
 def _questions(axes: object, control: Control, *, files: bool, stated: bool) -> Iterator[KeyFault]:
     """Yield a fault for each value that the control needs for an axis and the job lacks.
-
-    ``stated``: the job states the contents of the control, so that tables are made.
+    ``stated``: whether the job states the present contents of the control, so that tables are made.
     """
     sections = axes if isinstance(axes, dict) else {}
     given = {

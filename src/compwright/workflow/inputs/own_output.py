@@ -160,7 +160,9 @@ def earlier_plans(contents: Iterable[tuple[Path, bytes]]) -> Iterator[_Earlier]:
 
 
 def made_for_the_control(plan: Plan) -> frozenset[str]:
-    """Return the hashes of the control files that a run made, except those it did not change."""
+    """Return the hashes of the control files that a run made, without those files that the run left
+    unchanged.
+    """
     before = {fingerprint(file.raw) for files in plan.states.values() for file in files}
     return frozenset(
         digest
@@ -246,14 +248,15 @@ def _is_own_table(
     made: bool,
 ) -> bool:
     """Return whether a state of the control contains the table that a plan made from ``test``.
+    ``digit``: the last digit of the readings if the job's test is a coarsely rounded copy of that
+    test, else 0; ``made``: whether the run of the plan wrote a file of this state.
 
     Whether it gives an axis another correction than was active during the plan's ``test``, and that
     is what the plan wanted.
 
-    ``digit``: step of the readings, mm or deg, where the test of the job is a rounded copy and the
-    runs scatter by less: two tests may agree so far, with tables that differ by less. ``made``: the
-    files of the state are the plan's own byte for byte; others may do the same in another form (a
-    whole backup, fewer digits, without the backlash value).
+    Within ``digit`` (mm or deg) two tests may agree although their tables differ. Files that the
+    run did not write may contain the same table in another form (a whole backup, fewer digits,
+    without the backlash value).
     """
     if planned.fitted is None:
         return False

@@ -33,7 +33,8 @@ _Read = list[tuple[object, ...]]
 
 
 def measurement_copy(content: bytes, file: str, cuts: Cuts, profile: Profile | None) -> Redacted:
-    """Return a checked copy of a measurement file without names.
+    """Return a checked copy of a measurement file without names; ``cuts`` records the removed
+    texts.
 
     Raises InputError for a file that cannot be read, whose copy would have another meaning, or
     whose copy still contains a removed text.

@@ -71,11 +71,12 @@ class _Somebody:
 def names_of_copies(
     files: Sequence[str], removed: Iterable[tuple[str, str]], names: Names
 ) -> list[str]:
-    """Return a file name for each copy. No two names are equal, not even if upper and lower case
-    are the same.
+    """Return a file name for the copy of each of the ``files``. No two names are equal, not even if
+    upper and lower case are the same. ``removed``: the texts removed from the files; ``names``: the
+    neutral names.
 
     A name is kept, except for parts that contain a text removed from any file, or that may be a
-    serial number. ``removed``: the removed texts, each with its kind before it.
+    serial number. Each removed text has its kind before it.
     """
     somebody = _somebody(removed)
     made: list[str] = []
@@ -108,7 +109,7 @@ def _somebody(removed: Iterable[tuple[str, str]]) -> _Somebody:
 
 def _shown(name: str, somebody: _Somebody, names: Names) -> str:
     """Return one part (folder or file) of a copy's name; a part that identifies a person or machine
-    is replaced by a neutral name.
+    is replaced by a neutral name from ``names``.
     """
     stem, ending = PurePath(name).stem, PurePath(name).suffix
     if somebody.is_in(ending):

@@ -16,10 +16,10 @@ _ODD: Final = re.compile(r'["$`\\!%]')
 
 
 def after_run(outcome: Any, job: Path, out: Path, *, apart: bool) -> str:
-    """Return the last line of ``run``: the next step, with the command to type.
+    """Return the last line of ``run``: the next step, with the command to type. ``apart``: whether
+    the results are in a folder other than the default one of the job.
 
-    ``job``: its job file; ``out``: the folder of its results, ``apart``: not the default folder of
-    the job.
+    ``job``: its job file; ``out``: the folder of its results.
     """
     again = _command("run", job, *(("--out", out) if apart else ()), "--force")
     if outcome.no_tables:
@@ -52,10 +52,11 @@ def after_verify(
     given: Sequence[object],
     read_back: bool,
 ) -> str:
-    """Return the last line of ``verify``: the next step, with the command to type.
+    """Return the last line of ``verify``: the next step, with the command to type. ``given``: the
+    options with paths, which are repeated in that command.
 
-    ``after``: its tests; ``plan``: the plan that it used; ``given``: the options with paths;
-    ``read_back``: whether the control's files were given.
+    ``after``: its tests; ``plan``: the plan that it used; ``read_back``: whether the control's
+    files were given.
     """
     document = outcome.document
     then, folder = document.get("next") or {}, out / "next"

@@ -27,12 +27,12 @@ def write_listed(
     as_set: bool,
     elsewhere: Mapping[Path, bytes] | None = None,
 ) -> list[Path]:
-    """Write ``files`` and a list of them into ``out``, all or nothing. Return their paths.
+    """Write ``files`` and a list of them into ``out``, and the files ``elsewhere`` to their own
+    paths, all or nothing. With ``as_set``, remove files that an earlier call of the ``command``
+    wrote and this one does not. Return the written paths.
 
-    With ``force``, unchanged files of an earlier command there are replaced. ``as_set``: files that
-    an earlier run of this ``command`` wrote and this one does not are then removed. Raises
-    StorageError as `storage.write_files` does, also for a file that is not in the list or was
-    changed.
+    With ``force``, unchanged files of an earlier command there are replaced. Raises StorageError as
+    `storage.write_files` does, also for a file that is not in the list or was changed.
     """
     earlier = listed_before(storage.earlier_bytes(session, out / LIST))
     still = {

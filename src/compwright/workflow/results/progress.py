@@ -17,8 +17,8 @@ _BETWEEN: Final = 0.1
 
 @contextmanager
 def progress(*, shown: bool) -> Iterator[Callable[[str, int, int], None]]:
-    """Provide a function that reports progress; its arguments are the kind of work (a word), the
-    number done, and the total number.
+    """Provide a function that reports progress, as a bar if ``shown`` is true, else not at all. Its
+    arguments are the kind of work (a word), the number done, and the total number.
 
     It draws a bar on standard error until the work is done, where it is to be ``shown`` and the
     work takes longer than a moment.

@@ -53,10 +53,10 @@ def recorded_run(
     draft: Mapping[str, bytes] = MappingProxyType({}),
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
     """Return the files to be written (a run's record and copies of its inputs), and the names of
-    files of an earlier verification to be removed.
+    files of an earlier verification to be removed. ``draft``: the job file that a run without a job
+    file makes.
 
-    ``given``: the inputs (`files_of_job`); ``out``: the result folder; ``draft``: the job file that
-    it leaves there, where it was made without one.
+    ``given``: the inputs (`files_of_job`); ``out``: the result folder.
     """
     job, control = finished.measured.job, finished.measured.control
     there = {
@@ -175,10 +175,10 @@ def recorded_verification(
     before: Mapping[str, Any],
     after: Mapping[str, Any],
 ) -> dict[str, bytes]:
-    """Return the copies of the inputs of ``verify``, and the record with the verification added.
+    """Return the copies of the inputs of ``verify``, and the record with the verification added:
+    its ``document``, and the evaluations of its tests ``before`` and ``after`` loading.
 
-    ``files``: what else it writes; ``document``: the verification; ``before``, ``after``:
-    evaluations of its tests.
+    ``files``: what else the command writes.
     """
     begun = _begun(session, run, out, before)
     there = _still_there(session, begun, out, files)

@@ -47,8 +47,8 @@ def answer_files(
     report: Path | None,
     card: bytes | None = None,
 ) -> dict[Path, bytes]:
-    """Return the files of ``--json`` and ``--report``. Raises UsageError if both have the same
-    name.
+    """Return the contents of the files of ``--json`` and ``--report`` by path. Raises UsageError if
+    both have the same name.
 
     ``page``: the report as HTML; None where it could not be made. ``card``: the commissioning card,
     which is written next to the report: ``out.pdf``, ``out-card.pdf``.

@@ -55,10 +55,11 @@ _LOOKED_AT: Final = 65536  # bytes
 def refuse_other_kinds(
     session: Session, targets: Mapping[Path, bytes], *, force: bool, results: Iterable[Path] = ()
 ) -> None:
-    """Raise StorageError if ``force`` would replace a file by one of a different kind.
+    """Raise StorageError if ``force`` would replace one of the files ``targets`` by one of a
+    different kind. ``results``: the other files that the command writes, which are not checked
+    here.
 
-    ``results``: the other files that the command writes; one name for two files is refused when
-    they are written.
+    One name for two files is refused when they are written.
     """
     if not force or not targets:
         return

@@ -54,7 +54,10 @@ def run_view(
     state_files: Sequence[str],
     **documents: Any,
 ) -> dict[str, Any]:
-    """Return the data for the report of a run, including its ``documents`` by name."""
+    """Return the data for the report of a run, including its ``documents`` by name. ``stated``:
+    whether the present contents of the control are known; ``state_files``: the names of the files
+    with these contents.
+    """
     state: str | list[str] | None = None
     if stated:
         state = list(state_files) or "none"
@@ -72,7 +75,7 @@ def run_view(
 
 
 def _paper(job: Job, command: Sequence[str], options: Sequence[str] = ()) -> dict[str, Any]:
-    """Return the page head of a printed report, with the command line that makes it again."""
+    """Return the head of a printed report, with the command line that makes the report again."""
     return {
         "language": job.report.language,
         "report": report_document(job),
@@ -83,7 +86,7 @@ def _paper(job: Job, command: Sequence[str], options: Sequence[str] = ()) -> dic
 
 def axis_view(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
     """Return the report data of one axis: its estimated error, its wanted total correction, its
-    fitted table, and its prediction.
+    fitted table, and its prediction. ``loaded``: the corrections that are active after loading.
     """
     planned = work.planned
     estimate, wanted, fitted = planned.estimate, planned.wanted, planned.fitted
@@ -123,8 +126,9 @@ def axis_view(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
 
 
 def expected_targets(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
-    """Return the mean deviations expected in a new test at the same targets, and the expected
-    scatter s of a single reading.
+    """Return, as data for the report (µm or arcsec), the mean deviations expected in a new test at
+    the same targets, and the expected scatter s of a single reading. ``loaded``: the corrections
+    that are active after loading.
     """
     test = work.results[0].test
     factor = outside_factor(test.kind.unit)

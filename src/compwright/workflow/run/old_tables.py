@@ -116,9 +116,10 @@ def judged_old_table(
     axes: Sequence[Axis],
 ) -> ExistingTableVerdict:
     """Decide whether the existing table was active in the test ``on``, by comparison with the test
-    ``off``, which has the least correction.
+    ``off``, which has the least correction. ``states``: the control's contents by the name of the
+    state; ``axes``: all axes of the job.
 
-    ``states`` by name; ``axes``: all of the job, whose tables may be active in place of this one.
+    The tables of the other axes may be active in place of this one.
     """
     least, table = (axis_compensation(states[one.measured_in], axis) for one in (off, on))
     tests = with_backlash((replace(off, acted=None),), axis, states)

@@ -24,7 +24,8 @@ def run_stages(
     accept_worse: bool = False,
     each: Each = in_turn,
 ) -> Finished:
-    """Return the results of a job after all five stages of a run.
+    """Return the results of a job after all five stages of a run. ``accept_worse``: also write
+    tables that would not improve their axis.
 
     ``folder``: what the job's paths are relative to; ``out``: where its results go; ``each`` works
     on the axes. Raises UsageError, InputError and CapacityError.

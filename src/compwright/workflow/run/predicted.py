@@ -84,7 +84,7 @@ def after_loading(work: AxisWork, loaded: DecodedState | None) -> Correction:
 
 def _circle(work: CircleWork, measured: Measured, then: ActiveCorrections) -> CirclePrediction:
     """Predict a circular test after loading, from the test before loading and the change of the
-    active corrections.
+    active corrections. ``then``: the corrections that are active after loading.
     """
     during = measured.active.get(work.planned.measured_in, NO_CORRECTIONS)
     prediction = predicted_circle(work.result, work.planned, during, then)

@@ -60,7 +60,7 @@ def written(
     each: Each = in_turn,
 ) -> Written:
     """Write the tables of a job as the control's files and read them again. Tables that improve
-    nothing are left out.
+    nothing are left out, unless ``accept_worse``.
 
     Raises CapacityError where the control cannot hold something, CompwrightError (a fault of our
     own) where other things come back than were written.

@@ -51,11 +51,13 @@ def judged_loading(
     *,
     read_back: bool,
 ) -> LoadingVerdict:
-    """Return the verdict on how the table was loaded, from a ``test`` after loading.
+    """Return the verdict on how the table was loaded, from a ``test`` after loading that repeats
+    the test with the index ``place`` in the plan. ``others``: the other axes of the plan, whose
+    tables can be loaded in place of this one.
 
     ``observed``, ``posterior``: the tests before and the error estimated from them; ``stored``: the
-    contents of the control before, its tables switched on; ``others``: the other axes of the plan;
-    ``read_back``: the table read back from the control is the plan's.
+    contents of the control before, its tables switched on; ``read_back``: the table read back from
+    the control is the plan's.
     """
     if planned.fitted is None:
         return LoadingVerdict(
@@ -125,7 +127,8 @@ def _view(
 
 def _motion(planned: PlannedAxis, place: int, targets: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return the reversal correction, in + and −, that the control makes at the feed of the
-    repeated test in addition to that at the axis's usual feed.
+    repeated test in addition to that at the axis's usual feed. ``place``: the index of the repeated
+    test in the plan.
     """
     more = with_motion(no_correction, planned.axis, planned.tests[place].backlash_more)
     return more(targets, Direction.POSITIVE), more(targets, Direction.NEGATIVE)
@@ -139,8 +142,9 @@ def _error_of(planned: PlannedAxis) -> MeasuredError:
 def _judged_against(
     planned: PlannedAxis, observed: Sequence[ObservedTest], posterior: MeasuredError
 ) -> MeasuredError:
-    """Return the error of the axis, estimated again with the slope of each earlier test counted
-    relative to that of the first test.
+    """Return the error of the axis, estimated again so that the uncertain slope of each earlier
+    test is relative to the slope of the first test; the given ``posterior`` if that changes
+    nothing.
 
     The difference of slope between the first test and the one after loading is then one number.
     """

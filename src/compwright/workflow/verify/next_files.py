@@ -153,7 +153,8 @@ def _axis(
     copies: _Copies,
 ) -> NextAxis:
     """Return the keys of an axis for the next job, in which its test after loading is the new test
-    before loading.
+    before loading. ``was``: the next job's name for the state before loading; ``paths``: the paths
+    of copied profiles by their paths in the job.
     """
     sections = test_sections(section)
     names = [str(each["name"]) for each in sections]

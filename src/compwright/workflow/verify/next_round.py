@@ -142,7 +142,9 @@ def next_round(
 
 
 def _general(found: Verified, compared: Mapping[str, Any] | str) -> str:
-    """Return the reason why no axis at all can be corrected further, or "" if some axes can."""
+    """Return the reason why no axis at all can be corrected further, or "" if some axes can.
+    ``compared``: the document of ``compare``, or the reason why there is none.
+    """
     # limits that were changed, a table between axes that is another one or was not read back
     changed = [one.message for one in found.findings if one.code in _NOT_FROM_HERE]
     if changed:
@@ -194,7 +196,9 @@ def lacks_proof(finding: Finding) -> bool:
 
 
 def _refused(found: Verified, compared: Mapping[str, Any] | str) -> Iterator[tuple[str, str]]:
-    """Yield the axes of the plan that must not be corrected further, each with the reason."""
+    """Yield the axes of the plan that must not be corrected further, each with the reason.
+    ``compared``: the document of ``compare``, or the reason why there is none.
+    """
     for name, entry in found.plan.axes.items():
         if entry.fitted is None:
             yield name, SentenceText(say("next.no_table"))
@@ -369,7 +373,9 @@ def _result(outcomes: Mapping[str, UpdatedAxis], *, between: bool) -> str:
 
 
 def _between(found: Verified, looped: Looped) -> Iterator[str]:
-    """Yield a sentence for each correction between axes: made again, or kept."""
+    """Yield a sentence for each correction between axes in the plan, which states whether the next
+    round makes its table again or keeps it.
+    """
     again = [_pair(found.job, plane) for plane in looped.squareness]
     for entry in found.plan.cross:
         yield SentenceText(

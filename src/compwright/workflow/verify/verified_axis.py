@@ -55,12 +55,12 @@ def verified_axis(
     *,
     ours: bool,
 ) -> VerifiedAxis:
-    """Compare the test of an axis after loading with the prediction of the plan.
+    """Compare the test of an axis after loading with the prediction of the plan. ``twice``: the
+    fault that the test is a copy of another one, if any; ``ours``: whether ``read_back`` is only
+    what ``run`` wrote, no evidence about the control.
 
     ``as_found``: contents of the control before; ``stored``: the same with its tables switched on;
-    ``read_back``: contents read back since, if any; ``twice``: that the test is a copy of another
-    one; ``others``: the other axes of the plan; ``ours``: ``read_back`` is what `run` wrote,
-    and no evidence about the control.
+    ``read_back``: contents read back since, if any; ``others``: the other axes of the plan.
     """
     axis = planned.axis
     names = [entry.test.name for entry in planned.tests]
@@ -134,10 +134,10 @@ def _judged(
     files: Sequence[Finding],
 ) -> tuple[dict[str, AcceptDecision], tuple[Finding, ...], tuple[Acknowledged, ...]]:
     """Return the decisions on the limits of an axis, the doubts that are open, and the doubts that
-    the job acknowledges.
+    the job acknowledges. ``fault``: a fault that the measurement certainly has, if any; ``files``:
+    the doubts about the files read back.
 
-    For a test that is certainly no measurement (``fault``) only that. ``files``: doubts about the
-    files read back.
+    With a ``fault``, nothing else about the readings is a doubt.
     """
     guarded = job.decision_rule == "guarded"
     waves = alias_findings(result.test.targets, axis.screw_pitch, axis.kind.unit)
@@ -239,7 +239,9 @@ def _expected(
 
 
 def _named(loading: LoadingVerdict) -> tuple[Finding, ...]:
-    """Return the finding CW-V026 if the verdict is that the measurement is faulty."""
+    """Return a tuple with the finding CW-V026 if the verdict is that the measurement is faulty,
+    else an empty tuple.
+    """
     return (
         (Finding("CW-V026", "warning", loading.sentence),)
         if loading.verdict == "measurement"
@@ -250,7 +252,9 @@ def _named(loading: LoadingVerdict) -> tuple[Finding, ...]:
 def _exchange(
     axis: str, loading: LoadingVerdict, others: Mapping[str, PlannedAxis]
 ) -> tuple[Finding, ...]:
-    """Return the finding CW-V012: the test cannot show whether two axes' tables are exchanged."""
+    """Return a tuple with the finding CW-V012 if the test cannot show whether the tables of two
+    axes are exchanged, else an empty tuple.
+    """
     hidden = loading.verdict == "loaded" and "wrong_axis" in {*loading.near, *loading.equivalent}
     names = [name for name, other in others.items() if other.fitted is not None]
     return (Finding.of("CW-V012", "warning", axis=axis, others=names),) if hidden else ()
@@ -259,8 +263,8 @@ def _exchange(
 def _compare_loaded(
     control: Control, planned: PlannedAxis, as_found: DecodedState, read_back: DecodedState | None
 ) -> tuple[Finding, ...]:
-    """Compare the values read back from the control with the plan's table, for a gantry on both of
-    its axes.
+    """Return the findings about the comparison of the values read back from the control with the
+    plan's table, for a gantry on both of its axes; none if nothing was read back.
     """
     if read_back is None or planned.fitted is None:
         return ()
@@ -293,10 +297,9 @@ def _compared(axis: Axis, table: AxisCompensation, read_back: DecodedState) -> F
 
 
 def differs_from_plan(axis: str, off: float, largest: float, kind: AxisKind) -> Finding | None:
-    """Return the finding that a table read back differs from the plan's table.
-
-    ``off``: largest difference, ``largest``: largest value of the plan's table; mm or deg. None
-    where they differ by no more than rounding.
+    """Return the finding that a table read back differs from the plan's table by up to ``off`` (mm
+    or deg), or None if that is no more than rounding. ``largest``: the largest value of the plan's
+    table.
     """
     factor, unit = outside_factor(kind.unit), shown_unit(kind.unit)
     if off <= 1e-3 / factor + SINGLE_PRECISION * largest:

@@ -142,7 +142,9 @@ def verify_circles(
     as_found: DecodedState,
     states: Mapping[str, DecodedState],
 ) -> dict[str, VerifiedCircle]:
-    """Evaluate circular tests after loading, and compare them with the plan. Raises InputError."""
+    """Evaluate the circular tests after loading (``files``: their files by the name of the circle),
+    and return their comparison with the plan by the name of the circle. Raises InputError.
+    """
     axes = {name: entry.axis for name, entry in plan.axes.items()}
     then = _planned(plan, as_found, axes)
     errors: list[CompwrightError] = []
@@ -212,9 +214,8 @@ def _judged(
     job: Job, before: CircularResult, result: CircularResult, *, corrected: bool
 ) -> tuple[dict[str, AcceptDecision], tuple[Finding, ...], tuple[Acknowledged, ...]]:
     """Return the decisions on the limits of a circle, the doubts that are open, and the doubts that
-    the job acknowledges.
-
-    Nothing of a circle without limits whose squareness was not ``corrected``.
+    the job acknowledges; nothing for a circle without limits whose squareness was not
+    ``corrected``.
     """
     name, rule = result.test.name, job.decision_rule
     limits = next((one.accept for one in job.circles if one.name == name), None)
