@@ -91,8 +91,9 @@ def spread(words: Sequence[str], options: Mapping[str, OptionForm], own: Own) ->
 
 
 def _held_back(given: Sequence[str], further: Sequence[range], own: Own) -> Sequence[int]:
-    """Return the indices of those words that follow an option but must be the command's own file
-    arguments.
+    """Return the indices of those words in ``given`` (the options with their values) that must be
+    the command's own file arguments. ``further``: the index ranges of the second and later values
+    of each file option.
     """
     named = [
         place

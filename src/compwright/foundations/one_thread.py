@@ -14,7 +14,8 @@ _TURN: Final = RLock()
 
 @contextmanager
 def warnings_ignored(message: str = "") -> Iterator[None]:
-    """Ignore library warnings whose text begins with the regular expression ``message``.
+    """Provide a context in which library warnings are ignored whose text begins with the regular
+    expression ``message``.
 
     The filters of warnings belong to the process. A second thread waits until the first one has
     restored them, so other settings of a library can be changed inside too.

@@ -34,9 +34,10 @@ _MOST: Final = 8
 @contextmanager
 def side_by_side(items: int, ready: Callable[[], None]) -> Iterator[Each]:
     """Provide a function that works on items in this process and in further parallel ones.
+    ``items``: the number of items; ``ready``: called first in each further process.
 
-    In this process and in further ones, which call ``ready`` first. It works in turn for one item,
-    on one processor, and where the system starts no process.
+    The function works in turn for one item, on one processor, and where the system starts no
+    process.
     """
     keep_free_memory()
     others = min(processors(), items, _MOST) - 1
@@ -62,7 +63,9 @@ def _pool(others: int) -> ProcessPoolExecutor | None:
 
 @contextmanager
 def _ctrl_c_later() -> Iterator[None]:
-    """Delay Ctrl-C while processes start, as a starting process would print a traceback."""
+    """Provide a context that delays Ctrl-C while processes start, as a starting process would print
+    a traceback.
+    """
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return

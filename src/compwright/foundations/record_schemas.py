@@ -62,7 +62,8 @@ def mapping(
     ref: str | None = None,
 ) -> cs.CoreSchema:
     """Return the schema of a mapping with given ``keys``. ``build``: makes the result from the
-    validated values.
+    validated values; ``others``: whether other keys are allowed, and ignored; ``ref``: a name by
+    which other schemas refer to this one.
     """
     known = cs.typed_dict_schema(
         {

@@ -91,12 +91,11 @@ class Cuts:
 
 def left_over(removed: Iterable[str], copy: Iterable[bytes], allowed: frozenset[str]) -> list[str]:
     """Return the texts that should have been removed but are still in a copy, completely or in
-    part.
+    part. ``allowed``: words that the copy may contain anyway, such as keywords and units.
 
     ``copy``: its bytes; of an archive those of its members. They are searched in every usual
-    encoding, with entities and percent signs resolved, in small letters. ``allowed``: words in
-    small letters that the file may contain anyway (keywords, units, names of columns). Single
-    letters, short words and short numbers are no evidence: any file contains them.
+    encoding, with entities and percent signs resolved, in small letters, as the ``allowed`` words
+    are. Single letters, short words and short numbers are no evidence: any file contains them.
     """
     texts = list(dict.fromkeys(removed))
     there: set[str] = set()
@@ -112,7 +111,9 @@ def left_over(removed: Iterable[str], copy: Iterable[bytes], allowed: frozenset[
 
 
 def telling(text: str, allowed: frozenset[str]) -> Iterator[str]:
-    """Yield the words and numbers in a text that may identify a person or company."""
+    """Yield the words and numbers in a text that may identify a person or company. ``allowed``:
+    words that do not, such as keywords and units.
+    """
     if _DECIMAL.fullmatch(text):
         return
     for piece in _PIECE.findall(text.casefold()):
@@ -126,8 +127,8 @@ def telling(text: str, allowed: frozenset[str]) -> Iterator[str]:
 
 
 def _whole(text: str, allowed: frozenset[str]) -> str:
-    """Return a text in lower case if it has several words and some of them identify a person or
-    company, else "".
+    """Return a text in lower case if it has several words and some of them may identify a person or
+    company, else "". ``allowed``: words that do not identify anybody.
     """
     whole = " ".join(text.casefold().split())
     return whole if " " in whole and any(telling(whole, allowed)) else ""
@@ -146,7 +147,7 @@ def _forms(content: bytes) -> Iterator[str]:
 
 def not_the_same(file: str, found: str) -> InputError:
     """Return the error that a file was not copied, because the copy without names would be read
-    with other numbers than the original.
+    with other numbers than the original. ``found``: what is read from the copy, as text.
     """
     return InputError(
         Fault(
@@ -168,10 +169,10 @@ def refuse_left_over(
     *,
     in_lines: bool = True,
 ) -> None:
-    """Raise InputError if the copy still contains a removed text.
+    """Raise InputError if the ``copy`` still contains a removed text, apart from ``allowed`` words.
+    The error names the lines of the copy if ``in_lines`` is true.
 
-    The error does not show the text. With ``in_lines`` it names the lines of the copy, which are
-    those of the original.
+    The error does not show the text. The lines of the copy are those of the original.
     """
     left = left_over((text for _, text in cuts.removed), copy, allowed)
     if left:

@@ -63,10 +63,10 @@ def in_order(
     count: int,
     weight: Callable[[T], int],
 ) -> Iterator[R]:
-    """Yield the results of ``work`` in the order of the ``items``, each as soon as possible.
+    """Yield the results of ``work`` in the order of the ``items`` (at most ``count``), each as soon
+    as possible. ``weight``: a function that returns the size of an item in bytes.
 
-    At most ``count`` items; they are taken when they are needed. Raises what ``work`` raises, as
-    `Each` does.
+    The items are taken when they are needed. Raises what ``work`` raises, as `Each` does.
 
     Work begins in turn. A crew is called where the items that are left would take longer than
     `_WORTH` in turn, by the time that those before them took: to start a process takes a good part

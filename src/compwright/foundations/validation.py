@@ -89,8 +89,9 @@ def key_faults(
     missing: Missing = {},  # noqa: B006  # only read
     again: Callable[[Any], object] | None = None,
 ) -> Iterator[KeyFault]:
-    """Yield a `KeyFault` for each error that pydantic found in ``data``. ``again``: the function
-    that validated ``data``.
+    """Yield a `KeyFault` for each error that pydantic found in ``data``. ``known``: gives the
+    allowed keys of a mapping; ``missing``: what is expected at a missing key; ``again``: the
+    function that validated ``data``.
     """
     for complaint in error.errors(include_url=False):
         path = _path_in(data, complaint)

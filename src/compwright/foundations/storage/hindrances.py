@@ -19,11 +19,11 @@ def refuse_overwriting(
     session: Session, targets: Mapping[Path, bytes], *, force: bool, completed: Sequence[Path] = ()
 ) -> None:
     """Raise StorageError if the command must not write some of the files ``targets``, such as files
-    that exist already.
+    that exist already. ``completed``: existing files that may be replaced even without ``force``.
 
-    Those that exist already, unless ``force`` or among those ``completed``. With ``force`` too:
-    what this command has read (unless the same bytes go there), folders in the place of a file,
-    what is no file at all (a device, a pipe), and a file that would be written twice.
+    Refused with ``force`` too: what this command has read (unless the same bytes go there), folders
+    in the place of a file, what is no file at all (a device, a pipe), and a file that would be
+    written twice.
     """
     faults = dict.fromkeys(
         fault for path, content in targets.items() for fault in _hindrances(session, path, content)

@@ -68,8 +68,9 @@ class Lock:
 
 def take(staging: Path, *, make: bool = False, patience: float = PATIENCE) -> Lock:
     """Return the lock of the temporary folder ``staging``, as soon as no other process has it.
+    ``make``: make the folder if it is missing; ``patience``: the longest time to wait, s.
 
-    Raises TimeoutError where another process holds it longer than ``patience`` (s), else OSError.
+    Raises TimeoutError where another process holds it longer, else OSError.
     """
     until = monotonic() + patience
     while True:

@@ -124,7 +124,9 @@ def _opened(path: str, flags: int) -> int:
 
 
 def _not_to_be_read(seen: os.stat_result, kind: InputKind) -> Fault | None:
-    """Return the fault of a folder, a device or too large a file, or None for other files."""
+    """Return the fault of a folder, a device or too large a file, or None for other files.
+    ``seen``: the file's status from the file system; ``kind``: the kind of input that is expected.
+    """
     kinds = (
         (stat.S_ISDIR, "a folder"),
         (stat.S_ISFIFO, "a pipe"),

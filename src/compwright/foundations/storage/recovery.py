@@ -49,7 +49,7 @@ class NotPutRightError(Exception):
 
 def put_right_above(session: Session, path: Path, error: type[CompwrightError]) -> None:
     """Restore the files of interrupted processes in the folder of ``path`` and its parents, once
-    per session.
+    per session. If that is impossible for ``path``, raise an error of the class ``error``.
 
     Raises ``error`` where that is impossible and ``path`` is a file that would have to be put back,
     or a folder with such a file directly in it.
@@ -73,8 +73,8 @@ def put_right_above(session: Session, path: Path, error: type[CompwrightError]) 
 
 
 def put_right_in(session: Session, folder: Path, error: type[CompwrightError]) -> None:
-    """Restore the files of interrupted processes in ``folder`` itself, and, as `put_right_above`
-    does, in its parents.
+    """Restore the files of interrupted processes in ``folder`` itself and in its parents, as
+    `put_right_above` does. If that is impossible, raise an error of the class ``error``.
     """
     put_right_above(session, folder / UNFINISHED, error)
     put_right_above(session, folder, error)
@@ -268,6 +268,7 @@ def clear(lock: Lock) -> None:
 
 def withdraw(sets: Sequence[Set]) -> None:
     """Undo a change of files in several folders: restore their old files, then remove the journals.
+    ``sets``: the folders, each with its journal.
 
     Raises NotPutRightError, and nothing was done, where a file was changed since or an earlier one
     did not come along; OSError.
@@ -293,7 +294,9 @@ def withdraw(sets: Sequence[Set]) -> None:
 
 
 def sync_folders(sets: Sequence[Set]) -> None:
-    """Wait until all file names changed by journals are stored on the disk. Raises OSError."""
+    """Wait until all file names changed by journals are stored on the disk. ``sets``: the folders,
+    each with its journal. Raises OSError.
+    """
     touched = [
         path
         for folder, journal in sets

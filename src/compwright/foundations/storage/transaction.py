@@ -48,11 +48,11 @@ def put(
     removed: Sequence[Path],
     check: Callable[[], None],
 ) -> None:
-    """Write ``targets`` (path to bytes) and remove the paths ``removed``, all or nothing.
+    """Write ``targets`` (path to bytes) and remove the paths ``removed``, all or nothing. ``check``
+    is called just before that, and raises an error if a file was changed in the meantime.
 
-    ``folder``: the one that decides, where any of them lies below it. ``check`` is called when no
-    other process can write there any more, and raises where something has changed. Raises
-    StorageError; then everything is as it was before.
+    ``folder``: the one that decides, where any of them lies below it. During ``check`` no other
+    process can write there any more. Raises StorageError; then everything is as it was before.
     """
     try:
         parts = _parts(folder, targets, removed)
@@ -119,7 +119,9 @@ class _Work:
         self.sets: list[tuple[Path, Journal]] = []
 
     def do(self, check: Callable[[], None]) -> None:
-        """Make all changes, or undo them on an error (StorageError) or Ctrl-C."""
+        """Make all changes, or undo them on an error (StorageError) or Ctrl-C. ``check`` is called
+        before the first change, and can stop it by an error.
+        """
         try:
             self._prepare(check)
             if self._is_one_step():
@@ -147,7 +149,9 @@ class _Work:
                 lock.release()
 
     def _prepare(self, check: Callable[[], None]) -> None:
-        """Write all new files to temporary places on the disk, before anything is changed."""
+        """Lock all folders, call ``check``, and write all new files to temporary places on the
+        disk, before anything is changed.
+        """
         for part in sorted(self.parts, key=lambda part: str(part.folder)):
             self.current = next(iter(part.changes.values())).path
             disk.make_folder(part.folder, self.above)

@@ -32,7 +32,8 @@ def write_files(
     known: Known = lambda _name, _content: True,
 ) -> list[Path]:
     """Write ``files`` (name to bytes) into ``folder``, and the files ``elsewhere`` (path to bytes)
-    to their own paths, all or none.
+    to their own paths, all or none. The other arguments state which existing files are replaced,
+    removed or kept.
 
     ``known``: whether an earlier run wrote an existing file; any other file is the user's and is
     not replaced. ``whole``: folders below ``folder`` that contain exactly these files afterwards;
@@ -76,7 +77,8 @@ def write_files(
 
 
 def _put_right(session: Session, folder: Path, paths: Sequence[Path], names: Sequence[str]) -> None:
-    """Restore files of interrupted commands in the folders that will be written to.
+    """Restore files of interrupted commands in the folders of ``paths``, and in the folders
+    ``names`` below ``folder``, before these are written to.
 
     Another look is taken, for one may have been stopped meanwhile.
     """
@@ -170,7 +172,7 @@ def _users_files(
     targets: Mapping[Path, bytes],
 ) -> Iterator[Fault]:
     """Yield a fault for each file to be replaced that belongs to the user: no run wrote it, or
-    somebody changed it since.
+    somebody changed it since (``known`` is False at its path).
     """
     for path in below:
         if not known.get(path, True) and earlier_bytes(session, path) != targets[path]:
@@ -193,8 +195,8 @@ def _in_the_way(
     *,
     force: bool,
 ) -> Iterator[Fault]:
-    """Yield a fault for each file that may not stay in one of the folders ``whole``, which contain
-    only files of this command.
+    """Yield a fault for each of the files ``gone``, which this command does not write, that may not
+    stay in one of the folders ``whole``, which contain only files of this command.
     """
     inside = {_below(folder, name) for name in whole}
     for path in gone:
