@@ -143,8 +143,8 @@ class Control:
         return (judged, *self.notes)
 
     def look_at(self, axis: Axis, table: AxisCompensation) -> Mapping[LoadingName, tuple[str, ...]]:
-        """Return what the user has to check at the control, for each verdict on how the new
-        ``table`` was loaded.
+        """Return the sentences on what the user has to check at the control, by the verdict on how
+        the new ``table`` was loaded (such as inverted or not active).
         """
         return look_at(self.format, axis, table)
 
@@ -204,7 +204,9 @@ class Control:
 def open_control(
     session: Session, format_id: str, given: Mapping[str, object], origin: Origin = COMMAND_LINE
 ) -> Control:
-    """Return a control by its id or its definition's path. Raises UsageError with all faults."""
+    """Return a control by its id or its definition's path. ``given``: the user's options by name;
+    ``origin``: where id and options are stated. Raises UsageError with all faults.
+    """
     try:
         definition, notes = _definition(session, format_id, origin)
     except UsageError as error:

@@ -111,10 +111,8 @@ def write_planned(
 def _wrong(
     planned: Sequence[PlannedCross], before: DecodedState, after: DecodedState, quantum: float
 ) -> list[Fault]:
-    """Return a fault for each axis pair whose written correction is not the sum of its old and its
-    planned correction.
-
-    The sum: its old plus its planned correction. Rounding by half a ``quantum`` is allowed.
+    """Return a fault for each axis pair whose written correction (``after``) is not the sum of its
+    old (``before``) and its ``planned`` correction. Rounding by half a ``quantum`` is allowed.
     """
     old, new = (
         {(entry.input, entry.output): [entry] for entry in judged_cross(decoded)}

@@ -32,9 +32,7 @@ def is_path(name: str) -> bool:
 
 def definition_named(session: Session, name: str, folder: Path) -> Definition:
     """Return the definition that ``name`` states: a supplied one by its id, or a user's own by its
-    path after its checks.
-
-    ``folder``: what its path is relative to.
+    path after its checks. ``folder``: the folder to which this path is relative.
 
     Raises UsageError for an unknown id (saying which exist) and with every fault of a file.
     """

@@ -277,7 +277,7 @@ def _corrections(
     before: ComparedSide, after: ComparedSide, old: ControlState, new: ControlState
 ) -> dict[str, CorrectionChange]:
     """Return, for each axis that is in both sets of files and could be read, the largest change of
-    its correction.
+    its correction. ``before``, ``after``: the two sets of files; ``old``, ``new``: their states.
     """
     stated = [
         {entry.axis for entry in side.entries.values() if entry.relevant} | set(state.axes)

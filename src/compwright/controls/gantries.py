@@ -237,7 +237,9 @@ def _skew(axis: Axis, state: DecodedState, where: FloatArray) -> list[FloatArray
 def _skews_differ(
     axis: Axis, states: Mapping[str, DecodedState], measured_in: Sequence[str]
 ) -> bool:
-    """Return whether the difference between the two tables has changed since the first test."""
+    """Return whether the difference between a gantry's two tables has changed since the first test.
+    ``measured_in``: names of the states in which the axis was measured.
+    """
     test = [states[name] for name in measured_in if name in states and name != AS_FOUND]
     if not test or AS_FOUND not in states:
         return False

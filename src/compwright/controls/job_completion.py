@@ -99,7 +99,7 @@ def _address(
 
 def _number_question(control: Control, axis: Axis, by_name: Mapping[str, tuple[str, str]]) -> Fault:
     """Return the fault that asks for the axis number of an axis, if the letter of the axis does not
-    determine the number.
+    determine the number. ``by_name``: number and evidence of each axis letter in the files.
     """
     names = ", ".join(f"{letter}: {number}" for letter, (number, _) in by_name.items())
     quantity = name_of(control.definition, "axis_letters")

@@ -79,7 +79,8 @@ NOTHING_ELSE: Find = found_in({})
 
 
 def texts_of(content: bytes, file: str, find: Find) -> Texts:
-    """Return a definition's YAML text, then the texts of all definitions that it extends.
+    """Return a definition's YAML text, then the texts of all definitions that it extends. ``find``:
+    a function that returns the file with a name or id.
 
     Raises InputError for invalid YAML, for a name that ``find`` does not know, and for a text that
     extends itself.

@@ -96,9 +96,8 @@ class Gathered:
 def gather(
     definition: Definition, texts: Iterable[ReadText], names: AxisNames | None = None
 ) -> Gathered:
-    """Return the statements of all files, sorted by axis and measuring system.
-
-    ``names``: which of the names in the files are one axis; None: each is one of its own.
+    """Return the statements of all files, sorted by axis and measuring system. ``names``: the names
+    that the files give to each axis; None: each name is another axis.
     """
     result = Gathered(definition, names=names or AxisNames())
     table_statement = definition.bindings[curves(definition)[0]].statement

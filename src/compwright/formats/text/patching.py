@@ -167,10 +167,8 @@ def fresh_file(
     named: Mapping[str, str],
     rows: Iterable[str],
 ) -> Patches:
-    """Return a new file made from the template of a definition, with ``rows`` between header and
-    footer.
-
-    ``named``: values of the fields in header and footer.
+    """Return a new file made from the template ``file`` of a definition, with ``rows`` between
+    header and footer. ``named``: texts for the fields in header and footer, by field name.
     """
     newline = definition.dialect.newline
     header, footer = (

@@ -86,8 +86,8 @@ class NumberScale:
 
     def read(self, quantity: str, text: str, position: Decimal = Decimal(0)) -> Decimal:
         """Return a number in the control's text as a position, correction or backlash in mm or deg.
-
-        ``position`` (mm or deg): that of its row.
+        ``position``: that of the table point, because some tables contain actual positions instead
+        of corrections.
         """
         number = Decimal(text) * self.factor(quantity)
         sign = self.sign(quantity)
@@ -97,6 +97,8 @@ class NumberScale:
 
     def write(self, quantity: str, value: float, position: float = 0.0) -> str:
         """Return a value in mm or deg as text, in the unit and with the sign that the control uses.
+        ``position``: that of the table point, because some tables contain actual positions instead
+        of corrections.
 
         Raises NotHeld when the decimal places or the range do not allow it.
         """

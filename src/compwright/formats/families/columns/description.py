@@ -120,8 +120,9 @@ def _object(lines: Sequence[str]) -> TableDescription:
 def _with_attribute(
     column: Described, word: str, text: str, form: Literal["struct", "object"]
 ) -> Described:
-    """Return a column's description with one more attribute, such as the width; attributes without
-    a meaning here are ignored.
+    """Return a column's description with the attribute ``word`` (such as the width) set to the
+    value ``text``; attributes without a meaning here are ignored. ``form``: the syntax of the
+    description.
     """
     yes = text.upper() == "TRUE"
     if word == "WIDTH" and re.fullmatch("[0-9]{1,4}", text):

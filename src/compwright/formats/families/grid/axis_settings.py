@@ -34,9 +34,8 @@ class AxisSettingsReader:
 
     def facts(self, own: AxisFacts, axis: Axis | None, partners: Mapping[str, str]) -> AxisFacts:
         """Return the facts ``own`` completed by the axis' settings; the axis' other active
-        functions are reported.
-
-        ``partners``: the synchronised axis by leading axis.
+        functions are reported. ``partners``: by the job, the gantry slave's address by that of its
+        master.
         """
         turn = self._turn()
         limits = own.limits if turn is None else (turn.start, turn.start + turn.length)
@@ -101,7 +100,9 @@ class AxisSettingsReader:
         return None if found is None else float(found.text)
 
     def gantry(self, partners: Mapping[str, str]) -> None:
-        """Check that the files (gantry type, MD37100) and the job name the same gantry axes."""
+        """Check that the files (gantry type, MD37100) and the job name the same gantry axes.
+        ``partners``: by the job, the gantry slave's address by that of its master.
+        """
         kind = self._kind(self.address)
         if kind is None or not kind:
             return

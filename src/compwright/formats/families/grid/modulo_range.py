@@ -186,7 +186,8 @@ def check_modulo(values: GridAxisValues, axis: Axis | None) -> None:
 
 
 def _check_range(values: GridAxisValues, axis: Axis, found: FoundValue) -> None:
-    """Check that the modulo range of the axis is the same in the job and in the control.
+    """Check that the modulo range of the axis is the same in the job and in the control. ``found``:
+    the line in the files that makes the axis endless.
 
     A job with ends would leave out the rest of the turn.
     """

@@ -33,9 +33,8 @@ class SmoothBacklash:
 
     def note(self, label: str, kind: AxisKind, unit: float, notes: Notes) -> None:
         """Report the effect of smooth backlash compensation; add a fault if its stages reach so far
-        behind a reversal that a test's targets may lie within them.
-
-        ``unit``: the detection unit.
+        behind a reversal that targets of a test can lie within them. ``unit``: the detection unit,
+        mm or deg.
         """
         farthest = max(self.values, key=lambda value: abs(value.whole))
         reach = abs(farthest.whole) * unit

@@ -47,10 +47,9 @@ def point_rows(
 
 
 def _unmarked(file: ControlFile, *, with_parameters: bool) -> bool:
-    """Return whether a file without Q addresses contains pitch error data: it has numbered lines
-    for points, and none that cannot be one.
-
-    ``with_parameters``: it may also contain parameters.
+    """Return whether a file without Q addresses contains pitch error data: numbered lines for
+    points, and no numbered line of another form. ``with_parameters``: lines with parameter numbers
+    are allowed as well.
     """
     found = False
     for line in file.content.decode("latin-1").replace("\r", "\n").split("\n"):

@@ -88,7 +88,10 @@ def _write(
     before: ControlState,
     planned: Sequence[PlannedCross],
 ) -> None:
-    """Write the existing correction plus the new one as one table. Raises CapacityError."""
+    """Write the sum of the existing correction and the correction ``entry`` as one table. ``sign``:
+    1 or -1, the factor from a correction to a table value; ``before``: the state of the control's
+    files. Raises CapacityError.
+    """
     added = entry.added
     rivals = {each.input for each in before.cross if each.output == added.output} | {
         each.added.input for each in planned if each.added.output == added.output

@@ -193,7 +193,10 @@ class TableReader:
         interval: FoundValue | None,
         place: FoundValue | None,
     ) -> list[Decimal]:
-        """Return the entries' positions in the list's unit; a position out of order is a fault."""
+        """Return the entries' positions in the list's unit; a position out of order is a fault.
+        ``setpoints``: the stated positions by index; ``interval``: the line with the interval;
+        ``place``: the line with the number of entries.
+        """
         if interval is None:
             return []
         step = Decimal(interval.text)

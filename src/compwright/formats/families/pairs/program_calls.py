@@ -24,7 +24,7 @@ from compwright.records.correction import ControlFile
 
 @dataclass(frozen=True, slots=True)
 class StartDoubt:
-    """A line that may prevent a whole program from being executed.
+    """A line because of which it is uncertain whether a program is executed at all.
 
     ``call``: the doubtful line that calls the program.
     """

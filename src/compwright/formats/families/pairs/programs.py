@@ -142,11 +142,10 @@ def check_programs(
     notes: Notes,
 ) -> None:
     """Check whether the values in programs were executed, and ask the user if this is unknown.
-
-    For axes that are ``wanted`` (empty: all) and for tables.
-
-    Values that no run executes, or that two branches assign, are refused. ``unit``: of lengths, mm
+    ``wanted``: addresses of the axes to check (empty: all); ``unit``: the control's length unit, mm
     or inch.
+
+    Tables are checked too. Values that no run executes, or that two branches assign, are refused.
     """
 
     def concerns(one: Occurrence) -> bool:
@@ -284,7 +283,7 @@ def _called_late(
     gathered: Gathered, programs: Sequence[Found], concerns: Callable[[Occurrence], bool]
 ) -> Iterator[Fault]:
     """Yield a fault for each variable whose final value depends on the order in which programs are
-    called.
+    called. ``concerns``: a function that returns whether a line concerns the axes to check.
     """
     if not any(one.program.calls for one in programs):
         return
@@ -314,8 +313,8 @@ def _called_late(
 
 
 def _never(found: Found, unit: str) -> Iterator[Fault]:
-    """Yield a fault for each statement because of which every run skips values, or gives them
-    another meaning.
+    """Yield a fault for each statement because of which every run skips values, or because of which
+    lengths are not in the control's ``unit``.
     """
     file, program = found.file, found.program
     if program.behind and program.ended is not None:
