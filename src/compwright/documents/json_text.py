@@ -73,9 +73,8 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def read_json(content: bytes, file: str, schema: str, name: str, expected: str) -> dict[str, Any]:
-    """Return a document of the given ``schema``. Raises InputError for any other contents.
-
-    ``name``: what such a document is called; ``expected``: the file that should have been given.
+    """Return a document of the given ``schema``. Raises InputError for any other contents, with
+    ``name`` and ``expected`` in its text: what such a document and its file are called.
     """
     try:
         data = json.loads(

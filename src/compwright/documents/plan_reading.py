@@ -44,7 +44,9 @@ def plan_validator(cls: type) -> SchemaValidator:
 
 
 def _periods(values: dict[str, Any]) -> dict[str, Any]:
-    """Return the fields of an axis in a plan, with its periodic errors moved into the estimate."""
+    """Return the values of an axis in a plan, with its key ``periods`` (periodic errors) also
+    entered into its ``estimate``.
+    """
     estimate = replace(values["estimate"], periods=values.get("periods", ()))
     return {**values, "estimate": estimate}
 

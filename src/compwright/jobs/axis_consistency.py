@@ -28,10 +28,10 @@ _MOST_POINTS = 100_000  # no control holds a tenth of that; a finer grid is a sl
 def axis_contradictions(
     section: Mapping[str, Any], path: KeyPath, states: Sequence[str], standard: Any, thermal: Any
 ) -> Iterator[KeyFault]:
-    """Yield the contradictions between keys in the ``section`` of one axis.
+    """Yield the contradictions between keys in the ``section`` of one axis, and between these and
+    the job's keys ``states``, ``standard`` and ``thermal``.
 
-    ``states``: the names that its tests may be measured in; ``standard``, ``thermal``: those of the
-    job, as read.
+    ``states``: the names that its tests may be measured in.
     """
     yield from _geometry(section, path)
     yield from _tests(section, path, states)

@@ -61,7 +61,8 @@ def evaluate(
     *,
     spread: Literal["std", "range"] = "std",
 ) -> Evaluation:
-    """Evaluate a test, or a file with one test, to a standard.
+    """Evaluate a test, or a file with one test, to a standard. ``spread``: standard deviations are
+    calculated from all readings (``std``) or from their range (``range``).
 
     ``standard``: an id such as ``iso230-2:2014`` (the default of positioning tests),
     ``gost27843``, ``vdi3441`` or ``iso230-4:2005`` (of circular tests). Parameters are in um or
@@ -184,11 +185,12 @@ def verify(
     plan: PathName | None = None,
     loaded: PathName | Sequence[PathName] = (),
 ) -> Verification:
-    """Compare the tests after loading with the plan. No file is written.
+    """Compare the tests after loading (``after``) with the plan, and with ``loaded``, the files
+    read back from the control. No file is written.
 
     ``after``: the tests, or their files, each a path or ``"TEST=FILE"``; ``plan``: the folder of a
-    run or its ``plan.json``, default: that of the job; ``loaded``: the files read back from the
-    control. Raises UsageError and InputError, also where the plan belongs to another job.
+    run or its ``plan.json``, default: that of the job. Raises UsageError and InputError, also where
+    the plan belongs to another job.
     """
     from compwright.workflow.commands.verify import plan_path, verification_of
 
@@ -223,7 +225,7 @@ def decode(
 
 @in_argument_names
 def compare(plan: PathName, loaded: PathName | Sequence[PathName]) -> Comparison:
-    """Compare the control's files, read back after loading, with a plan.
+    """Compare the control's files, read back after loading (``loaded``), with a plan.
 
     ``plan``: the folder of a run or its ``plan.json``. Raises UsageError for a plan without tables,
     InputError for files that cannot be read.

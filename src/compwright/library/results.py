@@ -181,7 +181,9 @@ class EstimatedError:
         ]
 
     def to_dict(self, points: int = 201) -> dict[str, Any]:
-        """Return mean and standard uncertainty at evenly spaced positions, by direction."""
+        """Return the mean and the standard uncertainty of the error at ``points`` evenly spaced
+        positions, by direction.
+        """
         where = np.linspace(*self.measured, points)
         curves = {
             f"{what}_{name}": getattr(self, what)(where, approach).tolist()

@@ -79,10 +79,8 @@ class NoiseDraws:
         return replace(self, **{name: getattr(self, name)[index] for name in _ARRAYS})
 
     def outlier_size_at(self, scale: FloatArray, way: int) -> FloatArray:
-        """Return the size of outliers (count, m) in one direction, in multiples of ``scale``, the
-        scatter of the readings.
-
-        ``scale`` (count, m): of the readings; ``way``: 0 for +, 1 for -.
+        """Return the size of outliers (count, m) in approaches towards + (``way`` 0) or − (1), in
+        multiples of ``scale`` (count, m), the scatter of the readings.
 
         What disturbs a reading does not grow with the scatter along the travel: an outlier is no
         larger than where the scatter is least, or than the farthest reading seen.
@@ -174,10 +172,8 @@ def waves(u: FloatArray, count: int) -> FloatArray:
 
 
 def traverse_order(positive: int, negative: int) -> tuple[IndexArray, IndexArray]:
-    """Return, for the + traverses and for the − traverses, their positions in the time order of a
-    test that begins with +.
-
-    ``positive``, ``negative``: the number of traverses in each direction.
+    """Return, for the + traverses and for the − traverses, their indices in the time order of a
+    test that begins with + and alternates. ``positive``, ``negative``: their numbers.
     """
     paired = min(positive, negative)
     plus, minus = np.arange(positive), np.arange(negative)

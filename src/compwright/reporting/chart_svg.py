@@ -222,8 +222,8 @@ def _boxes(places: Iterable[tuple[float, float]]) -> list[_Box]:
 def _free_box(
     across: float, up: float, width: float, x: _Scale, y: _Scale, taken: Sequence[_Box]
 ) -> _Box:
-    """Return the rectangle in which the name of a marked point is printed: the one near the point
-    that overlaps ``taken`` rectangles least.
+    """Return the rectangle, ``width`` wide, for the name of the point marked at (``across``,
+    ``up``): of several places near the point, the one that overlaps the ``taken`` rectangles least.
     """
     sides = [1.0, -1.0] if across < (x.first + x.last) / 2 else [-1.0, 1.0]
     boxes = []

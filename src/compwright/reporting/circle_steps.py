@@ -110,11 +110,11 @@ def job_lines(causes: Sequence[str], result: Mapping[str, Any]) -> list[str]:
 def _job(
     results: Sequence[Mapping[str, Any]], planes: Container[str], *, lost: bool, scale: bool
 ) -> list[str]:
-    """Return the lines of a job that correct squareness, lost motion or scale from circular tests;
-    no lines if none of these is wanted.
+    """Return the lines of a job that correct from circular tests the squareness of ``planes``, the
+    ``lost`` motion and the ``scale``; an empty list if none of these is wanted.
 
-    The squareness of ``planes`` (axes in the order of the alphabet), ``lost`` motion, ``scale``.
-    Scale is that of the positioning tests, which the circles check.
+    Planes have their axes in the order of the alphabet. Scale is that of the positioning tests,
+    which the circles check.
     """
     axes = {"".join(sorted(each)): each for each in (result["axes"] for result in results)}
     bent = [f"{one}{two}: {two}" for plane, (one, two) in axes.items() if plane in planes]

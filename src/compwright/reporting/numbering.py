@@ -128,8 +128,8 @@ def numbering_svg(numbering: Mapping[str, Any], language: Language = "en") -> st
 
 
 def _cells(numbering: Mapping[str, Any]) -> list[_SectionCell]:
-    """Return the sections that are drawn: all of them if they are few, else those at both ends of
-    the table and at the reference.
+    """Return the sections that are drawn: all of them if they are few, else two at each end of the
+    table and those next to the reference.
     """
     sections: Sequence[Mapping[str, Any]] = numbering["sections"]
     names: dict[int, list[str]] = {}
@@ -158,7 +158,10 @@ def _cells(numbering: Mapping[str, Any]) -> list[_SectionCell]:
 def _laid_out(
     cells: Sequence[_SectionCell], zero: str, start: int, width: int, gap: int
 ) -> _Drawing:
-    """Return the places of sections, edges and gaps, in the units of ``width`` and ``gap``."""
+    """Return the places of sections, edges and gaps in the drawing, in the units of ``width``,
+    ``gap`` and ``start`` (where the first section begins). ``zero``: the position of the reference,
+    as text.
+    """
     drawing = _Drawing([], [_Edge(start, cells[0].low, cells[0].low == zero)], [])
     place = start
     for cell in cells:

@@ -87,8 +87,8 @@ def pdf_of_page(page: bytes) -> bytes:
 
 
 class _Letters:
-    """The characters that the font of the PDF has, and those of the page that it lacks
-    (``missing``).
+    """The characters that the font of the PDF has, and the characters of the page that this font
+    lacks (``missing``).
     """
 
     def __init__(self) -> None:
@@ -96,7 +96,9 @@ class _Letters:
         self._known = _known_letters()
 
     def shown(self, text: str) -> str:
-        """Return ``text`` with single blanks, and letters that the font lacks as code numbers."""
+        """Return ``text`` with each white space as one blank, and each character that the font
+        lacks replaced by its code.
+        """
         line = _SPACE.sub(" ", text)
         unknown = {letter for letter in line if ord(letter) not in self._known}
         self.missing |= unknown

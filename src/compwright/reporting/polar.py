@@ -148,9 +148,9 @@ def paths_of(result: Document, centre: tuple[float, float], runs: Sequence[Docum
 
 
 def _distance(angle: float, radius: float, length: float, centre: tuple[float, float]) -> float:
-    """Return the distance (mm) of a measured point from the centre of the figure.
-
-    The point ``length`` from the set-up centre towards the commanded point.
+    """Return the distance (mm) from the centre of the figure to a measured point, which lies at
+    ``length`` from the set-up centre, towards the commanded point at ``angle`` and ``radius`` about
+    ``centre``.
     """
     towards = (centre[0] + radius * math.cos(angle), centre[1] + radius * math.sin(angle))
     scale = length / math.hypot(*towards)

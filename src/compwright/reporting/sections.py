@@ -209,8 +209,9 @@ def main_parameters(parameters: Document, limits: Document | None) -> list[str]:
 def bar(
     before: object, quantiles: object, limit: object, value: object = None
 ) -> dict[str, Any] | None:
-    """Return the lengths in a bar figure of a parameter: its value before, its predicted 5-95 %
-    range, its median (or the value after), and its limit.
+    """Return the lengths in a bar figure of a parameter: its value ``before``, its predicted 5-95 %
+    range, the ``value`` after loading (None: the predicted median), and its limit. None if a value
+    is negative, or none is above 0.
     """
     given = quantiles if isinstance(quantiles, Mapping) else {}
     low, high = given.get("p05"), given.get("p95")

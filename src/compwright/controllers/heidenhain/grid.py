@@ -211,7 +211,9 @@ def _row(
 def numbers(
     cells: Sequence[str | None], places: Sequence[LinePlace], label: str, faults: list[Fault]
 ) -> FloatArray:
-    """Return a column as numbers, NaN where it is blank; any other text is a fault."""
+    """Return the cells of a column as numbers, NaN where a cell is blank; any other text is a
+    fault, with the message ``label``.
+    """
     values = np.full(len(cells), np.nan)
     for index, (cell, place) in enumerate(zip(cells, places, strict=True)):
         parsed = None if cell is None else number(cell)

@@ -240,8 +240,7 @@ def _period(
     unit: float,
 ) -> float | None:
     """Return the travel per turn, mm or deg, of a repeating table, and check that its ends agree.
-
-    ``positions`` count in ``unit``.
+    ``unit``: how many mm or deg one unit of ``positions`` is.
     """
     last = len(positions) - 1
     statement = axis.statements[f"{SECTION}table[{last}].pos"]

@@ -273,7 +273,8 @@ def _labels(lines: Sequence[Line]) -> dict[str, list[int]]:
 
 
 def _sought(jump: str, name: str, place: int, names: Mapping[str, Sequence[int]]) -> list[int]:
-    """Return the lines with the label at which a jump from this line may arrive.
+    """Return the lines with the label ``name`` at which a jump from the line with index ``place``
+    may arrive. ``names``: the indices of the lines with each label.
 
     GOTOB searches back from its own line, GOTOF on from the next one; GOTO and GOTOC search on,
     then any before.

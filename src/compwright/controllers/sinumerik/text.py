@@ -337,7 +337,9 @@ def _read_fact(code: str, file: str, number: int, found: ProgramContent) -> None
 
 
 def _note_end(program: _Program, file: str, found: ProgramContent, *, last: bool) -> None:
-    """Add a note on a program without an end, which may have been cut short."""
+    """Add a note on a program without an end, which may have been cut short. ``last``: it is the
+    last program in the file; an earlier one gives a note only if it has assignments.
+    """
     if program.header and not program.ended and (last or len(found.assignments) > program.before):
         found.notes.append(
             f"{file}: no end (M17, M30 or M02) of the program that begins in line {program.header}:"

@@ -1,4 +1,4 @@
-"""Sentences about the estimate of an error and the diagnosis of circles."""
+"""Sentences about the estimated error of an axis, and about the causes found in circular tests."""
 
 from __future__ import annotations
 

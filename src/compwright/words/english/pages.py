@@ -1,4 +1,4 @@
-"""Sentences on the pages of `run`, `verify` and circles."""
+"""Sentences on the report pages of `run`, of `verify` and of circular tests."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sentences about a control's files: their contents, and differences between two sets."""
+"""Sentences about a control's files: their contents, and differences between two sets of files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""French sentences on the pages of `run`, `verify` and circles."""
+"""French sentences on the report pages of `run`, of `verify` and of circular tests."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sentences about the corrections that a run plans or refuses, and about the reasons for it."""
+"""Sentences about the corrections that a run plans or refuses, with the reasons."""
 
 from __future__ import annotations
 

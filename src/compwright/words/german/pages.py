@@ -1,4 +1,4 @@
-"""German sentences on the pages of `run`, `verify` and circles."""
+"""German sentences on the report pages of `run`, of `verify` and of circular tests."""
 
 from __future__ import annotations
 

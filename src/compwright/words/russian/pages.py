@@ -1,4 +1,4 @@
-"""Russian sentences on the pages of `run`, `verify` and circles."""
+"""Russian sentences on the report pages of `run`, of `verify` and of circular tests."""
 
 from __future__ import annotations
 
