@@ -309,7 +309,9 @@ def _readings(element: Element, faults: FaultList) -> FloatArray | None:
 def _indices(
     element: Element, readings: FloatArray | None, faults: FaultList
 ) -> tuple[int, int] | None:
-    """Return the indices of the first and last sample of the arc, or None if they are invalid."""
+    """Return the indices of the first and last sample of the arc in ``readings``, or None if they
+    are invalid.
+    """
     found: list[int] = []
     for tag in ("START_INDEX", "END_INDEX"):
         text, place = text_of(element, faults, tag)

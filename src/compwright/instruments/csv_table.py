@@ -95,9 +95,8 @@ class CsvTable:
         self, column: str, words: tuple[str, str], spelt: Callable[[str], str], faults: FaultList
     ) -> IntArray:
         """Return, for each cell of a column, the index (0 or 1) of that one of the two ``words``
-        which it contains; -1 and a fault for any other cell.
-
-        ``spelt`` gives the form of a cell in which it is compared.
+        which is in the cell; -1 and a fault for any other cell. ``spelt``: gives a cell in the
+        spelling of the words.
         """
         cells, place = self.of(column), self.place(column)
         places = {words[0]: 0, words[1]: 1}

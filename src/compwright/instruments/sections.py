@@ -202,7 +202,9 @@ def with_axis(header: Mapping[str, str], text: str) -> dict[str, str]:
 
 
 def check_units(sections: FileSections, names: Iterable[str], faults: FaultList) -> None:
-    """Add a fault for a line that states an unexpected unit, such as inches."""
+    """Add a fault for a line in the sections ``names`` that states an unexpected unit, such as
+    inches.
+    """
     for name in names:
         for number, text in sections.lines.get(name, ()):
             match = _KEY.fullmatch(text)

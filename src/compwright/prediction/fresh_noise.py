@@ -142,8 +142,8 @@ def _wave_root(positive: int, negative: int, pace: float) -> FloatArray:
 
 
 def _at_all(waves: FloatArray, positive: int, negative: int) -> tuple[FloatArray, FloatArray]:
-    """Return the offset and the tilt of every traverse, interpolated between the simulated
-    traverses.
+    """Return the offset and the tilt of every traverse (``positive`` in +, ``negative`` in −),
+    interpolated between the traverses that were simulated as ``waves``.
 
     Both have the shape (count, positive + negative), + first. ``waves`` (count, 2 k) holds k
     offsets, then k tilts. The tilt is smaller where a traverse is a smaller share of the test.

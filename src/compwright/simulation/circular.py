@@ -143,6 +143,8 @@ def record_circle(
     corrections: CircleCorrection | None = None,
 ) -> CircleRecording:
     """Return a simulated circular test with its recorded runs, alternating between ccw and cw.
+    ``corrections``: what the control's tables, or errors along the axes, add to the commanded
+    positions.
 
     Samples lie at half steps of the commanded angle: k of N at start + (k + 1/2) extent/N in ccw,
     mirrored in cw. ``corrections`` (a control's tables, or errors along the axes) are added to the

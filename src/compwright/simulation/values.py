@@ -42,7 +42,9 @@ def number(
 
 
 def scaled(factor: float, *, least: float = -_LARGEST, above: float | None = None) -> cs.CoreSchema:
-    """Return the schema of a number that is multiplied by ``factor`` after reading."""
+    """Return the schema of a number that is multiplied by ``factor`` after reading. Before that it
+    must be at least ``least``, and more than ``above`` if this is given.
+    """
     return number(lambda value: value * factor, least=least, above=above)
 
 
@@ -55,7 +57,8 @@ def numbers(
     factor: float = 1.0, *, length: int | None = None, at_least: int = 1, ascending: bool = False
 ) -> cs.CoreSchema:
     """Return the schema of a list of exactly ``length`` numbers, or else of ``at_least`` numbers or
-    more. A fault names the whole list, not the single number.
+    more, which are multiplied by ``factor`` after reading. A fault names the whole list, not the
+    single number.
     """
     one = SchemaValidator(number())
     wanted = f"a list of {f'at least {at_least}' if length is None else length} numbers"

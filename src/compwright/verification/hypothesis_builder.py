@@ -93,8 +93,8 @@ class HypothesisBuilder:
         detail: Sentence | None = None,
         **more: Any,
     ) -> Iterator[Hypothesis]:
-        """Yield two hypotheses of a faulty table ``curve``: one with the new and one with the old
-        backlash value.
+        """Yield two hypotheses of a faulty table that makes the correction ``curve`` (2, m): one
+        with the new and one with the old backlash value. ``weight``: the prior weight of the first.
         """
         yield self.made(name, self.total(curve), weight, detail, **more)
         if np.any(self.backlash != self.old_backlash):
@@ -145,7 +145,7 @@ class HypothesisBuilder:
         **more: Any,
     ) -> Iterator[Hypothesis]:
         """Yield hypotheses of a table with the values ``curves``, and with these values shifted so
-        that the reference has its planned value.
+        that the reference has its planned value. ``weight``: the prior weight of the first.
         """
         curve = self.values(curves)
         yield from self.both(name, curve, weight, **more)

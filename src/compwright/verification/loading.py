@@ -134,7 +134,7 @@ def _verdict(
 
 def _neither(shown: ShownTest, names: NamedLoading) -> LoadingVerdict:
     """Return the verdict ``undecided`` for a test that fits no hypothesis, because the name of the
-    most probable one would mislead.
+    most probable one would mislead. ``names``: this name, and the other names that are possible.
     """
     sentence = neither_message(shown)
     return LoadingVerdict(
@@ -174,7 +174,9 @@ def _sentence(
     ways: Sequence[RatedHypothesis],
     declared_slope: float | None,
 ) -> Sentence:
-    """Return the sentence that states a loading verdict."""
+    """Return the sentence that states a loading verdict. ``names``: the name of the verdict, and
+    the other names that are possible; ``ways``: all hypotheses with their probabilities.
+    """
     best, declared = names.best, declared_slope or 0.0
     if best.name == "thermal":
         slope = slope_text(*best.slope, declared)

@@ -215,7 +215,8 @@ def open_message(
     shown: ShownTest, candidates: Sequence[Candidate], unexplained: FloatArray | None
 ) -> Sentence:
     """Return the sentence of an undecided verdict, with the smallest change of the correction that
-    such a test could detect.
+    such a test could detect. ``unexplained``: the test that the most probable verdict predicts,
+    None if the test fits it.
 
     ``unexplained`` (2, m): the test that the most probable name would show, where the remaining
     difference is more than noise; None where the name fits.
@@ -303,8 +304,8 @@ def thermal_message(shown: ShownTest, expected: FloatArray, slope: Sentence) -> 
 
 
 def straight_line_message(shown: ShownTest, slope: Sentence, active_part: float) -> Sentence:
-    """Return the sentence that the test cannot distinguish an additional slope from a wrong factor,
-    because the planned correction is a straight line.
+    """Return the sentence that the test cannot distinguish an additional slope from the wrong
+    factor ``active_part`` on the table, because the planned correction is a straight line.
     """
     return say(
         "loading.straight_line",

@@ -174,7 +174,9 @@ def verification_of(
     plan_file: Path,
     loaded: Sequence[Path],
 ) -> dict[str, Any]:
-    """Return the verification document without writing it. ``after``: files, or tests in memory."""
+    """Return the verification document without writing it. ``after``: the tests after loading, as
+    files or in memory; ``loaded``: the control's files that were read back.
+    """
     return _document(*_verified(session, job, after, plan_file, loaded))
 
 
@@ -192,7 +194,9 @@ def _verified(
     loaded: Sequence[Path],
     profile: Path | None = None,
 ) -> tuple[Verified, OverallVerdict]:
-    """Return the results of the tests after loading, and the verdict on the whole job."""
+    """Return the results of the tests after loading, and the verdict on the whole job. ``profile``:
+    the mapping profile of these tests, None for that of the job.
+    """
     plan, control, job, states = _planned(session, job, plan_file)
     known = [entry.axis for entry in plan.axes.values()]
     others, circle_files = split_after(session, plan, after)

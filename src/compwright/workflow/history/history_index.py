@@ -63,7 +63,9 @@ class HistoryIndex:
         files: Sequence[tuple[str, str]],
         names: Sequence[str],
     ) -> None:
-        """Store the tests and notes of a folder in the index, in place of its earlier ones."""
+        """Store the tests and notes of a folder in the index, in place of its earlier ones.
+        ``files``: name and state of its changed files; ``names``: the names of all its files.
+        """
         key = _key(folder)
         self.forget(folder)
         self._database.execute(

@@ -92,7 +92,8 @@ def _folder(*names: str) -> str:
 
 
 def next_files(session: Session, job: Job, plan: Plan, then: Looped) -> dict[str, bytes]:
-    """Return every input of the next round by its relative name, the job first.
+    """Return every input of the next round by its relative name, the job first. ``then``: the
+    results of this round that become inputs.
 
     Raises InputError where a measurement of the last round no longer exists.
     """
@@ -123,8 +124,8 @@ def next_files(session: Session, job: Job, plan: Plan, then: Looped) -> dict[str
 
 
 def _states(job: Job, plan: Plan, then: Looped, was: str, copies: _Copies) -> dict[str, Any]:
-    """Return the states of the control for the next job: the present one, the one before loading
-    (now called ``was``), and all older ones.
+    """Return the states of the control for the next job: the present one (from ``then``, the
+    results of this round), the one before loading (now called ``was``), and all older ones.
     """
     found: dict[str, Any] = {AS_FOUND: _state(then.files, AS_FOUND, copies, active=then.active)}
     for name, files in plan.states.items():
@@ -225,8 +226,8 @@ def _resolved(section: Mapping[str, Any], job: Job, name: str) -> dict[str, Any]
 def _circles(
     session: Session, job: Job, plan: Plan, then: Looped, was: str, copies: _Copies
 ) -> list[dict[str, Any]]:
-    """Return the circular tests for the next job: those after loading, and earlier ones that were
-    not repeated.
+    """Return the circular tests for the next job: those after loading (from ``then``, the results
+    of this round), and earlier ones that were not repeated.
 
     A correction between axes that is in no file of the control was active in none of the older
     circles: these are left out.

@@ -99,8 +99,7 @@ def next_round(
     each: Each = in_turn,
 ) -> Round:
     """Return the next round of a verified job, or the reason why no axis can be corrected further.
-
-    ``compared``: the document of ``compare``, or why there is none.
+    ``compared``: the document of ``compare``, or the reason why there is none.
     """
     outcomes = {name: UpdatedAxis(reason=why) for name, why in _refused(found, compared)}
     general = _general(found, compared)
@@ -241,7 +240,9 @@ def _differs(name: str, compared: Mapping[str, Any] | str) -> str:
 
 
 def _looped(found: Verified, well: Sequence[AfterTest], planes: Sequence[str]) -> Looped:
-    """Return the results of this round that the job of the next round needs as inputs."""
+    """Return the results of this round that the job of the next round needs as inputs. ``well``:
+    the tests of the axes that can be corrected further; ``planes``: those whose squareness can be.
+    """
     axes = {test.axis: test for test in well}
     pairs = [_pair(found.job, plane) for plane in planes]
     by_circles = {
@@ -292,7 +293,8 @@ def _active(found: Verified, files: Sequence[ControlFile], axes: Sequence[str]) 
 
 
 def _squareness(found: Verified, axes: Collection[str]) -> Iterator[str]:
-    """Yield the planes whose squareness may be corrected again in the next round.
+    """Yield the planes whose squareness can be corrected again in the next round. ``axes``: the
+    axes that can be corrected further.
 
     Measured again, with no axis whose table is in doubt, and where something was corrected before,
     as it was expected.
@@ -352,7 +354,9 @@ def _updated_axis(finished: Finished, name: str) -> UpdatedAxis:
 
 
 def _gained(limits: LimitingCauses | None, axis: Axis) -> str:
-    """Return the sentence on how much the new table is expected to reduce a parameter."""
+    """Return the sentence on how the new table is expected to change the parameter in ``limits``;
+    if ``limits`` is None, only that a new table is written.
+    """
     if limits is None:
         return SentenceText(say("next.written"))
     factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
@@ -362,8 +366,9 @@ def _gained(limits: LimitingCauses | None, axis: Axis) -> str:
 
 
 def _result(outcomes: Mapping[str, UpdatedAxis], *, between: bool) -> str:
-    """Return the sentence that asks the user to load the tables of the next round, or to stop
-    because a further round would gain too little.
+    """Return the sentence that asks the user to load the tables of the next round (those in
+    ``outcomes``, and those ``between`` axes), or to stop because a further round would gain too
+    little.
     """
     tabled = [name for name, axis in outcomes.items() if axis.table]
     if tabled or between:
@@ -407,9 +412,7 @@ def refuse_later_rounds(session: Session, out: Path) -> None:
 
 def known_with_rounds(session: Session, out: Path, known: storage.Known) -> storage.Known:
     """Return a function that decides whether a file was written by a command and is unchanged, in
-    the result folder or in its next round.
-
-    ``known`` does so for all but the folder of the next round.
+    the result folder (decided by ``known``) or in the folder of its next round.
     """
     inputs = copied_by_record(storage.earlier_bytes(session, out / FOLDER / RECORD))
     of_round = known_results(session, out / FOLDER)

@@ -28,9 +28,10 @@ def proven_files(
     found: Verified, document: Mapping[str, Any], results: Sequence[Path], loaded: Sequence[Path]
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
     """Return files that state which facts a verification proves, and messages for the user.
+    ``results``: the folders of the run and of the verification; ``loaded``: the files that were
+    read back.
 
-    No files where a good verification proves nothing about a machine, with the reason. ``results``:
-    the folders of the run and of its verification; ``loaded``: files that were read back.
+    No files where a good verification proves nothing about a machine, with the reason.
     """
     if document["verdict"] != "good" or not found.axes or not loaded:
         return {}, ()
@@ -68,7 +69,8 @@ def proven_files(
 
 def _lacking(found: Verified, results: Sequence[Path], loaded: Sequence[Path]) -> Iterator[str]:
     """Yield each reason why a verification, although its verdict is ``good``, proves nothing about
-    a real machine.
+    a real machine. ``results``: the folders of the run and of the verification; ``loaded``: the
+    files that were read back.
     """
     roots = {storage.resolved(folder) for folder in results}
     if any(roots & {path, *path.parents} for path in map(storage.resolved, loaded)):

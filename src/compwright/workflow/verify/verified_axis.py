@@ -177,6 +177,7 @@ def _looks(
     loading: LoadingVerdict, sentences: Mapping[LoadingName, tuple[str, ...]], *, read_back: bool
 ) -> list[str]:
     """Return what to check on the control for a verdict, or for all possible verdicts if undecided.
+    ``read_back``: whether the values read back from the control are the plan's.
 
     For a loaded table, only the checks that distinguish it from its equivalents; none where the
     values that were ``read_back`` (the plan's) have decided it.
@@ -193,7 +194,9 @@ def _looks(
 def _loading_document(
     loading: LoadingVerdict, sentences: Mapping[LoadingName, tuple[str, ...]], *, read_back: bool
 ) -> dict[str, Any]:
-    """Return the verdict about the loading as plain data for the JSON document."""
+    """Return the verdict about the loading as plain data for the JSON document. ``read_back``:
+    whether the values read back from the control are the plan's.
+    """
     return {
         "verdict": loading.verdict,
         **({"of": loading.of} if loading.of is not None else {}),
