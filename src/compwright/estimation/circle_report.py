@@ -86,7 +86,7 @@ def report_effects(
     test: CircularTest, solution: Solution, undetermined: Mapping[str, Sentence]
 ) -> tuple[dict[str, CircularEffect], FloatArray, dict[str, Sentence], tuple[Finding, ...]]:
     """Return the effect of each cause by name, the correlation of the effects, the reasons for
-    missing effects, and the findings.
+    missing effects (from ``undetermined``, by cause), and the findings.
 
     Details (each end of a lost motion or spike, scale errors in addition to the mismatch, lobes)
     are parts of causes that count already. Shares are over the sum of the causes, each counted
@@ -318,8 +318,8 @@ def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
 def _spike(
     solution: Solution, spike: SpikeDraws, index: int | None = None, suffix: str = ""
 ) -> _ReportedCause:
-    """Return the spike at one reversal point, positive outward. ``index`` selects one direction;
-    None means the mean of both.
+    """Return the spike at one reversal point, positive outward. ``index`` selects a direction
+    (None: mean of both); ``suffix``: end of the name of the result.
 
     Its variance includes what the samples cannot determine: how long before the first sample the
     axis reversed (lag), whether the rise belongs to the spike or to the bandwidth of the

@@ -23,10 +23,8 @@ _MOST_DRAWS: Final = 64
 
 def raw_peak(solution: Solution, axis: str, end: str, sense: float | None) -> float | None:
     """Return the highest reading after the reversals of an axis at one end, minus the fitted path
-    without spikes, um.
-
-    The mean of the runs of one ``sense`` (+1 ccw, -1 cw) or of both (None). None without a sample
-    nearby. The smooth path is the fit without spikes.
+    without spikes, um: mean of the runs in the direction ``sense`` (+1 ccw, -1 cw, None: both).
+    None without a sample nearby.
     """
     samples = solution.problem.samples
     start = (0.0 if axis == "first" else 0.5 * np.pi) + (0.0 if end == "positive" else np.pi)
@@ -102,7 +100,8 @@ def lobes(solution: Solution, order: int) -> tuple[float, float]:
 
 def positional_tolerance(solution: Solution, *, calibrated: bool) -> tuple[float, float]:
     """Return the positional tolerance, um, with its standard error: the largest difference between
-    the position errors of two points in the square around the circle.
+    the position errors of two points in the square around the circle. ``calibrated``: the length of
+    the bar is known, so that the mean scale error counts.
 
     It contains errors that do not depend on the feed (scale, squareness, straightness, lost motion,
     lateral play, cyclic errors). Points: corners, centres of the sides and of the square,

@@ -93,7 +93,7 @@ class CurveColumns:
 
     def wave(self, frequency: float, positions: FloatArray, phase: float = 0.0) -> FloatArray:
         """Return cosine and sine (k, 2) of a wave of a ``frequency`` (1 / mm or 1 / deg) at
-        ``positions`` (k,), mm or deg.
+        ``positions`` (k,), mm or deg. ``phase``: angle of the wave at the first target, rad.
         """
         angle = 2.0 * np.pi * frequency * (positions - self.targets[0]) + phase
         return np.column_stack([np.cos(angle), np.sin(angle)])
@@ -195,11 +195,11 @@ def hidden_periods(
     known: Sequence[float],
     suggested: Sequence[float] = (),
 ) -> HiddenPeriods:
-    """Return possible periods of the error that are neither known nor found by the ``search``.
+    """Return possible periods of the error that are neither ``known`` nor found by the ``search``.
+    ``suggested``: known periods that the targets do not show.
 
     ``bidirectional``: means of both directions by target; ``basis``: functions of the smooth part;
-    ``known``: periods (mm or deg) that are in the estimate; ``suggested``: known periods that are
-    not in it, because the targets do not show them.
+    ``known``: periods (mm or deg) that are in the estimate.
     """
     found = [model for model in search.models if model.periods]
     without = sum(model.probability for model in search.models if not model.periods)

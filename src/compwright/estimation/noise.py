@@ -121,9 +121,8 @@ def _thinning(test: PositioningTest, readings: CellReadings) -> Iterator[Finding
 
 
 def _as_shown(sigma: FloatArray, step: float) -> FloatArray:
-    """Return the standard deviations (count,) of readings after rounding to ``step``, mm or deg.
-
-    ``sigma`` (count,): before rounding.
+    """Return the standard deviations (count,) of readings that scatter by ``sigma`` (count,) and
+    are then rounded to ``step``, mm or deg.
     """
     return rounded_stds(sigma, step) if step else sigma
 

@@ -252,10 +252,10 @@ class GibbsChain:
             self.values = draw_unrounded(self.readings, self.step, middle + shift, reach, self.rng)
 
     def _draw_means(self, left: FloatArray, scale: FloatArray) -> FloatArray:
-        """Draw the scale of a reading, then the means (c, 1) of targets and directions.
+        """Draw the scale of a reading, then the means (c, 1) of targets and directions, from
+        ``left`` (c, n), the readings without shifts of traverses and outliers.
 
-        ``left`` (c, n): readings without other effects; their standard deviation is the drawn scale
-        times ``scale`` (c, 1).
+        Their standard deviation is the drawn scale times ``scale`` (c, 1).
         """
         means, squares, total = self._about_means(left)
         square = float((squares / scale[:, 0] ** 2).sum())

@@ -70,10 +70,8 @@ def over_days(
 
 def _drawn_sizes(drifts: FloatArray, stds: FloatArray) -> tuple[float, FloatArray, FloatArray]:
     """Return the log odds that the drift differs from test to test, against a drift common to all
-    tests, and possible sizes of the drift with their probabilities.
-
-    Also possible standard deviations (s,) of the drift between tests, with their probabilities.
-    ``drifts`` (k,): by test, with standard errors ``stds`` (k,).
+    tests, and possible standard deviations (s,) of the drift between tests with their
+    probabilities. ``drifts`` (k,): drift in each test, with standard errors ``stds`` (k,).
     """
     size = float(np.sqrt(np.mean(drifts**2)))
     if size == 0.0:

@@ -43,9 +43,8 @@ def noise_findings(
     test: PositioningTest, readings: CellReadings, draws: Sequence[NoiseState], step: float
 ) -> tuple[Finding, ...]:
     """Return a finding for each effect in the noise of ``test`` that the ``draws`` clearly show.
-    White noise gives no finding.
-
-    ``step``: resolution of the instrument, mm or deg; 0 where it does not matter.
+    White noise gives no finding. ``step``: resolution of the instrument, mm or deg, 0 where it is
+    negligible.
     """
     return (
         *_coarse(test, readings, step),
@@ -177,8 +176,9 @@ def _at_places(test: PositioningTest, readings: CellReadings, cells: IndexArray)
 def _cause(
     test: PositioningTest, places: IndexArray, cells: IndexArray, runs: IndexArray
 ) -> Sentence:
-    """Return a sentence about the cause of outliers: for outliers at the targets ``places``, for
-    outliers in one traverse, or for single readings.
+    """Return a sentence about the cause of outliers in the given ``cells`` (targets of a direction)
+    and ``runs``: a fault at the targets ``places``, a fault of one traverse, or single wrong
+    readings.
     """
     m = test.targets.size
     if places.size:

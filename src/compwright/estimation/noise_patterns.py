@@ -101,8 +101,8 @@ class Patterns:
         return total
 
     def offset_of(self, form: int, moved: BoolArray) -> FloatArray:
-        """Return the covariance (k, k) of traverse offsets of unit size. Only the shifts marked in
-        ``moved`` (q,) exist, unless the offsets follow a wave.
+        """Return the covariance (k, k) of traverse offsets of unit size in the pattern with index
+        ``form``. Only the shifts marked in ``moved`` (q,) exist, unless the offsets follow a wave.
         """
         if form >= WAVE:
             return np.asarray(self.waves[form - WAVE])
@@ -147,7 +147,8 @@ class Patterns:
 
 
 def build_patterns(readings: CellReadings, cycle: Cycle, runs: tuple[int, int]) -> Patterns:
-    """Return the possible patterns of traverse shifts in a test with ``runs`` runs per direction.
+    """Return the possible patterns of traverse shifts in a test with ``runs`` runs per direction
+    and the order of approaches ``cycle``.
 
     In a step cycle the approaches to a target follow each other at once. It has no drift from run
     to run, no random walk and no wave.

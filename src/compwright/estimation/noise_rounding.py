@@ -44,13 +44,13 @@ _ORDERS: Final = 100
 def reading_step(
     readings: CellReadings, residuals: FloatArray, scatter: float, coarsest: float
 ) -> float:
-    """Return the resolution step of the readings, mm or deg, or 0 if it is negligible or above
-    ``coarsest``.
+    """Return the resolution step of the readings, mm or deg, or 0 if it is small relative to their
+    ``scatter`` or above ``coarsest``.
 
-    Fine: small relative to the ``scatter``. All readings are multiples of the step. If those of
-    different targets are not (a table was subtracted), the differences at each target are. If all
-    scatter is shifts of whole traverses (``residuals`` (c, n) without targets and traverses are
-    zero), the readings along the traverses must show the step.
+    All readings are multiples of the step. If those of different targets are not (a table was
+    subtracted), the differences at each target are. If all scatter is shifts of whole traverses
+    (``residuals`` (c, n) without targets and traverses are zero), the readings along the traverses
+    must show the step.
     """
     there, values = readings.there, readings.values
     moved = np.any(np.abs(residuals) > SAME_READING)
@@ -91,7 +91,8 @@ def _common_step(gaps: FloatArray, least: float) -> float:
 def with_least_scatter(
     readings: CellReadings, residuals: FloatArray, least: float, rng: np.random.Generator
 ) -> FloatArray:
-    """Return the readings (c, n), with random scatter added where a direction has almost none.
+    """Return the readings (c, n), with random scatter added where a direction has almost none, such
+    as less than ``least`` (mm or deg).
 
     ``residuals`` (c, n): readings minus the effects of targets and traverses. Too little: less than
     the largest of ``least`` (mm or deg), `_LEAST_SHARE` of the differences between traverses, and
@@ -153,12 +154,13 @@ def rounded_stds(sigmas: FloatArray, step: float) -> FloatArray:
 
 
 def common_std(sigma: float, step: float) -> float:
-    """Return the standard deviation of the rounding error common to all readings of a target.
+    """Return the standard deviation of the rounding error common to all readings of a target that
+    scatter by ``sigma`` and are then rounded to ``step``.
 
-    One target in one direction. ``sigma``: scatter before rounding to ``step``, same unit. The mean
-    of rounded readings minus the true mean is a Fourier series in the position of the true mean
-    between two steps. Its mean square is step² / 12 without scatter and vanishes for a scatter of
-    half a step or more (Widrow and Kollár, Quantization Noise, 2008, chapter 4).
+    One target in one direction. The mean of rounded readings minus the true mean is a Fourier
+    series in the position of the true mean between two steps. Its mean square is step² / 12 without
+    scatter and vanishes for a scatter of half a step or more (Widrow and Kollár, Quantization
+    Noise, 2008, chapter 4).
     """
     orders = np.arange(1, _ORDERS + 1)
     damping = np.exp(-((2.0 * np.pi * orders * sigma / step) ** 2))

@@ -55,10 +55,8 @@ def cell_means(
     observed: ObservedTest, order: NDArray[np.intp], other_noise: NoiseDraws | None
 ) -> ObservedCells:
     """Return the mean readings of a test and their noise, under the n noise draws with the indices
-    ``order`` (n,).
-
-    ``other_noise``: n draws of the noise of another test of the axis, for where the own readings do
-    not show how the traverses moved.
+    ``order`` (n,). ``other_noise``: n draws of the noise of another test, used if this test does
+    not show the shifts of its traverses.
     """
     test = observed.test
     deviations = (test.positive, test.negative)
@@ -104,8 +102,9 @@ def cell_means(
 def traverse_columns(
     other_noise: NoiseDraws, positions: FloatArray, signs: FloatArray
 ) -> FloatArray:
-    """Return model columns (n, c, 4) for an unknown offset and an unknown tilt of each direction in
-    a test. The columns are scaled so that their weights have unit variance.
+    """Return model columns (n, c, 4) for an unknown offset and an unknown tilt of each direction
+    (``signs`` +1, -1) in a test. Their size is that in ``other_noise``, n draws of the noise of
+    another test; the weights have unit variance.
 
     Shifts of only some traverses count by their root mean square. A shift common to both directions
     is the datum of the test, or its slope.

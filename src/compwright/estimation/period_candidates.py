@@ -175,10 +175,10 @@ def refine_candidate(
     expected: Sequence[UsualPeriod],
     before: PeriodOdds,
 ) -> PeriodCandidate | None:
-    """Return a possible period, computed again under a ``likelihood`` that contains other periods.
+    """Return the ``candidate`` period, computed again under a ``likelihood`` that contains other
+    periods; None if it is a harmonic of one of these, or one of these is its harmonic.
 
-    Its aliases stay. None where it is a harmonic of one of these periods, or one of them is its
-    harmonic. Arguments as in `find_candidates`.
+    Its aliases stay. Arguments as in `find_candidates`.
     """
     resolution = 1.0 / float(np.ptp(likelihood.targets))
     prior = _prior(frequencies, expected, before)
@@ -259,7 +259,8 @@ def _aliases(
     centre: float, members: FloatArray, targets: FloatArray, resolution: float
 ) -> FloatArray:
     """Return the frequencies near ``members`` whose waves have nearly the same values at the
-    targets as a wave of frequency ``centre``.
+    targets as a wave of frequency ``centre``. Frequencies within a few times ``resolution`` (1 /
+    measured length) of ``centre`` are left out.
     """
     far = np.sort(members[np.abs(members - centre) > 2.0 * PEAK * resolution])
     if not far.size:
@@ -282,8 +283,8 @@ def _close_looks(
     resolution: float,
     prior: _Prior,
 ) -> list[PeriodCandidate]:
-    """Return each peak as a possible period, computed on a finer grid of frequencies. Usual periods
-    near it are included.
+    """Return each peak as a possible period, computed on a finer grid of frequencies up to a few
+    times ``resolution`` from its centre. Usual periods near the peak are included.
     """
     fine, logs = _resolved(shown, choice, centres, resolution, prior)
     usual = prior.log_usual - np.log(2.0)
@@ -310,7 +311,8 @@ def _resolved(
     prior: _Prior,
 ) -> tuple[FloatArray, FloatArray]:
     """Return a fine grid of frequencies (k, p) about each of the ``centres`` (k,), with the log
-    odds (k, p) of a wave at each.
+    odds (k, p) of a wave at each. ``resolution``: 1 / measured length; the grids extend to a
+    multiple of it.
     """
     best, half = centres.copy(), np.full(centres.size, PEAK * resolution)
     grid = np.linspace(-1.0, 1.0, _POINTS)

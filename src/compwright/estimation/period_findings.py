@@ -90,7 +90,9 @@ def period_findings(
 def unseen_findings(
     unseen: Sequence[float], found: Sequence[float], kind: AxisKind
 ) -> list[Finding]:
-    """Return the finding CW-E016 for known periods (mm or deg) that the readings do not show."""
+    """Return the finding CW-E016 for known periods ``unseen`` (mm or deg) that the readings do not
+    show, while they show other periods ``found``; an empty list without such periods.
+    """
     if not unseen or not found:
         return []
     unit = kind.unit

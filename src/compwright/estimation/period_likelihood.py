@@ -375,10 +375,10 @@ def log_gains(
 
 def log_smooth(frequencies: FloatArray, length: float, smoothness: float) -> FloatArray:
     """Return the log spectral density at the ``frequencies`` of a smooth random curve of unit
-    variance.
+    variance, with correlation ``length`` and ``smoothness`` (infinite: without any kink).
 
-    Matérn, without any kink (infinite) the squared exponential (Rasmussen and Williams 2006,
-    section 4.2.1).
+    A Matérn process; if infinitely smooth, the squared exponential (Rasmussen and
+    Williams 2006, section 4.2.1).
     """
     if np.isinf(smoothness):
         level = np.log(np.sqrt(2.0 * np.pi) * length)
@@ -399,7 +399,9 @@ def _densities(frequencies: FloatArray) -> Iterator[tuple[float, float, float, F
 
 def _white_nodes(dof: float, spread: float, roughness: float) -> tuple[FloatArray, FloatArray]:
     """Return possible sums (n,) of two variances, of the noise and of that part of the error which
-    is independent from target to target, and their log prior probabilities.
+    is independent from target to target, and their log prior probabilities. ``dof``: degrees of
+    freedom of the noise; ``spread``: standard deviation of a reading; ``roughness``: rms of the
+    means.
 
     In units of the noise variance of a middle. Noise: a normal logarithm of variance 2 / dof
     (JCGM 100:2008, eq. G.3; without any, a factor e either way on the standard deviation). Local

@@ -60,8 +60,8 @@ def _averages(
     precision: FloatArray,
     targets: int,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the weights (m, c) of the mean readings in the average at each target, and the
-    variance (m,) of that average.
+    """Return the weights (m, c) of the c mean readings (``precision``: 1 / variance) in the average
+    of both directions at each of m targets, and the variance (m,) of that average.
     """
     share, variance = np.zeros((targets, target_index.size)), np.zeros(targets)
     directions = np.zeros(targets)
@@ -104,7 +104,8 @@ def unseen_periods(
 def fitted_periods(
     bidirectional: BidirectionalMeans, basis: Basis, shown: Sequence[float]
 ) -> tuple[float, ...]:
-    """Return the known periods (mm or deg) that are fitted: all of them, or the best `FITTED`.
+    """Return the known periods (mm or deg) that are fitted: all periods ``shown`` by the targets,
+    or the `FITTED` periods that improve the fit most.
 
     They are added one by one, each time the one that improves the fit most, as long as the data
     support it (forward selection: Miller, Subset Selection in Regression, 2nd ed. 2002, section

@@ -140,7 +140,9 @@ def probable_sets(sets: Sequence[PeriodSet]) -> list[tuple[PeriodSet, float]]:
 def search_result(
     likely: Sequence[tuple[PeriodSet, float]], curve: PeriodCurve, suggested: Sequence[float]
 ) -> PeriodSearch:
-    """Return the result of a search from ``likely`` sets of periods and their probabilities."""
+    """Return the result of a search from ``likely`` sets of periods and their probabilities.
+    ``curve``: the evidence for a wave over its period; ``suggested``: periods from the files.
+    """
     kept = [model for each in likely for model in _neighbours(*each)]
     scale = sum(model.probability for model in kept)
     return PeriodSearch(
@@ -169,7 +171,9 @@ def _alike(
 def _found(
     likely: Sequence[tuple[PeriodSet, float]], suggested: Sequence[float]
 ) -> tuple[AxisPeriod, ...]:
-    """Return each period with its total probability over all sets that contain it."""
+    """Return each period with its total probability over all sets in ``likely`` that contain it,
+    and whether it was ``suggested`` by the files.
+    """
     found: dict[float, float] = {}
     for each, probability in likely:
         for member in each.members:
@@ -191,7 +195,8 @@ def _found(
 
 
 def _neighbours(periods: PeriodSet, probability: float) -> list[PeriodModel]:
-    """Return several models with slightly different periods for a set of uncertain periods.
+    """Return several models with slightly different periods for a set of uncertain periods; they
+    share the ``probability`` of the set.
 
     Each period takes the quantiles of its own distribution in a random order (Latin hypercube:
     McKay, Beckman and Conover, Technometrics 21, 1979).

@@ -25,10 +25,10 @@ _LEAST: Final = 0.1 * _STEEL
 def slope_findings(
     tests: Sequence[ObservedTest], cells: Cells, parts: Sequence[MixturePart]
 ) -> Iterator[Finding]:
-    """Yield a finding (CW-E028) for each test whose slope clearly differs from the first test's.
+    """Yield a finding (CW-E028) for each test whose slope clearly differs from the first test's, in
+    the averaged models ``parts``.
 
-    Slopes come from the posterior of the ``parts``; sizes in µm/m. Linear axes only: angles do not
-    grow with temperature.
+    Linear axes only: angles do not grow with temperature.
     """
     if tests[0].test.kind is AxisKind.ROTARY:
         return

@@ -208,8 +208,8 @@ def _common_values(test: CircularTest, evaluated: Mapping[Sense, ActualPath]) ->
 def _reasons(
     test: CircularTest, standard: CircularStandard, values: Mapping[str, float]
 ) -> dict[str, str]:
-    """Return why parameters are missing: not defined by the edition, direction not measured, or
-    length of the bar not calibrated.
+    """Return the reason for each missing parameter, by name: not defined by the edition, direction
+    not measured, length of the bar not calibrated, or no angle common to both directions.
     """
     reasons = {}
     for name in CIRCULAR_NAMES:

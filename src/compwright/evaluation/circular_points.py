@@ -72,12 +72,12 @@ def hysteresis(
     one: ActualPath, other: ActualPath, centre: Point, arc: tuple[float, float]
 ) -> float:
     """Return H, mm: the largest difference, at one angle, of the distances of two paths from
-    ``centre``.
+    ``centre``. ``arc``: start and extent of the test, deg. NaN where no angle is common.
 
     ISO 230-4:1996, 3.3 and note 1. Each path is a straight line between its samples, so that the
     largest difference is at a sample of one of them; angles that only one path covers are left out.
-    Of several samples of a path at one angle the largest and the smallest count. ``arc``: start and
-    extent of the test, deg; a full circle is closed. NaN where no angle is common.
+    Of several samples of a path at one angle the largest and the smallest count. A full circle is
+    closed.
     """
     closed = arc[1] >= 360.0
     seam = 0.0 if closed else arc[0] - 0.5 * (360.0 - arc[1])

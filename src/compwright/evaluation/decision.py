@@ -15,7 +15,8 @@ Rule = Literal["simple", "guarded"]
 
 def decide(value: float, limit: float, U: float | None, rule: Rule) -> Decision:
     """Return the decision whether ``value`` <= ``limit``, given the expanded uncertainty ``U`` (all
-    three in the same unit).
+    three in the same unit). ``rule``: compare the value alone (``simple``) or with U as guard band
+    (``guarded``).
 
     ``simple`` compares the value alone. ``guarded`` (ISO 14253-1) accepts when value + U <= limit,
     rejects when value - U > limit, and is undecided between. A value that is not a number is

@@ -26,10 +26,10 @@ _COARSE: Final = 0.1
 def environmental_variation(
     drift: DriftTest, duration_min: float | None
 ) -> tuple[float, tuple[Finding, ...]]:
-    """Return the range E_VE of environmental variation (µm or arcsec) and its findings.
+    """Return the range E_VE of environmental variation (µm or arcsec) within ``duration_min``, the
+    duration of a positioning test (None: within the whole series), and its findings.
 
     CW-T026: which range it is; CW-T027: the series is too short or too coarse for it.
-    ``duration_min``: duration of a positioning test; None: the whole series counts.
     """
     length = float(drift.minutes[-1] - drift.minutes[0])
     over = length if duration_min is None else min(duration_min, length)

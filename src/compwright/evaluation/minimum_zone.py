@@ -48,8 +48,7 @@ def minimum_zone(
     points: FloatArray, least_squares: tuple[Point, float] | None = None
 ) -> tuple[Point, float, float]:
     """Return centre, inner and outer radius of the narrowest ring that contains ``points`` (n, 2).
-
-    ``least_squares``: their least-squares circle, where it is known already.
+    ``least_squares``: centre and radius of the points' least-squares circle, if already known.
 
     The least width over all centres in the region around the least-squares centre that the reach
     bounds; a centre far away, about which a short piece of arc looks like a strip, is not what

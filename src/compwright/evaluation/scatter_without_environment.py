@@ -112,8 +112,9 @@ def _drawn(evidence: FloatArray, count: int, rng: np.random.Generator) -> NDArra
 def _scatter(
     block: FloatArray, own: FloatArray, sigma: float, rng: np.random.Generator
 ) -> FloatArray:
-    """Return random draws (count, m, n) of the scatter of the axis alone, from readings ``block``
-    (m, n).
+    """Return random draws (count, m, n) of the scatter of the axis alone (variance ``own``), from
+    readings ``block`` (m, n) that also contain environmental variation of standard deviation
+    ``sigma``.
 
     The share own / (own + sigma²) of a residual belongs to the axis; the uncertainty of this part
     has the variance sigma² times that share (both normal).
@@ -128,9 +129,9 @@ def _scatter(
 def _means(
     test: PositioningTest, own: float | None, sigma: float, count: int, rng: np.random.Generator
 ) -> tuple[FloatArray, FloatArray]:
-    """Return random draws (count, m) of the means in + and in − without environmental variation.
-
-    ``own``: the variance of the axis' own scatter, None where no reading is repeated.
+    """Return random draws (count, m) of the means in + and in − without environmental variation,
+    whose standard deviation is ``sigma``. ``own``: variance of the axis' own scatter, None where no
+    reading is repeated.
     """
     up, down = mean_deviation(test.positive), mean_deviation(test.negative)
     readings = np.concatenate([test.readings(direction) for direction in Direction])

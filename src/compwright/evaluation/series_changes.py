@@ -46,6 +46,7 @@ def noted_changes(
     entries: Sequence[HistoryEntry], trends: Sequence[NotedTrend]
 ) -> list[NotedChange]:
     """Return the changes between the tests of one axis or plane that exceed the uncertainty.
+    ``trends`` of the same tests: a change at one of their jumps needs less evidence.
 
     Each test is compared with the last comparable test before it. ``entries``: in order of time;
     ``trends``: by `noted_trends`. Differences between the other comparisons beyond their
@@ -96,11 +97,11 @@ def noted_changes(
 
 
 def _between_tests(others: Sequence[Change]) -> tuple[float, float]:
-    """Return the variance between tests in excess of their standard errors, and the degrees of
-    freedom of this variance.
+    """Return the variance between tests in excess of their standard errors, from the changes
+    ``others`` of the same parameter, and the degrees of freedom of this variance.
 
-    From other comparisons of the same parameter; 0 with fewer than four. Neighbouring differences
-    share a test, so that two thirds of their number count.
+    0 with fewer than four. Neighbouring differences share a test, so that two thirds of
+    their number count.
     """
     if len(others) < _LEAST_COMPARISONS:
         return 0.0, math.inf
@@ -178,8 +179,8 @@ class _ComparedTests:
         )
 
     def noted(self, jumps: Sequence[TrendJump]) -> tuple[NotedJump, ...]:
-        """Return the ``jumps`` of a trend. Their tests have the indices of the whole series, not of
-        the compared tests.
+        """Return the ``jumps`` of a trend, with the test indices of the whole series instead of
+        those of the compared tests.
         """
         return tuple(
             NotedJump(
@@ -356,10 +357,10 @@ def _compared(
     scatter: tuple[float, float] = (0.0, math.inf),
 ) -> tuple[Change, bool]:
     """Return the change of a parameter between two tests, and whether the uncertainty of this
-    change includes an assumed slope.
+    change includes an assumed slope. ``scatter``: variance from test to test, with its degrees of
+    freedom.
 
-    A slope is assumed if no uncertainty is declared. ``scatter``: variance from test to test, with
-    degrees of freedom.
+    A slope is assumed if no uncertainty is declared.
     """
     before, after = _parameter_value(one, parameter), _parameter_value(other, parameter)
     if parameter == "s":

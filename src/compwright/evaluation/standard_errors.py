@@ -30,14 +30,15 @@ def standard_errors(
     positive: FloatArray, negative: FloatArray, coverage: float
 ) -> dict[str, StandardError]:
     """Return the standard errors of A, B and B_mean (ISO 230-2:2014), and of ``s``, the pooled
-    standard deviation.
+    standard deviation, from the readings (m, n) in + and −; an empty result without repeated
+    readings.
 
     ``positive``, ``negative`` (m, n): readings of each direction in one unit, NaN if missing, width
-    0 for a direction not measured; columns are runs. ``coverage``: k of A. Empty without repeated
-    readings. Shifts of whole traverses are common to all their targets: where runs differ more than
-    the scatter of single readings explains, the differences between runs count. A: from the two
-    targets that determine it, each a mean and k standard deviations (variance of s: s²/2ν).
-    Combination and degrees of freedom: GUM (JCGM 100:2008) 5.1.2 and G.4.1 (Welch-Satterthwaite).
+    0 for a direction not measured; columns are runs. ``coverage``: k of A. Shifts of whole
+    traverses are common to all their targets: where runs differ more than the scatter of single
+    readings explains, the differences between runs count. A: from the two targets that determine
+    it, each a mean and k standard deviations (variance of s: s²/2ν). Combination and degrees of
+    freedom: GUM (JCGM 100:2008) 5.1.2 and G.4.1 (Welch-Satterthwaite).
     """
     blocks = [block for block in (positive, negative) if block.size and np.isfinite(block).any()]
     scatter = _scatter(blocks)
@@ -80,7 +81,7 @@ def slope_error(
 
 def _scatter(blocks: list[FloatArray]) -> tuple[float, StandardError] | None:
     """Return the pooled standard deviation of a reading and its standard error, or None if no
-    target has repeated readings that scatter.
+    target has repeated readings that scatter. ``blocks``: the readings (m, n) of each direction.
 
     The relative variance of s² is 2/ν for normal readings of equal variance; it is larger if
     targets or runs differ in their variance.
@@ -107,8 +108,8 @@ def _scatter(blocks: list[FloatArray]) -> tuple[float, StandardError] | None:
 
 
 def _between_runs(blocks: list[FloatArray]) -> list[float]:
-    """Return the relative variance of s², estimated first from the differences between traverses,
-    then from the differences between runs.
+    """Return estimates of the relative variance of s²: one from the differences between traverses,
+    one from the differences between runs. ``blocks``: the readings (m, n) of each direction.
 
     Each needs three of them; each row of n readings loses one degree of freedom to its mean.
     """
@@ -129,8 +130,8 @@ def _between_runs(blocks: list[FloatArray]) -> list[float]:
 
 
 def _relative_variance(parts: Iterable[FloatArray]) -> float | None:
-    """Return the relative variance of the mean of several mean squares, or None for fewer than
-    three.
+    """Return the relative variance of the average of the mean squares of all ``parts``, or None for
+    fewer than three parts.
     """
     found = (part[np.isfinite(part)] for part in parts)
     squares = [float(part @ part) / part.size for part in found if part.size]
@@ -161,7 +162,9 @@ def _ends(blocks: list[FloatArray], coverage: float) -> tuple[FloatArray, FloatA
 
 
 def _difference(one: FloatArray, other: FloatArray, s: float, dof: float) -> tuple[float, float]:
-    """Return the variance of the difference of two means, and its degrees of freedom."""
+    """Return the variance of the difference of the means of two sets of readings, and its degrees
+    of freedom. ``s``: standard deviation of a reading, with ``dof`` degrees of freedom.
+    """
     counts = [int(np.isfinite(cell).sum()) for cell in (one, other)]
     pooled = s**2 * sum(1.0 / count for count in counts)
     width = min(one.size, other.size)

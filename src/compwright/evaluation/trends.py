@@ -106,7 +106,8 @@ def trend_of(
     threshold: float = 3.0,
 ) -> Trend | None:
     """Return the rate of change of a parameter, or None for fewer than three tests or less than 0.1
-    years.
+    years. ``errors`` and ``stated``: standard uncertainty of each value by its readings and by
+    other contributions; ``threshold``: significance, in standard errors.
 
     ``years`` (n,): ascending; ``values`` (n,) in any unit of the parameter; ``errors`` (n,): the
     standard error of each by its readings; ``stated`` (n,): its standard uncertainty apart from
@@ -391,7 +392,9 @@ def _averaged(tests: _Tests, chosen: Sequence[int], certain: frozenset[int]) -> 
 
 
 def _functional(jumps: Sequence[int], width: int) -> FloatArray:
-    """Return the matrix (p, 2) from coefficients to the level at the last test and the rate."""
+    """Return the matrix (p, 2) with which the p = ``width`` coefficients of a model with these
+    ``jumps`` give the level at the last test and the rate.
+    """
     found = np.zeros((width, 2))
     found[0, 0] = 1.0
     found[1, 1] = 1.0

@@ -147,7 +147,7 @@ def slope_between_tests(
     test: PositioningTest, budget: UncertaintyBudget | None, first: Thermal | None
 ) -> float:
     """Return the standard deviation (mm/mm) of slope differences between this test and other tests
-    of its axis.
+    of its axis. ``first``: temperature and expansion coefficient in the first test.
 
     Drawn per test: the temperature U_theta (sensors are placed and read again, and a hall changes),
     the misalignment of the beam and the set-up. Common to all tests, without effect between them:
@@ -246,7 +246,8 @@ class _Added:
 def _added(
     test: PositioningTest, budget: UncertaintyBudget, thermal: Thermal | None, table_slope: float
 ) -> _Added:
-    """Return the uncertainty that the contributors add to the readings.
+    """Return the uncertainty that the contributors add to the readings. ``table_slope``: standard
+    deviation (mm/mm) of a slope error in the table.
 
     The certificate of an instrument states the distance of any two positions: U + per_m times the
     distance, with one sign. The part of its draw in the slope is therefore part of U too.
@@ -274,7 +275,9 @@ def _propagated(
     added: _Added,
     spread: Callable[[FloatArray], FloatArray],
 ) -> dict[str, FloatArray]:
-    """Return random draws of the change of each parameter that instrument and environment cause."""
+    """Return random draws of the change of each parameter that instrument and environment cause by
+    the uncertainty ``added`` to the readings.
+    """
     rng = np.random.default_rng(0)  # the same test has the same uncertainty
     readings = max(test.positive.size + test.negative.size, 1)
     count = int(np.clip(_READINGS // readings, *DRAWS))

@@ -100,8 +100,8 @@ def most_points(capacity: Capacity) -> int:
 def candidates_over(
     span: Span, capacity: Capacity, wanted: WantedCorrection, most: int
 ) -> tuple[list[GridCandidate], list[GridCandidate]]:
-    """Return two lists of possible grids, coarsest first: with a table point at the reference, and
-    without.
+    """Return two lists of possible grids over the table's range ``span`` with at most ``most``
+    points, coarsest first: with a table point at the reference, and without.
     """
     in_quanta = wanted.reference / capacity.position_quantum
     reference = round(in_quanta) if is_whole(in_quanta) else None
@@ -197,6 +197,7 @@ def _least_left(
     candidates: list[GridCandidate], wanted: WantedCorrection, capacity: Capacity, lattice: Lattice
 ) -> FloatArray:
     """Return the points of the grid with the smallest expected error, if no grid is good enough.
+    ``lattice``: the increments and magnifications of the control.
 
     A finer spacing needs smaller increments, and a coarser magnification where these are too small.
     Among grids of almost equal error the coarsest is taken. Rounding leaves step / sqrt(12) rms at

@@ -382,7 +382,8 @@ def priced(
 def limit_multipliers(
     chain: CurveChain, limits: ChainLimits, constant_range: tuple[float, float]
 ) -> LimitMultipliers:
-    """Return nearly optimal multipliers from the solver OSQP (Stellato et al., Mathematical
+    """Return nearly optimal multipliers for limits of table values and for the range
+    ``constant_range`` of the reversal value, from the solver OSQP (Stellato et al., Mathematical
     Programming Computation 12, 2020). Inexact multipliers still give a valid bound.
     """
     import osqp

@@ -119,7 +119,8 @@ def _tolerance(objective: float, unit: float) -> float:
 def _worth_a_look(
     magnification: int, bound: float, ceiling: float, best: LatticeSolution | None, unit: float
 ) -> bool:
-    """Return whether a magnification can possibly give a better table than the best table so far.
+    """Return whether a magnification with the lower bound ``bound`` can possibly give a better
+    table than the ``best`` table so far and an objective up to ``ceiling``.
 
     A larger one must be better by more than `EQUAL`.
     """

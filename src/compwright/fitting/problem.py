@@ -252,8 +252,8 @@ def build_problem(
     *,
     without: tuple[str, ...] = (),
 ) -> QuadraticProblem:
-    """Return the quadratic problem of the table. The groups of limits named in ``without`` are left
-    out, to find the cost of these limits.
+    """Return the quadratic problem of a table that is zero at the position ``reference``. The
+    groups of limits named in ``without`` are left out, to find the cost of these limits.
     """
     P, q, constant = _objective(data, layout)
     blocks = [

@@ -327,7 +327,7 @@ def _magnification_finding(
 
 def goal_finding(goal: Goal, why: Literal["slope", "increments", "no_gain"]) -> tuple[Finding, ...]:
     """Return the finding that the fit minimised the mean square instead of the parameter ``goal``,
-    such as A or E.
+    such as A or E, for the reason ``why``; an empty tuple if the job has no such goal.
 
     Reasons: the control has one ``slope``, it has whole ``increments``, or rounding leaves
     ``no_gain``.

@@ -35,8 +35,8 @@ from compwright.words.sentences import Sentence
 def start_task(
     task: tuple[Job, AxisJob, tuple[PlannedTest, ...], Mapping[str, ControlState]],
 ) -> AxisWork:
-    """Return the result of `start_axis`. ``task``: its arguments without the present correction,
-    which is taken as zero.
+    """Return the result of `start_axis`. ``task``: the arguments of that function except the
+    present correction, which is taken as zero.
     """
     return start_axis(*task, no_correction)
 

@@ -289,7 +289,7 @@ def _predicted_test(
     work: AxisWork, place: int, new: Correction, job: Job, fresh: FreshTests | None
 ) -> TestPrediction:
     """Return the prediction of a repetition of the test with index ``place``, under the correction
-    ``new``.
+    ``new``. ``fresh``: simulated repetitions at new targets, if they exist already.
 
     It has guard bands where a guarded decision needs them.
     """
@@ -307,7 +307,9 @@ def _predicted_test(
 
 
 def repeats_of_first(work: AxisWork, rule: Literal["simple", "guarded"] = "simple") -> FreshTests:
-    """Return simulated repetitions of the first test of an axis, at new targets."""
+    """Return simulated repetitions of the first test of an axis, at new targets. ``rule``
+    ``guarded``: without slope errors by temperature, which are part of the guard band.
+    """
     like = RepeatConditions(0, fresh_slope(rule, work.planned.tests[0]))
     return fresh_tests(work.results[0], work.posterior, work.planned.axis, like)
 

@@ -94,8 +94,9 @@ class CircleChecks:
         self.states = states
 
     def laser(self, work: CircleWork, index: int) -> LaserValues | None:
-        """Return the lost motion and scale error of one axis of a circular test, computed from the
-        axis' positioning test. None without a positioning test in both directions.
+        """Return the lost motion and scale error of the first (``index`` 0) or second axis of a
+        circular test, computed from the axis' positioning test. None without a positioning test in
+        both directions.
         """
         axis = self.works.get(work.planned.test.axes[index])
         if axis is None or not axis.results[0].test.bidirectional:

@@ -178,7 +178,10 @@ def in_job_names(test: CircularTest, axes: Iterable[str]) -> CircularTest:
 def _centre(
     test: CircularTest, given: tuple[float, ...] | None, axes: Mapping[str, Axis]
 ) -> tuple[tuple[float, float], bool]:
-    """Return the centre of the circle on its two axes, and whether the job states it."""
+    """Return the centre of the circle on its two axes, and whether it can be relied on: ``given``
+    in the job, or irrelevant because the job has neither axis. Otherwise the middle of the travels
+    is assumed.
+    """
     if given is not None and len(given) == 2:
         return (given[0], given[1]), True
     if given is not None:

@@ -162,9 +162,9 @@ class _Planner:
         curves: Mapping[Direction, FloatArray],
         slope: float,
     ) -> CrossCompensation:
-        """Return the correction of the axis ``bent`` as a table over the travel of the axis
-        ``given``, zero at the reference of ``given``. Beyond the measured range the correction
-        continues with ``slope``.
+        """Return the correction of the axis ``bent``, measured as ``curves`` at positions ``where``
+        of the axis ``given``, as a table over the travel of ``given``, zero at its reference.
+        Beyond the measured range the correction continues with ``slope``.
         """
         axis = self.axes[given]
         nodes = _nodes(axis, where)
@@ -243,8 +243,9 @@ class _Planner:
                 self.find("CW-P108", "info", plane=plane, squareness=angle.words, tests=angle.tests)
 
     def _not_corrected(self, plane: str, pair: frozenset[str], angle: Squareness | None) -> None:
-        """Add the finding that states why the squareness of a plane is not corrected, and what to
-        measure.
+        """Add the finding that states why the squareness of a ``plane`` (axes ``pair``) is not
+        corrected, and what to measure. ``angle``: the squareness, None if no circular test
+        determines it.
         """
         mine = (work for work in self.circles if frozenset(work.planned.test.axes) == pair)
         if angle is not None:

@@ -25,11 +25,10 @@ _REPORTED: Final = (
 
 
 def goal_findings(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Finding]:
-    """Yield the finding CW-P152: A, E and M of simulated tests with the chosen table ``new`` and,
-    for comparison, with the fitted table that was not chosen.
+    """Yield the finding CW-P152: A, E and M of the simulated tests ``fresh`` with the chosen table
+    ``new`` and, for comparison, with the fitted table that was not chosen.
 
-    ``fresh``: simulated tests at new targets. Only if the job has a goal other than the least
-    expected square.
+    Only if the job has a goal other than the least expected square.
     """
     planned, goal = work.planned, work.entry.table.goal
     if work.alternative is None or planned.fitted is None:

@@ -31,11 +31,11 @@ def accept_decisions(
     predictions: tuple[TestPrediction, ...],
     rule: Literal["simple", "guarded"],
 ) -> Mapping[str, AcceptDecision]:
-    """Return the decision about each limit of an axis (µm or arcsec) from the predicted values.
+    """Return the decision about each limit of an axis (µm or arcsec) from the predicted values: by
+    the values alone (``rule`` ``simple``) or with their uncertainty as guard band (``guarded``).
 
     Accepted is what keeps its limit at the same targets and at new ones, where the prediction
-    includes the periods that the test cannot show. ``guarded``: with the uncertainty of the
-    predicted test as guard band; undecided where it has none.
+    includes the periods that the test cannot show.
     """
     accept = entry.accept
     if accept is None:
@@ -54,7 +54,8 @@ def accept_decisions(
 def circle_decisions(
     accept: Acceptance | None, circle: CirclePrediction, rule: Literal["simple", "guarded"]
 ) -> Mapping[str, AcceptDecision]:
-    """Return the decision about each limit of a circular test (µm) from the predicted values.
+    """Return the decision about each limit of a circular test (µm) from the predicted values: by
+    the values alone (``rule`` ``simple``) or with their uncertainty as guard band (``guarded``).
 
     As `accept_decisions` does. Its U is that of the measured circle, because the tables hardly
     change its size. Undecided where the causes in the circle are not known (CW-P134).

@@ -63,9 +63,9 @@ def mirror_image_doubts(
     states: Mapping[str, ControlState],
 ) -> Iterator[tuple[int, Finding]]:
     """Yield index and doubt (CW-P161) of each test whose deviations mirror the active table.
+    ``observed``: the same tests, each with its active correction subtracted.
 
     The table is that of its state, or what that one has more than the table of another state.
-    ``observed``: the same tests.
     """
     for place, (planned, bare) in enumerate(zip(tests, observed, strict=True)):
         if planned.measured_in not in states or planned.test.targets.size < _FEWEST:

@@ -28,10 +28,8 @@ _MOST: Final = 400
 def point_count_tradeoff(
     work: AxisWork, new: Correction, fresh: FreshTests, name: str
 ) -> tuple[PointCountOption, ...]:
-    """Return the parameter ``name`` of simulated tests for tables with different numbers of points.
-
-    At new targets; ``new`` is the table that is written. Empty where there is no choice: no
-    table, or only one grid.
+    """Return the parameter ``name`` of the simulated tests ``fresh`` for the written table ``new``
+    and for tables with other numbers of points; an empty tuple if there is no choice.
 
     Every table is fitted to what is wanted under the control's own limits, on equally spaced nodes
     that it can hold.

@@ -99,8 +99,8 @@ def _with_fewest_points(
     shown: Shown,
     best: FittedTable,
 ) -> FittedTable:
-    """Return the table with the fewest points that is almost as good as the ``best`` table in a
-    test. Existing table points are kept.
+    """Return the table with the fewest points that is almost as good as the ``best`` table in the
+    tests that ``shown`` predicts. Existing table points are kept.
     """
     nodes = best.compensation.positions
     if best.keeps_grid or capacity.nodes is not None or capacity.line is not None or nodes.size < 3:
@@ -129,8 +129,9 @@ def _with_fewest_points(
 def _fewest(
     grids: Sequence[FloatArray], enough: Callable[[FloatArray], _Found | None]
 ) -> _Found | None:
-    """Return a good table on one of the coarsest ``grids``, or None if there is none. ``enough``
-    returns the table on a grid if this table is good enough, else None.
+    """Return a good table on one of the coarsest ``grids`` and the test predicted for this table,
+    or None if there is none. ``enough`` returns both for a grid whose table is good enough, else
+    None.
 
     Search by halving, then among the next coarser grids: usually, more points are better.
     """

@@ -154,8 +154,8 @@ def _amount(result: PositioningResult, value: float) -> Amount:
 
 
 def parameter_spread(shown: Quantiles) -> float:
-    """Return the standard deviation of a parameter between tests, from the quantiles below its
-    median, because outliers widen the upper half.
+    """Return the standard deviation of a parameter between tests, from its quantiles ``shown``:
+    only those below the median, because outliers widen the upper half.
     """
     return 2.0 * (shown.median - shown.p05) / BAND
 

@@ -43,9 +43,8 @@ def reading_interpretations(
     bare: ObservedTest, axis: Axis, active_at: ActiveAt | None
 ) -> tuple[InterpretedTest, ...]:
     """Return the interpretations of a test that its readings can distinguish, the stated one first.
-
-    ``bare``: the test with the active correction subtracted; ``active_at``: that correction by
-    position and direction, mm or deg, None where it is unknown.
+    ``bare``: the test with its active correction ``active_at`` (mm or deg, None: unknown)
+    subtracted.
     """
     table = None if active_at is None else _at(active_at, bare.test.targets)
     if active_at is None or table is None or not _has_shape(bare, table):
@@ -77,7 +76,9 @@ def _at(active_at: ActiveAt, targets: FloatArray) -> Acted:
 
 
 def _has_shape(bare: ObservedTest, table: Acted) -> bool:
-    """Return whether a table clearly differs from a straight line with backlash, beyond noise."""
+    """Return whether a table clearly differs from a straight line with backlash, beyond the noise
+    of the test ``bare``.
+    """
     test = bare.test
     along = np.linspace(-1.0, 1.0, test.targets.size)
     left = [

@@ -38,7 +38,7 @@ def with_repeating_table(
     plain: FittedTable,
 ) -> FittedTable:
     """Return the table ``plain``, supplemented by a second table that repeats with a known short
-    period.
+    period. ``fit`` fits the main table again.
 
     The second table is used only if it leaves clearly less error; else the result is ``plain``
     alone. A finding states the errors with and without the second table.
@@ -105,8 +105,9 @@ def _left(
 def _wave(
     wanted: WantedCorrection, rest: FloatArray, plain: FittedTable, period: float, limits: Wave
 ) -> AxisCompensation | None:
-    """Return the table of one period, starting at the reference. None if the control cannot hold
-    this table, or if all its values are zero.
+    """Return the second table over one ``period``, starting at the reference, fitted to the error
+    ``rest`` that the table ``plain`` leaves. None if the control cannot hold this table, or if all
+    its values are zero.
     """
     sections = next((n for n in _SECTIONS if limits.holds(period / n)), None)
     if sections is None or sections + 1 > limits.room:

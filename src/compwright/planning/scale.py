@@ -249,8 +249,8 @@ def _index(work: CircleWork, name: str) -> int:
 def _now(
     stated: ValueWithError, work: CircleWork, name: str, checks: CircleChecks
 ) -> ValueWithError:
-    """Return the scale error of an axis from a circular test, converted from the corrections during
-    the test to the present corrections.
+    """Return the scale error ``stated`` by a circular test for an axis, converted from the
+    corrections during the test to the present corrections.
     """
     radius, middle = work.planned.test.nominal_radius, work.planned.centre[_index(work, name)]
     during = checks.states.get(work.planned.measured_in, NO_CORRECTIONS)

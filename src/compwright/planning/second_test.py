@@ -37,7 +37,7 @@ _ROUNDS: Final = 30
 
 def second_test_findings(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Finding]:
     """Yield the finding CW-P165 for each property of the noise that only a second test can show,
-    with the parameter predicted with and without this property.
+    with the parameter of the simulated tests ``fresh`` with and without this property.
     """
     name, result = judged_parameter(work.results[0]), work.results[0].test
     if name is None or len(work.posterior.alike) != 1:

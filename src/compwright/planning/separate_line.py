@@ -38,7 +38,7 @@ def with_line(
     plain: FittedTable,
 ) -> FittedTable:
     """Return the table ``plain``, supplemented by a straight line in a separate table of the
-    control.
+    control. ``fit`` fits the main table again.
 
     The line is used only if it clearly reduces the error at the table points; else the result is
     ``plain`` alone. A finding states the errors with and without the line.

@@ -124,8 +124,8 @@ def _parts(
 def _alone(
     held: AxisCompensation, wanted: WantedCorrection
 ) -> tuple[AxisCompensation, WantedCorrection]:
-    """Return the new table alone, and the wanted correction minus the existing tables that stay
-    active.
+    """Return the new table in ``held`` alone, and the wanted correction minus the existing tables
+    in ``held`` that stay active.
     """
     if not held.others:
         return held, wanted

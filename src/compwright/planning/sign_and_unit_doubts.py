@@ -77,10 +77,10 @@ def reading_doubts(
     states: Mapping[str, ControlState],
 ) -> tuple[Finding, ...]:
     """Return the doubts about the tests of an axis: a mirror image of the active table (CW-P161),
-    or another sign, unit or direction (CW-P160).
+    or another sign, unit or direction (CW-P160). ``observed``: the same tests, each with its active
+    correction subtracted.
 
-    ``observed``: the same tests with the correction that was active in them subtracted, as far as
-    ``states`` (by name) give it. A test with the doubt CW-P161 gets no doubt CW-P160.
+    A test with the doubt CW-P161 gets no doubt CW-P160.
     """
     mirrored = dict(mirror_image_doubts(tests, observed, axis, states))
     known = states if tests[0].measured_in in states else {}
@@ -100,10 +100,8 @@ def reading_doubts(
 
 def with_known_backlash(result: PositioningResult, bare: ObservedTest) -> PositioningResult:
     """Return the result with CW-T032 (mean reversal above zero) reduced to information, if the
-    active backlash value explains it.
-
-    That is: in ``bare``, the test with the active correction subtracted, the reversal is not above
-    zero.
+    active backlash value explains it: ``bare``, the test with its active correction subtracted,
+    does not show it.
     """
     if reversal_above_zero(bare.test):
         return result
@@ -124,10 +122,8 @@ def misreading_doubts(
     bare: ObservedTest, axis: Axis, active: ActiveAt | None
 ) -> tuple[Finding, ...]:
     """Return the doubt CW-P160, with the odds, if the readings fit another sign or unit far better
-    than the stated one.
-
-    ``bare``: the test with the active correction subtracted; ``active``: that correction by
-    position and direction, mm or deg, None where it is unknown.
+    than the stated one; an empty tuple otherwise. ``bare``: the test with its ``active`` correction
+    (mm or deg, None: unknown) subtracted.
     """
     if bare.test.targets.size < _FEWEST:
         return ()

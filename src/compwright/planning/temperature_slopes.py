@@ -51,7 +51,9 @@ def relative_to_first(tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ...]:
 
 
 def fresh_slope(rule: Literal["simple", "guarded"], test: PlannedTest) -> float:
-    """Return the standard deviation of the slope (mm/mm) in a simulated repetition of a test."""
+    """Return the standard deviation of the slope (mm/mm) in a simulated repetition of a test: 0 if
+    the ``rule`` is ``guarded``, because the guard band contains the slope.
+    """
     return 0.0 if rule == "guarded" else test.slope_std
 
 

@@ -137,10 +137,10 @@ def _of_several_tests(finding: Finding) -> Finding:
 def observed_tests(
     tests: Sequence[PlannedTest], active: AxisCompensation | None
 ) -> tuple[ObservedTest, ...]:
-    """Return the tests as input of the estimation, with noise inferred from repeated readings.
+    """Return the tests as input of the estimation: each with its active correction subtracted
+    (``active``: of the first test), and with noise inferred from repeated readings.
 
-    Subtracted from each: the correction that was active in it (``acted``; ``active`` for the
-    first). Left out: the traverses that were not made.
+    Left out: the traverses that were not made.
     """
     observed = []
     for place, planned in enumerate(tests):
@@ -161,12 +161,13 @@ def measured_error(
     axis: Axis,
     active: AxisCompensation | None,
 ) -> MeasuredError:
-    """Return the error of ``axis``, estimated from the tests that are in use.
+    """Return the error of ``axis``, estimated from the tests that are in use. ``observed``: the
+    same tests as input of the estimation; ``active``: the correction that was active in the first
+    test, None where it is unknown.
 
     These are tests with a known active correction (``acted``), or the first test if none has it.
 
-    ``observed``: the same tests, as input of the estimation; ``active``: the correction of the
-    control during the first, None where it is unknown. The same tests give the same answer.
+    The same tests give the same answer.
     """
     counting = [test.acted is not None for test in tests]
     counting[0] = counting[0] or not any(counting)
@@ -329,8 +330,9 @@ def dense_positions(axis: Axis, periods: Sequence[float]) -> FloatArray:
 def wanted_correction(
     estimate: ErrorEstimate, active: AxisCompensation, axis: Axis, *, reversal_log_odds: float
 ) -> WantedCorrection:
-    """Return the total correction that removes the estimated error: the correction during the test
-    minus the error.
+    """Return the total correction that removes the estimated error: the correction ``active``
+    during the test minus the error. ``reversal_log_odds``: log odds that the reversal error varies
+    with position.
 
     wanted(x, d) = active(x, d) - error(x, d), shifted by one constant so that it is zero at the
     reference approached in the reference-return direction. Where the reference lies outside the
