@@ -365,7 +365,7 @@ def _limits(
     costs.append(("value range", added_rms(held, this_shape)))
     shift = _as_unknowns(table, layout) - best.x
     zero = replace(
-        fit.data, wanted={direction: np.zeros_like(fit.data.points) for direction in BOTH}
+        fit.data, wanted={direction: np.zeros_like(fit.data.samples) for direction in BOTH}
     )
     costs.append(("quantum", float(np.sqrt(zero.mean_square(layout, shift)))))
     return reportable_costs(costs, capacity.quantum)

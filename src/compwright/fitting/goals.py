@@ -169,16 +169,16 @@ def as_wanted(
     """
     nodes, where = layout.nodes, wanted.positions
     inside = nodes[(nodes > where[0]) & (nodes < where[-1])]
-    points = np.union1d(where, inside)
+    samples = np.union1d(where, inside)
     table = hat_matrix(
-        points,
+        samples,
         nodes,
         below=capacity.below,
         above=capacity.above,
         interpolation=capacity.interpolation,
     )
     positive, negative = (layout.columns(table, way) @ x for way in BOTH)
-    return replace(wanted, positions=points, positive=positive, negative=negative)
+    return replace(wanted, positions=samples, positive=positive, negative=negative)
 
 
 def _measured(
@@ -244,21 +244,21 @@ def _of_the_mean(
     """
     nodes, where, rule = layout.nodes, wanted.positions, capacity.interpolation
     inside = nodes[(nodes >= where[0]) & (nodes <= where[-1])]
-    points = np.union1d(where, inside)
+    samples = np.union1d(where, inside)
     if rule == "step":
         midpoints = bends(nodes, rule)[1:-1]
         within = midpoints[(midpoints > where[0]) & (midpoints < where[-1])]
-        points = np.union1d(points, np.concatenate([within, np.nextafter(within, -np.inf)]))
+        samples = np.union1d(samples, np.concatenate([within, np.nextafter(within, -np.inf)]))
     table = hat_matrix(
-        points, nodes, below=capacity.below, above=capacity.above, interpolation=rule
+        samples, nodes, below=capacity.below, above=capacity.above, interpolation=rule
     )
-    nothing = np.zeros(points.size)
+    nothing = np.zeros(samples.size)
     parts = [
         Deviations(
             D=layout.columns(table, way),
-            base=-np.interp(points, where, wanted.total(way)),
+            base=-np.interp(samples, where, wanted.total(way)),
             half=nothing,
-            test=np.zeros(points.size, dtype=np.int64),
+            test=np.zeros(samples.size, dtype=np.int64),
         )
         for way in BOTH
     ]

@@ -126,8 +126,8 @@ def quadrature(
     ends = np.union1d(positions, inside)
     middle, half = 0.5 * (ends[1:] + ends[:-1]), 0.5 * np.diff(ends)
     offset = half / np.sqrt(3.0)
-    points = np.column_stack([middle - offset, middle + offset]).ravel()
-    return points, np.repeat(half, 2) / float(ends[-1] - ends[0])
+    samples = np.column_stack([middle - offset, middle + offset]).ravel()
+    return samples, np.repeat(half, 2) / float(ends[-1] - ends[0])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -192,7 +192,7 @@ class QuadraticProblem:
 class SampledCorrection:
     """The wanted correction at weighted sample points, and the control's interpolation there."""
 
-    points: FloatArray
+    samples: FloatArray
     weights: FloatArray
     matrix: SparseMatrix
     wanted: Mapping[Direction, FloatArray]
@@ -216,19 +216,19 @@ def sample_correction(
     wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity
 ) -> SampledCorrection:
     """Return ``wanted`` at the quadrature points of the travel (`quadrature`), mm or deg."""
-    points, weights = quadrature(wanted.positions, nodes, capacity.interpolation)
+    samples, weights = quadrature(wanted.positions, nodes, capacity.interpolation)
     return SampledCorrection(
-        points=points,
+        samples=samples,
         weights=weights,
         matrix=hat_matrix(
-            points,
+            samples,
             nodes,
             below=capacity.below,
             above=capacity.above,
             interpolation=capacity.interpolation,
         ),
         wanted={
-            direction: np.interp(points, wanted.positions, wanted.total(direction))
+            direction: np.interp(samples, wanted.positions, wanted.total(direction))
             for direction in BOTH
         },
     )

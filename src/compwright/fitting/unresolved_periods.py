@@ -165,7 +165,7 @@ def _finding(
     unit = wanted.kind.unit
     factor, small = (1e3, "µm") if unit == "mm" else (3600.0, "arcsec")
     left, whole = rms
-    need, points = _holding(min(lost), wanted)
+    need, count = _holding(min(lost), wanted)
     most = capacity.max_points
     return Finding.of(
         "CW-F002",
@@ -181,8 +181,8 @@ def _finding(
         left=Amount(left * factor, small, "2sig"),
         share=left / whole if whole > 0.0 else None,
         needed_spacing=need,
-        needed_points=points,
-        most_points=most if most is not None and most < points else None,
+        needed_points=count,
+        most_points=most if most is not None and most < count else None,
     )
 
 

@@ -58,7 +58,7 @@ class WholeIncrementFit:
     shape: Shape
     capacity: Capacity
     lattice: Lattice
-    points: FloatArray
+    samples: FloatArray
     weights: FloatArray
     rows: Rows
 
@@ -76,7 +76,7 @@ class WholeIncrementFit:
         """Return the wanted correction in one direction at the sample points. ``constant``: the fit
         adds a constant in this direction.
         """
-        aims = np.interp(self.points, self.aim.positions, self.aim.total(direction))
+        aims = np.interp(self.samples, self.aim.positions, self.aim.total(direction))
         return ChainTarget(rows=self.rows, weights=self.weights, aims=aims, constant=constant)
 
     def single(self, *, reversal: bool) -> CurveChain:
@@ -180,9 +180,9 @@ def fit_whole_increments(
     optimum of the mean square over the travel and both directions. Raises CapacityError where the
     limits allow no table at all.
     """
-    points, weights = quadrature(aim.positions, grid.nodes, capacity.interpolation)
+    samples, weights = quadrature(aim.positions, grid.nodes, capacity.interpolation)
     rows = rows_at(
-        points,
+        samples,
         grid.nodes,
         below=capacity.below,
         above=capacity.above,
@@ -194,7 +194,7 @@ def fit_whole_increments(
         shape=shape,
         capacity=capacity,
         lattice=lattice,
-        points=points,
+        samples=samples,
         weights=weights,
         rows=rows,
     )

@@ -58,7 +58,7 @@ class ColumnEntry:
         """
         return self.scale.write("value", correction)
 
-    def points(self) -> list[SheetRow]:
+    def rows(self) -> list[SheetRow]:
         """Return the table points as rows of the entry sheet."""
         rows = []
         for number, (node, correction) in enumerate(zip(self.nodes, self.positive, strict=True)):

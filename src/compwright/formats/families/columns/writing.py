@@ -115,7 +115,7 @@ class _OwnTables(Patches):
             if self.sources.own_column(address) is not None:
                 TableFiller(self, self.values, address, entry).fill()
             else:
-                points = entry.points()
+                points = entry.rows()
         left = {
             name: text
             for name, text in entry.parameters().items()

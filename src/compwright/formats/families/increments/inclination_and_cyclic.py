@@ -123,18 +123,18 @@ class Counted:
         it is zero at the reference position ``zero``.
         """
         own = self.values.own
-        points, amounts = (
+        corners, amounts = (
             [own.get(number) for number in numbers]
             for numbers in (known.INCLINATION_POINTS, known.INCLINATION_AMOUNTS)
         )
         if sections is None:
             raise _NotCountedError(function.values[0], "without a grid", "3620 to 3624")
-        if any(value is None for value in (*points, *amounts)):
+        if any(value is None for value in (*corners, *amounts)):
             raise _NotCountedError(
                 function.values[0], "not given whole", "5861 to 5864, 5871 to 5874"
             )
         at, levels = (
-            [value.whole for value in values if value is not None] for values in (points, amounts)
+            [value.whole for value in values if value is not None] for values in (corners, amounts)
         )
         pairs = pairwise(zip(at, levels, strict=True))
         if any(one[0] > two[0] or (one[0] == two[0] and one != two) for one, two in pairs):
