@@ -269,7 +269,9 @@ def step_documents(
 def restore_steps(
     control: Control, written: Mapping[str, AxisWork], loaded: DecodedState
 ) -> list[dict[str, Any]]:
-    """Return the card's steps for restoring the old values, made from the control's definition."""
+    """Return the card's steps for restoring the old values, made from the control's definition.
+    ``written``: the axes that get tables, by name; ``loaded``: the written files, decoded.
+    """
     axes = _with_values(control, written, loaded)
     return _plain(card_steps_of_all(control.definition, axes, control.definition.restore))
 
@@ -278,7 +280,8 @@ def _with_values(
     control: Control, written: Mapping[str, AxisWork], loaded: DecodedState
 ) -> list[tuple[Axis, Mapping[str, str]]]:
     """Return each axis and each gantry slave with the values that its texts on the card contain,
-    such as file names.
+    such as file names. ``written``: the axes that get tables, by name; ``loaded``: the written
+    files, decoded.
 
     A slave gets the same table or the same change, with axis number and files of its own.
     """

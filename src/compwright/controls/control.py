@@ -274,15 +274,15 @@ def decode(
 ) -> DecodedState:
     """Decode a control's files with compwright's two independent file readers, and compare their
     results. ``axes``: the axes of a job; ``address``: the only axis to be read; ``written``:
-    compwright has just written the files.
+    compwright has just written the files; ``active``: the job's answer whether the tables were
+    active, required if ``asking``.
 
-    ``axes`` or ``address`` names the axis of a table that does not. ``active``: whether the tables
-    were active by the job, if the files do not state it; ``asking``: the job has to state it (else
-    UsageError). ``carried_out``: all values of the state's programs are known to have been
-    executed. ``drafting``: a job is drafted from the files, and tables that no job changes exclude
-    no axis. Raises InputError when the files cannot be read, contradict themselves or can be read
-    in two ways: two different readings are not a state to build on. In files written by compwright
-    that is a fault of its own (CompwrightError).
+    ``axes`` or ``address`` names the axis of a table that does not. ``active`` applies if the files
+    do not state it; ``asking`` without it is a UsageError. ``carried_out``: all values of the
+    state's programs are known to have been executed. ``drafting``: a job is drafted from the files,
+    and tables that no job changes exclude no axis. Raises InputError when the files cannot be read,
+    contradict themselves or can be read in two ways: two different readings are not a state to
+    build on. In files written by compwright that is a fault of its own (CompwrightError).
     """
     if not files:
         return DecodedState(files=(), state=ControlState(format=control.id, axes={}), judge=None)

@@ -187,7 +187,7 @@ def _sheet(file: ControlFile, cuts: Cuts) -> ControlCopy:
 def _likely(
     session: Session, files: Sequence[ControlFile], format_id: str | None
 ) -> dict[str, list[Definition]]:
-    """Return for each file the controls that may have written it, the most probable first.
+    """Return for each file the controls that could have written it, the most probable first.
 
     By its beginning: first the one with most statements in this file, then the one with most in the
     other files.
@@ -285,8 +285,8 @@ def _same_decoding(
 def _ways_to_read(
     shipped: Mapping[str, Definition], control_id: str
 ) -> Iterator[tuple[str, dict[str, object]]]:
-    """Yield the controls whose files have the same layout (``control_id`` first), each with options
-    that may make the files readable.
+    """Yield the controls whose files have the same layout (``control_id`` first), each with trial
+    options by which the files are possibly readable.
     """
     shape = shipped[control_id].layout.shape
     relatives = [name for name, one in shipped.items() if one.layout.shape == shape]
@@ -296,7 +296,9 @@ def _ways_to_read(
 
 
 def _options(definition: Definition) -> Iterator[dict[str, object]]:
-    """Yield trial values of the options that a control's files may need to be readable."""
+    """Yield trial values of those options without which a control's files are possibly not
+    readable.
+    """
     rules = definition.options
     required: dict[str, object] = {
         name: _ANY_UNIT for name, rule in rules.items() if rule.asked is not None

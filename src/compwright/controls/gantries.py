@@ -127,7 +127,7 @@ def with_partners(
     control: Control, fitted: FittedAxes, as_found: DecodedState
 ) -> list[tuple[Axis, FittedTable]]:
     """Return the fitted tables, and a table for each gantry slave that gets the same change as the
-    table of its master.
+    table of its master. ``as_found``: the control's files before.
 
     Raises CapacityError where the control cannot hold one.
     """

@@ -98,10 +98,9 @@ def _worse(work: AxisWork, new: Correction) -> str:
 
 
 def partial_load(before: FileValues, planned: FileValues, back: FileValues) -> PartialLoad | None:
-    """Return which planned files were loaded and which were not; None if the values read back do
-    not show such a partial load.
+    """Return which planned files were loaded and which were not; None if the values read ``back``
+    do not show such a partial load. ``before``: the values in the control's old files.
 
-    From the values in the control's files ``before``, the ``planned`` and the read ``back`` ones.
     None: all were, none was, something else is wrong, or a value belongs to no file by its name.
     """
     new_in: dict[str, None] = {}

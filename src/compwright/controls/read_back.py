@@ -41,8 +41,8 @@ class ReadBackDifferences:
 
 
 def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
-    """Yield a warning for each path that is in the output folder ``tables`` of `run`, because such
-    a file was not read from the control.
+    """Yield a warning for each of the paths ``loaded`` that is in the output folder ``tables`` of
+    `run`, because such a file was not read from the control.
     """
     own = storage.resolved(plan_file.parent / "tables")
     for path in loaded:

@@ -70,8 +70,8 @@ def disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
 def _apart(
     mine: Correction, theirs: Correction, where: FloatArray, table: tuple[str, str, str]
 ) -> Iterator[Fault]:
-    """Yield a fault for each direction in which two readings of a table differ, at the worst
-    position.
+    """Yield a fault for each direction in which two readings of a table (``mine``, ``theirs``)
+    differ at one of the positions ``where``; the fault names the worst position.
 
     ``table``: its name, the message, the unit.
     """

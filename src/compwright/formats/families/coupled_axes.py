@@ -167,7 +167,9 @@ def _other_leader(address: str, axis: Axis, couplings: Sequence[Coupling]) -> It
 
 @dataclass(frozen=True, slots=True)
 class CouplingParameter:
-    """A parameter that may couple axes: its text with the value (``words``), its file and line."""
+    """A parameter that possibly couples axes: its text with the value (``words``), its file and
+    line.
+    """
 
     words: str
     file: str
@@ -199,8 +201,8 @@ class CouplingParameter:
 
 @dataclass(frozen=True, slots=True)
 class CouplingStatement(CouplingParameter):
-    """A parameter that may couple axes, with the match of the pattern that found its statement in
-    the file; the stored text has no blanks.
+    """A parameter that possibly couples axes, with the match of the pattern that found its
+    statement in the file; the stored text has no blanks.
     """
 
     match: re.Match[str]

@@ -116,8 +116,8 @@ class AxisNames:
         }
 
     def unplaced(self, address: str, spoken_of: Iterable[str]) -> list[str]:
-        """Return those of the names ``spoken_of`` that may mean the axis at ``address``, because
-        the files assign them to no axis.
+        """Return those of the names ``spoken_of`` that possibly mean the axis at ``address``,
+        because the files assign them to no axis.
 
         The files give an axis index (AX1) without a name, or names without an index.
         """

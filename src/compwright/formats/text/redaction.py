@@ -195,7 +195,7 @@ class TextRedactor:
 
 
 def _path(text: str) -> tuple[str, str, str]:
-    """Return folder, name and file ending of a text that may be a file name."""
+    """Return folder, name and file ending of a text, which can be a file name."""
     place = max(text.rfind("/"), text.rfind("\\")) + 1
     match = re.fullmatch(r"(?P<stem>.*?)(?P<ending>\.[A-Za-z0-9]{1,4})?", text[place:])
     assert match is not None  # noqa: S101 - every text has this form

@@ -103,7 +103,7 @@ def _rows(
 
 def _check_count(sheet: EntrySheet, found: int, faults: list[Fault]) -> None:
     """Compare the number of points in an entry sheet with the count that the sheet states, because
-    a sheet may have lost its last lines.
+    the last lines of a sheet can be lost.
     """
     text = sheet.comments.get("points")
     if text is not None and text != str(found):

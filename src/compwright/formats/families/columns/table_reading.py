@@ -314,7 +314,7 @@ def _right_slots(titles: Sequence[Token]) -> list[_Slot]:
 
 def _places(words: Sequence[Token], slots: Sequence[_Slot]) -> list[int] | None:
     """Return the index of the column to which each word belongs; None if a word fits no column, or
-    if words are not in the order of the columns.
+    if words are not in the order of the columns. ``slots``: the range of characters of each column.
     """
     places: list[int] = []
     for word in words:

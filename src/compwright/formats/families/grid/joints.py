@@ -35,8 +35,8 @@ _REMARK = re.compile(r"^[ \t]*[#;][^\r\n]*", re.MULTILINE)
 
 
 def joined_joints(files: Sequence[ControlFile]) -> Iterator[Coupling]:
-    """Yield joints that are homed together (negative HOME_SEQUENCE), so that they may drive one
-    axis.
+    """Yield a possible coupling for joints that are homed together (negative HOME_SEQUENCE),
+    because several joints that drive one axis are homed in this way.
     """
     if any(True for _ in statements_in(files, _LETTERED, _REMARK)):
         return

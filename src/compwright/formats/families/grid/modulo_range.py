@@ -118,8 +118,8 @@ def over_travel(compensation: AxisCompensation, axis: Axis) -> AxisCompensation:
 
 
 def most_points_of_turn(axis: Axis, rows: int) -> int:
-    """Return how many points one turn may have if one table of ``rows`` points has to hold all
-    turns of the travel.
+    """Return how many points one turn can have if one table of at most ``rows`` points has to
+    contain all turns of the travel.
 
     Both ends of the turn are included. Raises CapacityError if two points do not fit.
     """

@@ -164,8 +164,8 @@ class GridReader:
         return ()
 
     def couplings(self) -> Sequence[Coupling]:
-        """Return the couplings of joints that are homed together, because such joints may drive one
-        axis.
+        """Return possible couplings of joints that are homed together, because several joints that
+        drive one axis are homed in this way.
         """
         return tuple(joined_joints(self.files)) if _JOINTS in self.definition.statements else ()
 
@@ -214,8 +214,8 @@ class GridReader:
         return replace(own, facts=facts)
 
     def _one_name(self, address: str, axis: Axis | None) -> None:
-        """Add a fault if values under another name in the files, such as X1 and AX1, may also
-        belong to this axis.
+        """Add a fault if it is unclear whether values under another name in the files, such as X1
+        in addition to AX1, belong to this axis.
 
         No list of names says which of them are one axis.
         """
@@ -321,8 +321,8 @@ class GridReader:
         raise_all(InputError, self.notes.faults)
 
     def _note_sources(self, files: Sequence[ControlFile]) -> None:
-        """Report printed listings, and archives with programs that may load, activate or deactivate
-        tables.
+        """Report printed listings, and archives with programs that contain statements to load,
+        activate or deactivate tables.
         """
         kinds = self.definition.texts.values()
         words = tuple(sorted({claim for kind in kinds for claim in kind.claims_anywhere}))

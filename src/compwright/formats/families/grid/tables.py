@@ -175,8 +175,8 @@ class TableShape(ABC):
 
     @abstractmethod
     def read(self, source: TableSource) -> GridTable | None:
-        """Return the table in the files; None if there is none or it is not valid (then with
-        faults).
+        """Return the table in the lines ``source`` of the files; None if there is none or it is not
+        valid (then with faults).
         """
 
     @abstractmethod

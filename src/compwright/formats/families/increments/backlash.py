@@ -52,14 +52,18 @@ class SmoothBacklash:
 
 
 def smooth_backlash(own: AxisParameters) -> SmoothBacklash | None:
-    """Return the smooth backlash compensation of an axis; None if it has none."""
+    """Return the smooth backlash compensation of the axis with the parameters ``own``; None if it
+    has none.
+    """
     values = (own.get(number) for number in known.SMOOTH_BACKLASH)
     active = tuple(value for value in values if value is not None and value.nonzero)
     return SmoothBacklash(active) if active else None
 
 
 def first_stage(own: AxisParameters) -> int:
-    """Return the part of the backlash that is output at once (1848), detection units; 0 if none."""
+    """Return the part of the backlash that is output at once (1848), in detection units, by an
+    axis' parameters ``own``; 0 if none.
+    """
     value = own.get(known.SMOOTH_FIRST)
     return 0 if value is None else value.whole
 

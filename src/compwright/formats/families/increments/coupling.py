@@ -87,7 +87,9 @@ def _others(addresses: Sequence[str], value: ParameterValue) -> tuple[str, ...]:
 def _masters(
     parameters: Parameters, value: ParameterValue, addresses: Sequence[str]
 ) -> tuple[str, ...]:
-    """Return the axes that a master axis number may mean (counted by machine or within a path)."""
+    """Return the axes that a master axis number possibly means, because it is counted by machine or
+    within a path.
+    """
     number = value.whole
     path = AxisParameters(parameters, str(value.index)).path
     if number >= _BY_PATH:
@@ -169,7 +171,9 @@ def _angular(parameters: Parameters, addresses: Sequence[str]) -> Iterator[Coupl
 def _named(
     parameters: Parameters, value: ParameterValue, addresses: Sequence[str]
 ) -> tuple[str, ...]:
-    """Return the axes that an axis number may mean (counted over the machine or within a path)."""
+    """Return the axes that an axis number (``value``) possibly means, because it is counted over
+    the machine or within a path.
+    """
     return tuple(each for each in addresses if AxisParameters(parameters, each).named_by(value))
 
 

@@ -33,7 +33,8 @@ class DetectionUnit:
 
 
 def detection_unit(own: AxisParameters, kind: AxisKind) -> DetectionUnit | None:
-    """Return the detection unit (least command increment / CMR); None if not in the files.
+    """Return the detection unit (least command increment / CMR) by an axis' parameters ``own``;
+    None if these do not state it.
 
     1820 = 2 x CMR from 1 to 96, 100 + 1/CMR from 101 to 127 (B-63950EN/02 page 106, B-63943EN-1/02
     page 109). The least command increment is 0.001 mm or deg by IS-B (0.01 by IS-A, 0.0001 by
@@ -80,7 +81,9 @@ def _power(system: ParameterValue) -> int | None:
 
 
 def _unread(own: AxisParameters, kind: AxisKind) -> ParameterValue | None:
-    """Return the parameter whose value makes the detection unit unknown; None if there is none."""
+    """Return that one of an axis' parameters ``own`` whose value makes the detection unit unknown;
+    None if there is none.
+    """
     multiplier, system, bits = own.get(known.MULTIPLIER), own.system, own.get(known.KIND)
     if system is not None and _power(system) is None:
         return system
@@ -91,8 +94,8 @@ def _unread(own: AxisParameters, kind: AxisKind) -> ParameterValue | None:
 
 
 def two_systems(own: AxisParameters) -> str:
-    """Return a sentence on parameters 1013 and 1004 if they state different increment systems;
-    empty if they agree.
+    """Return a sentence on an axis' parameters 1013 and 1004 (in ``own``) if they state different
+    increment systems; empty if they agree.
 
     1013 is the one that counts.
     """

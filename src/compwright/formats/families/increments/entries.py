@@ -346,7 +346,8 @@ class _WholeNumbers:
 
     def _magnification(self, differences: Sequence[FloatArray]) -> int:
         """Return the existing magnification if the control can store every increment with it, else
-        the smallest one with which it can.
+        the smallest one with which it can. ``differences``: the increments of each data set, in
+        detection units.
 
         It divides every increment and keeps it within the limit.
         """

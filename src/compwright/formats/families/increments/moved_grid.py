@@ -65,7 +65,9 @@ def _sets(*, two: bool) -> str:
 
 
 def _stays(axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: float) -> bool:
-    """Return whether every point number keeps its position when the new table is written."""
+    """Return whether every point number keeps its position when the new table is written.
+    ``place``, ``interval``: point numbers and interval of the new table.
+    """
     if (facts.reference_number, facts.interval) != (place.reference, interval):
         return False
     if axis.modulo is not None:  # a full turn, with or without the reference's own number
@@ -82,8 +84,8 @@ def _stays(axis: Axis, facts: IncrementFacts, place: NumberPlace, interval: floa
 
 
 def _check_kept(each: FunctionOnPoints, facts: IncrementFacts, magnification: int) -> None:
-    """Raise NotHeld if a function refers to points of a table that is not active or gets another
-    magnification.
+    """Raise NotHeld if the function ``each`` refers to points of a table that is not active, or
+    that gets another magnification.
 
     Its effect with the new table would be unknown.
     """
@@ -120,8 +122,8 @@ def _point_in_place(
     place: NumberPlace,
     interval: float,
 ) -> int:
-    """Return the new number of a point that another function refers to. Raises NotHeld if the new
-    table has no point at the same position.
+    """Return the new number of a point to which the function ``each`` refers. Raises NotHeld if the
+    new table (``place``, ``interval``) has no point at the same position.
     """
     old, first, last = (
         int(number or 0)

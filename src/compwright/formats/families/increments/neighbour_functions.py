@@ -53,7 +53,9 @@ class Function:
 
 
 def functions(own: AxisParameters) -> Iterator[Function]:
-    """Yield every function that corrects the axis in addition to table and backlash."""
+    """Yield every function that, by an axis' parameters ``own``, corrects the axis in addition to
+    table and backlash.
+    """
     yield from _inclination(own)
     cyclic = _nonzero(own, known.CYCLIC)
     if cyclic and cyclic[0].number != known.CYCLIC_FACTOR:
@@ -67,7 +69,9 @@ def functions(own: AxisParameters) -> Iterator[Function]:
 
 
 def left_alone(every: Iterable[Function], options: Mapping[str, object]) -> list[Function]:
-    """Return the functions that stay unread and unchanged, because no option includes them."""
+    """Return those of the functions ``every`` that stay unread and unchanged, because no option
+    includes them.
+    """
     return [
         function
         for function in every
@@ -78,8 +82,8 @@ def left_alone(every: Iterable[Function], options: Mapping[str, object]) -> list
 def functions_on_points(
     own: AxisParameters, every: Iterable[Function]
 ) -> tuple[FunctionOnPoints, ...]:
-    """Return the functions that refer to the axis' point numbers, each with the places of these
-    numbers in the files.
+    """Return those of the functions ``every`` that refer to point numbers of the axis, each with
+    the places of these numbers in the files. ``own``: the axis' parameters.
 
     ``every``: the axis' functions.
     """
@@ -135,7 +139,8 @@ def _inclination(own: AxisParameters) -> Iterator[Function]:
 
 
 def _straightness(own: AxisParameters) -> Iterator[Function]:
-    """Yield a function for each axis pair of straightness compensation that contains the axis.
+    """Yield a function for each axis pair of straightness compensation that contains the axis with
+    the parameters ``own``.
 
     As the moving one, whose sections have the points, or as the corrected one.
     """

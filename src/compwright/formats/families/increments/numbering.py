@@ -114,8 +114,8 @@ def kept_place(
 
 
 def first_free(length: int, used: Sequence[range], start: int, highest: int) -> int | None:
-    """Return the lowest of ``length`` successive free point numbers from ``start`` to ``highest``;
-    None if there are not as many.
+    """Return the lowest of ``length`` successive point numbers from ``start`` to ``highest`` that
+    are not in ``used``; None if there are not as many.
     """
     for begin in range(start, highest + 2 - length):
         if not any(begin < taken.stop and taken.start < begin + length for taken in used):
@@ -124,7 +124,9 @@ def first_free(length: int, used: Sequence[range], start: int, highest: int) -> 
 
 
 def longest_gap(highest: int, used: Sequence[range], start: int = 0) -> int:
-    """Return the length of the longest block of free numbers from ``start`` to ``highest``."""
+    """Return the length of the longest block of numbers from ``start`` to ``highest`` that are not
+    in ``used``.
+    """
     longest, place = 0, start
     for taken in sorted((one for one in used if len(one)), key=lambda one: one.start):
         longest = max(longest, min(taken.start, highest + 1) - place)

@@ -20,7 +20,9 @@ from compwright.records.axis import AxisKind
 
 
 def refusals(own: AxisParameters) -> Iterator[Fault]:
-    """Yield a fault for each parameter that makes the meaning of the axis' table data uncertain."""
+    """Yield a fault for each of an axis' parameters ``own`` that makes the meaning of its table
+    data uncertain.
+    """
     totals = own.get(known.TOTALS)
     if totals is not None and totals.nonzero:
         yield totals.fault(
@@ -54,7 +56,9 @@ def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
 
 
 def note_unconfirmed_bits(own: AxisParameters, notes: Notes) -> None:
-    """Report bits of 3605 that are set and stay unchanged; their meaning is not confirmed."""
+    """Report bits of 3605 that are set in an axis' parameters ``own`` and stay unchanged; their
+    meaning is not confirmed.
+    """
     bits = own.get(known.PITCH_BITS)
     names = [] if bits is None else [f"3605#{bit}" for bit in range(1, 8) if bits.bit(bit)]
     if bits is not None and names:
@@ -72,7 +76,9 @@ def _deciding_bits(own: AxisParameters, kind: AxisKind) -> dict[int, tuple[int, 
 
 
 def unread_bits(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
-    """Yield a fault for each of the table's bit parameters that is not written as eight bits."""
+    """Yield a fault for each bit parameter of the table, in an axis' parameters ``own``, that is
+    not written as eight bits.
+    """
     for number, bits in _deciding_bits(own, kind).items():
         value = own.get(number)
         if bits and value is not None and value.nonzero and not value.is_bits:
@@ -81,7 +87,8 @@ def unread_bits(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
 
 
 def unclear_path(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
-    """Yield a fault for each parameter that differs between paths, if the axis' path is unknown.
+    """Yield a fault for each of an axis' parameters ``own`` that differs between paths, if the
+    axis' path is unknown.
 
     No file gives the path of the axis (parameter 981).
 

@@ -374,8 +374,8 @@ class StateReader:
 def _paired(
     facts: AxisFacts, address: str, couplings: Sequence[Coupling], unread: frozenset[int]
 ) -> AxisFacts:
-    """Return the facts of an axis, to which the axes coupled with it and the point numbers that no
-    file contains are added.
+    """Return the facts of an axis with two additions: the axes coupled with it, by ``couplings``,
+    and ``unread``, the point numbers that no file contains.
     """
     return replace(
         facts,

@@ -134,7 +134,8 @@ def unused_pairs(
 
 
 def free_pair(parameters: Parameters, moving: str) -> dict[int, ParameterValue] | None:
-    """Return the parameters of the first axis pair in the files that is complete and at zero.
+    """Return, by index (0 to 9), the parameters of the first axis pair of straightness compensation
+    that is complete in the files and at zero. ``moving``: the moving axis, whose path counts.
 
     None if there is none, or if an axis number may be counted within the path.
     """

@@ -55,7 +55,8 @@ def write_increments(
 
 
 def _homeless(definition: Definition, left: Entries) -> Iterator[Fault]:
-    """Yield a fault for each value that must be in the control's own files, but has no line there.
+    """Yield a fault for each of the values ``left`` that must be in the control's own files, but
+    has no line there.
 
     Only if nothing else proves that the control has such a parameter.
     """
@@ -315,9 +316,9 @@ _PULSE = (
 
 def increment_sheets(family: Family, own: Sequence[AxisTable]) -> tuple[ControlFile, ...]:
     """Return an entry sheet for each axis and, if an option requires them, the G10 programs that
-    enter the values.
+    enter the values. ``own``: the tables, without those of gantry slaves.
 
-    ``own``: the tables of leading axes; those of gantry partners are derived from them.
+    The slaves' tables are derived from those of their masters.
     """
     definition = family.definition
     names = {address: axis.name for address, axis, _ in own}

@@ -1,4 +1,4 @@
-"""ISG kernel controls: one value list for each axis, which may have a cross-axis table."""
+"""ISG kernel controls: one value list for each axis, which can contain a cross-axis table."""
 
 from __future__ import annotations
 

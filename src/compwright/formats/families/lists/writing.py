@@ -233,7 +233,9 @@ class ListsWriter:
     def _anchor(
         self, address: str, names: Sequence[str], places: Sequence[FoundValue]
     ) -> FoundValue:
-        """Return the line next to which new lines of a table are inserted."""
+        """Return the line next to which new lines of a table are inserted: the first of the table's
+        old lines ``places``, else the last line of the statements ``names`` or of the list.
+        """
         if places:
             return min(places, key=lambda found: (found.number, found.occurrence.line))
         statements = self.lists.statements[address]
@@ -255,7 +257,9 @@ class ListsWriter:
         return bool(places)
 
     def _activate(self, address: str, switch: str, manual: str) -> None:
-        """Set the lines that activate a table: its parameter to 1, manual activation to 0."""
+        """Set the lines that activate a table: its activation parameter ``switch`` to 1, the
+        parameter ``manual`` for manual activation to 0.
+        """
         self._put(self.lists.places(address, switch), "1")
         self._put(self.lists.places(address, manual), "0")
 

@@ -28,8 +28,8 @@ class PairLimits(GridLimits):
     """The limits of an axis' two tables, one per direction, instead of one table with backlash."""
 
     def capacity(self) -> Capacity:
-        """Return the limits of the two tables. Raises CapacityError if fewer than two may be
-        written.
+        """Return the limits of the two tables. Raises CapacityError if the options allow fewer than
+        two tables.
         """
         label, kinds = f"axis {self.axis.name}", [self.axis.kind]
         raise_all(CapacityError, list(unit_unknown(self.control, label, self.address, kinds)))
@@ -89,7 +89,7 @@ class PairLimits(GridLimits):
         return assumed
 
     def _points(self, addresses: Sequence[str]) -> int | None:
-        """Return how many points each table may have; None if there is no limit."""
+        """Return how many points each table can have; None if there is no limit."""
         tables = self.control.state.tables
         taken = self._tables(addresses, tables)
         fixed = self.definition.limit_number("cross_points")

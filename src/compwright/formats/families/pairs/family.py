@@ -205,7 +205,9 @@ class PairsFamily(GridFamily):
         return {self.definition.bindings[name].statement for name in quantities}
 
     def _check_form(self, own: Sequence[ControlFile]) -> None:
-        """Refuse to change files that the control would not load in changed form."""
+        """Refuse to change those of the control's ``own`` files that the control would not load in
+        changed form.
+        """
         if self.options.get("files") != "patched":
             return
         reasons = {file.name: why for file in own if (why := self._unpatched(file))}

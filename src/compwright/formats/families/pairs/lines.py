@@ -44,7 +44,7 @@ class Units:
         return MILLIMETRES_PER_INCH if self.inch and linear else 1.0
 
     def may_be_inch(self, pair: Pair) -> bool:
-        """Return whether a table between these axes may be in inch."""
+        """Return whether it is possible that a table between the axes of ``pair`` is in inch."""
         return self.inch and any(self.kind(one) is not AxisKind.ROTARY for one in pair)
 
 
@@ -204,8 +204,8 @@ class TableLines(SingleValues):
         return base, corrected
 
     def _check_unit(self, owner: str, on_axis: Places) -> None:
-        """Refuse a table whose values may be in inch. ``owner``: the corrected axis in messages;
-        ``on_axis``: the settings for all tables that correct this axis.
+        """Refuse a table whose values are possibly in inch. ``owner``: the corrected axis in
+        messages; ``on_axis``: the settings for all tables that correct this axis.
         """
         metric = self.values(owner).one("cross_metric", on_axis.get("cross_metric", ()))
         if metric is not None:

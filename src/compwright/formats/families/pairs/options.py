@@ -1,4 +1,6 @@
-"""Options for cross-axis tables: whether they exist, which may be written, what values mean."""
+"""Options for cross-axis tables: whether they exist, which of them compwright is allowed to write,
+what values mean.
+"""
 
 from __future__ import annotations
 
@@ -115,15 +117,16 @@ def reserving(definition: Definition, points: int, which: str) -> str:
 
 
 def free_tables(allowed: Sequence[int], in_use: Mapping[int, Pair], address: str) -> list[int]:
-    """Return the indices of tables by which an axis may correct itself: first the tables that
-    already do so, then unused tables.
+    """Return the indices of the ``allowed`` tables that are usable for an axis to correct itself:
+    first the tables that already do so, then unused tables. ``in_use``: the axes of each table in
+    the files.
     """
     own = [index for index in allowed if in_use.get(index) == (address, address)]
     return [*own, *(index for index in dict.fromkeys(allowed) if index not in in_use)]
 
 
 def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[int, ...]) -> Fault:
-    """Return the fault that too few tables may be written for an axis."""
+    """Return the fault that the option ``cec_tables`` allows too few tables for an axis."""
     return Fault(
         message=(
             f"axis {name}: {format_id} needs {needed} CEC tables that are free or "

@@ -106,7 +106,7 @@ class Case:
 
 
 def expression_of(text: str) -> str | None:
-    """Return an expression without blanks; None if it is too long, or if its value may change
+    """Return an expression without blanks; None if it is too long, or if its value can change
     between two lines that do not set it.
     """
     if len(text) > _LONGEST:
@@ -118,7 +118,7 @@ def expression_of(text: str) -> str | None:
 
 
 def condition_of(text: str) -> Condition | None:
-    """Return the condition in a text; None if its value may change although no line of the program
+    """Return the condition in a text; None if its value can change although no line of the program
     sets a variable.
     """
     expression = expression_of(text)

@@ -74,7 +74,7 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class ProgramRuns:
-    """The lines of one program (steps), with the lines that may be executed after each.
+    """The lines of one program (steps), with the lines that can follow each of them.
 
     After the last one are its end, from where the calling program continues, and the place where
     everything stops: by M2, an alarm, or an unknown statement.
@@ -373,7 +373,7 @@ def _destinations(
 def _destinations_of(
     go: re.Match[str], place: int, places: Mapping[str, Sequence[int]]
 ) -> Sequence[int]:
-    """Return the labels to which a jump may lead, by its direction (GOTOF, GOTOB).
+    """Return the labels to which a jump can lead, by its direction (GOTOF, GOTOB).
 
     GOTOF searches from its line to the end of the program, GOTOB from its line to the start, GOTO
     and GOTOC to the end and then elsewhere.
@@ -390,8 +390,8 @@ def _destinations_of(
 def _targets(
     go: re.Match[str], place: int, places: Mapping[str, Sequence[int]], stop: int
 ) -> set[int]:
-    """Return the lines at which a jump may continue: all labels if the target is computed, the
-    program end if the target does not exist.
+    """Return the steps at which a jump (``go``) can continue: all labels if the target is computed,
+    the program end (``stop``) if the target does not exist.
 
     A stop if the control gives an alarm, because there is no such label in that direction.
     """

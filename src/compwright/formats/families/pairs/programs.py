@@ -171,8 +171,8 @@ def check_programs(
 
 
 def _unlisted(gathered: Gathered, programs: Sequence[Found]) -> Iterator[Fault]:
-    """Yield a fault for each axis name in programs that no list of names contains, because such a
-    name may be a variable.
+    """Yield a fault for each axis name in programs that no list of names contains, because it is
+    possibly a variable.
     """
     names, seen = gathered.names, set[str]()
     for found in programs:

@@ -50,8 +50,8 @@ _DIRECTIONS = {"0": tuple(Direction), "1": (Direction.POSITIVE,), "-1": (Directi
 
 @dataclass(frozen=True, slots=True)
 class Writable:
-    """Which cross-axis tables may be written: table indices by the address of the axis that they
-    correct.
+    """The cross-axis tables that compwright is allowed to write: table indices by the address of
+    the axis that they correct.
 
     ``sign_known``: the meaning of a value is known. ``drafted``: those that may be written on any
     other axis; None if the files are only shown.

@@ -289,7 +289,9 @@ class SmallFiles:
         return named.get("cross_input", ""), named.get("cross_output", "")
 
     def _moves(self, keys: Sequence[Key]) -> bool:
-        """Return whether a table has a value other than zero, so that it moves an axis."""
+        """Return whether a table has a value other than zero, so that it moves an axis. ``keys``:
+        the table's variables.
+        """
         values = [key for key in keys if self._is(key, ("cross_value",))]
         return any(not same_value(value_of(self.new.entries[key]), "0") for key in values)
 
@@ -301,6 +303,7 @@ class SmallFiles:
 
     def _is_hand(self, key: Key, *, pair: bool) -> bool:
         """Return whether a parameter has to be set by hand at the control, not by the file.
+        ``pair``: the axis gets a cross-axis table.
 
         It changes memory, or switches all tables on an axis for which a table is written.
         """

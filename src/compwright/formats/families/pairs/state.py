@@ -155,8 +155,8 @@ class PairsReader(GridReader):
         )
 
     def _others_protected(self, address: str, system: int | None) -> str:
-        """Return as text which other tables may be active while the file with an axis' own table is
-        loaded, by their activation parameters: tables in the same file that no file deactivates.
+        """Return as text the activation parameters of other tables in the same file as an axis' own
+        table that no file deactivates: these are possibly active while the file is loaded.
 
         The control protects active tables during loading.
         """

@@ -125,7 +125,8 @@ class Switches:
         )
 
     def _may_activate(self, index: int, output: str) -> bool:
-        """Return whether MD32710 of the axis ``output`` may activate the table ``index``.
+        """Return whether setting MD32710 of the axis ``output`` possibly activates the table
+        ``index``, although this is not one of the new tables.
 
         Also one that is active by the files while its values are in no file.
         """

@@ -107,7 +107,8 @@ class Cec:
 
     def facts(self, address: str, *, sign_known: bool) -> PairFacts:
         """Return facts on the cross-axis tables that correct an axis, such as the limit of the sum
-        of these tables.
+        of these tables. ``sign_known``: an option states whether table values are corrections or
+        errors.
         """
         mine = (table for table in self.active((address, address)) if not table.stays)
         own = {table.directions: table.index for table in mine}
@@ -140,7 +141,7 @@ class Cec:
 
     def _uncounted_tables(self, address: str, *, sign_known: bool) -> str:
         """Return as text the active tables by which other axes correct this axis and which cannot
-        be read as corrections.
+        be read as corrections; if not ``sign_known``, that is every such table.
 
         The text changes with their values.
         """

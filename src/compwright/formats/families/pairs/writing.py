@@ -86,10 +86,8 @@ class CecWriter:
         label: str,
         faults: list[Fault],
     ) -> list[PairEntry]:
-        """Write curves as tables (one per direction, or one for both); return the tables for which
-        no file of the control has lines.
-
-        ``pair``: input axis and output axis.
+        """Write ``curves`` as the tables ``indices``, one per direction or one for both. ``pair``:
+        input axis and output axis. Return the tables for which no file of the control has lines.
 
         Raises UsageError if the meaning of a value is not given: one of the two answers doubles the
         error.

@@ -96,7 +96,7 @@ def _without_macros(files: Sequence[ControlFile]) -> list[ControlFile]:
 
 
 def _definitions(files: Sequence[ControlFile]) -> dict[int, list[tuple[str, CouplingStatement]]]:
-    """Return by motor each axis definition that may be in effect, with its coordinate system."""
+    """Return by motor each axis definition that can be in effect, with its coordinate system."""
     system, last = "1", dict[int, list[tuple[str, CouplingStatement]]]()
     for found in statements_in(files, _ASSIGNED, _REMARK):
         if found.match["system"]:
@@ -184,7 +184,7 @@ def _sources(
     motor: int,
     register: int | None,
 ) -> list[int]:
-    """Return the motors whose position a register may contain.
+    """Return the motors whose position a ``register`` possibly contains.
 
     By their feedback (Ixx03, Ixx04), or because it is one of their own (motor n has $80 of them
     from n times $80 on).

@@ -112,8 +112,8 @@ class Conditions:
             self.guarded[name] = self.open[0]
 
     def undecided(self, text: str) -> str:
-        """Return the first macro in ``text`` that a conditional block may have changed; empty if
-        there is none.
+        """Return the first macro in ``text`` that a conditional block has possibly changed; empty
+        if there is none.
         """
         return next((name for name in self._names_in(text) if name in self.chosen), "")
 
