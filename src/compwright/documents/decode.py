@@ -34,7 +34,8 @@ def decode_document(
     unknown: Container[str] = (),
 ) -> dict[str, Any]:
     """Return the JSON document with the corrections of each axis, by its address and at its
-    positions in their given order. ``unknown``: the addresses of axes that may be linear or rotary.
+    positions in their given order. ``unknown``: the addresses of axes of unknown kind (linear or
+    rotary).
 
     ``cross``: what one axis' position adds to another. Corrections of axes of unknown kind are
     thousandths of the unit of their positions, and ``unit`` is null.

@@ -183,7 +183,9 @@ def _targets(result: PositioningResult, factor: float) -> list[dict[str, Any]]:
 
 
 def _expansion(test: PositioningTest, i: int, factor: float) -> dict[str, Any]:
-    """Return the thermal expansion subtracted at target ``i``: one value, or one per reading."""
+    """Return the JSON entry of the thermal expansion subtracted at target ``i`` (one value, or one
+    per reading), multiplied by ``factor``; empty if none was subtracted.
+    """
     if test.removed is not None:
         return {
             f"removed_{name}": [_outside(value, factor) for value in block[i]]

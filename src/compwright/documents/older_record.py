@@ -19,7 +19,7 @@ def older_record(
     verification: Mapping[str, Any] | None,
     errors: Errors,
 ) -> dict[str, Any]:
-    """Return a record made from older documents, each of which may be None if it is missing.
+    """Return a record made from older documents. None: the result folder has no such document.
 
     Files cannot be checked. Raises KeyError, TypeError, ValueError or AttributeError for documents
     that violate their schema.

@@ -110,6 +110,7 @@ def _tests(section: Mapping[str, Any], path: KeyPath, states: Sequence[str]) -> 
 
 def _thermal(section: Mapping[str, Any], path: KeyPath, of_job: Any) -> Iterator[KeyFault]:
     """Yield faults in the temperatures and expansion coefficients of an axis and its tests.
+    ``of_job``: the job's key ``thermal``, whose values they override.
 
     Angles do not expand.
     """

@@ -1,4 +1,5 @@
-"""Check job keys on several axes: circles, cross measurements, corrections between axes."""
+"""Check the job keys on several axes: circular tests, cross measurements, corrections between axes.
+"""
 
 from __future__ import annotations
 

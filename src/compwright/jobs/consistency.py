@@ -136,7 +136,9 @@ def _addresses(axes: Any) -> Iterator[KeyFault]:
 
 
 def _untested(data: Mapping[str, Any]) -> Iterator[KeyFault]:
-    """Yield a fault for an axis without any test, if there are no circles or cross measurements."""
+    """Yield a fault for an axis without any test, if there are no circular tests or cross
+    measurements.
+    """
     if list_of(data.get("circles")) or list_of(data.get("cross")):
         return
     for name, axis in mapping_of(data.get("axes")).items():

@@ -139,7 +139,7 @@ class CircleCause:
 
 
 def machine_title(machine: Mapping[str, Any]) -> Sentence:
-    """Return the heading for the common result of several circles of one machine."""
+    """Return the heading for the common result of several circular tests of one machine."""
     named = " ".join(str(machine[key]) for key in ("machine", "serial") if machine[key])
     return say("report.machine", name=named, circles=[str(name) for name in machine["circles"]])
 

@@ -59,7 +59,7 @@ def circle_page(result: Document, index: int, job: Sequence[str] | None = None) 
 
 
 def machine_block(machine: Document, results: Sequence[Document]) -> dict[str, Any]:
-    """Return the report section with the common result of several circles of one machine."""
+    """Return the report section with the common result of several circular tests of one machine."""
     rows = []
     for kind, found in machine["causes"].items():
         for of, each in found.items():

@@ -79,7 +79,9 @@ def next_step(cause: str, axes: Sequence[str]) -> Sentence | None:
 
 
 def machine_job(machine: Mapping[str, Any], results: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return lines of a job that correct the causes on which the circles of one machine agree."""
+    """Return lines of a job that correct the causes on which the circular tests of one machine
+    agree.
+    """
     contradicted = {
         (one["cause"], circle["of"])
         for one in machine["contradictions"]

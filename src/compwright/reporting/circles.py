@@ -37,11 +37,11 @@ def circle_blocks(
     *,
     stated: Mapping[str, Mapping[str, str | Sentence]] | None = None,
 ) -> list[dict[str, Any]]:
-    """Return a report section for each predicted or verified circle. ``before``, ``after``: the
-    evaluations of the circular tests before and after loading.
+    """Return a report section for each predicted or verified circular test. ``before``, ``after``:
+    the evaluations before and after loading; ``stated``: what the job states about each test, by
+    its name.
 
-    ``before`` and ``after``: the evaluation documents with their results; picture and conditions
-    are those of the last test. ``stated``: what the job says of its circles, by name.
+    Picture and conditions are those of the last test.
     """
     results = {"before": _by_name(before), "after": _by_name(after)}
     blocks = []
@@ -82,7 +82,7 @@ class CircleFigure:
 
 
 def limit_rows(circles: Mapping[str, Document]) -> list[dict[str, Any]]:
-    """Return a table row for each limit of each predicted or verified circle."""
+    """Return a table row for each limit of each predicted or verified circular test."""
     return [
         _limit_row(index, name, circle, key)
         for index, (name, circle) in enumerate(circles.items(), 1)
@@ -120,8 +120,8 @@ def _with_unit(text: str, unit: str) -> str | Sentence:
 
 
 def rules(circle: Document) -> list[Sentence]:
-    """Return the sentence on the decision rule for a circle's limits; an empty list if it has no
-    limits.
+    """Return the sentence on the decision rule for the limits of a circular test; an empty list if
+    it has no limits.
     """
     return sections.rule_lines(circle.get("accept") or {}, "µm", after="after" in circle)
 

@@ -37,7 +37,7 @@ def circular_tables(results: Sequence[Mapping[str, Any]]) -> list[RenderableType
 
 
 def machine_table(machine: Mapping[str, Any]) -> RenderableType:
-    """Return the terminal output of the common result of several circles of one machine."""
+    """Return the terminal output of the common result of several circular tests of one machine."""
     unnamed = machine["machine"] is None and machine["serial"] is None
     return Group(
         Text(str(machine_title(machine)), style="bold"),

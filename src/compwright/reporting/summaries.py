@@ -175,8 +175,8 @@ _OF_CIRCLES = {
 
 
 def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
-    """Return a table for each circle: its values before loading, the predicted values, and the
-    values after loading if they were measured.
+    """Return a table for each circular test: its values before loading, the predicted values, and
+    the values after loading if they were measured.
     """
     shown: list[RenderableType] = []
     for name, circle in circles.items():

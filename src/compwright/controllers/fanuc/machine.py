@@ -130,7 +130,9 @@ class Machine:
                 self.take(("A", each.axis), entry)
 
     def contradicting(self, axis: int) -> Iterator[Fault]:
-        """Return a fault for each parameter with different values that may apply to an axis."""
+        """Return the fault of each parameter to which the files give different values, if it
+        belongs to the axis, to a path or to the machine.
+        """
         return (
             fault
             for (letter, number), fault in self.contradictions

@@ -52,8 +52,8 @@ class IncrementGrid:
         return [start + i for start in self.starts() for i in range(self.highest - self.lowest + 1)]
 
     def same_use(self, other: IncrementGrid) -> bool:
-        """Return whether two axes use the same point numbers in the same way, as a gantry pair may
-        do.
+        """Return whether two axes use the same point numbers in the same way, which is allowed for
+        a gantry pair.
         """
         return replace(self, axis=0) == replace(other, axis=0)
 

@@ -49,10 +49,8 @@ class CrossTable:
 def read_cross(
     axis: AxisLists, request: Request, assumed: list[Assumption], notes: list[str]
 ) -> CrossTable | None:
-    """Return the table by which the position of another axis corrects this axis.
-
-    None without one, with faults (kept in the axis), or if it is not active or its sign is unknown
-    (kept in ``notes``).
+    """Return the table by which the position of another axis corrects this axis; None without a
+    table or, with a fault or a note, if it is invalid, not active, or of unknown sign.
     """
     read = _entries(axis, request)
     if read is None:

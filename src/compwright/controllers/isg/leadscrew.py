@@ -284,11 +284,11 @@ def switched(
 def read_backlash(
     axis: AxisLists, table: LeadscrewTable | None, assumed: list[Assumption]
 ) -> float:
-    """Return the backlash compensation of an axis, mm or deg, not negative.
+    """Return the backlash compensation of an axis, 0 or more, mm or deg. ``table``: the axis'
+    leadscrew table, which must not have a column for each direction if backlash is active.
 
-    The vendor does not state its direction: assumed 0 in the direction of referencing. A
-    negative value (play before the measuring system) is refused where it is active. So is any value
-    in addition to a table with two columns, which replaces it.
+    The vendor does not state its direction: assumed 0 in the direction of referencing. A negative
+    value (play before the measuring system) is refused where it is active.
     """
     own = "getriebe[0].lose"
     value = axis.whole(own, -(2**15))

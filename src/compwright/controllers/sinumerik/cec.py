@@ -1,4 +1,5 @@
-"""The cross-axis tables (CEC) in all files: which of them are in use, and why others are not.
+"""The cross-axis tables (CEC) in all files: which tables are in use, and why the remaining tables
+are not.
 
 A builder's tables need not be curves (real archive: MIN -850, MAX 0, STEP 100; output ``(X)``, STEP
 0): such a table is ignored if all its values are zero; otherwise the correction of its pair of axes

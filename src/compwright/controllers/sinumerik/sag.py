@@ -97,7 +97,8 @@ class Sag:
         return union([table.table.positions() for table in self._of(pair)])
 
     def own_shift(self, axis: str, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the correction of an axis by tables of its own position, at ``positions``.
+        """Return the correction (mm or deg) of an axis by tables of its own position, at
+        ``positions``.
 
         If the sign is unknown, tables that stay unchanged are not counted. Raises UsageError where
         the correction is unknown.
@@ -130,8 +131,8 @@ class Sag:
         )
 
     def shift(self, pair: Pair, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the correction of the output axis with the input axis at ``positions`` (any
-        shape), moving in ``direction``. Raises UsageError for an unknown sign.
+        """Return the correction (mm or deg) of the output axis with the input axis at ``positions``
+        (any shape), moving in ``direction``. Raises UsageError for an unknown sign.
         """
         if self.sign == 0 and pair[0] != pair[1]:
             raise UsageError(
