@@ -1,5 +1,4 @@
-"""Check the job keys on several axes: circular tests, cross measurements, corrections between axes.
-"""
+"""Check job keys on several axes: circular tests, cross measurements, corrections between axes."""
 
 from __future__ import annotations
 
