@@ -150,11 +150,11 @@ def inverse_cosine_transform(transformed: FloatArray) -> FloatArray:
 
 
 def estimate_spectrum(residual: FloatArray, leverage: FloatArray) -> ResidualSpectrum:
-    """Return the noise spectrum from the transformed residuals (size,), mm.
+    """Return the noise spectrum from the transformed residuals (size,), mm. ``leverage`` (size,):
+    part of each degree of freedom that the fit uses.
 
     The average of spectra with all tried lengths and ratios, weighted by their likelihood (Whittle
-    1953). ``leverage`` (size,): part of each degree of freedom that the fit uses; the rest counts
-    for the spectrum.
+    1953).
     """
     size = residual.size
     power, freedom = residual**2, np.clip(1.0 - leverage, 1e-9, 1.0)

@@ -58,5 +58,7 @@ def absent_causes(test: CircularTest, given: Container[str]) -> dict[str, Senten
 
 
 def by_full_circle(*reasons: Sentence) -> Sentence:
-    """Return ``reasons`` as a sentence that advises to measure a full circle."""
+    """Return a sentence that states why causes cannot be separated (``reasons``) and advises to
+    measure a full circle.
+    """
     return say("undetermined.full_circle", reasons=reasons)

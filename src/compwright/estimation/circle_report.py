@@ -259,7 +259,7 @@ def _scale_mismatch(solution: Solution) -> _ReportedCause:
 
 
 def _scale_errors(solution: Solution, mismatch: _ReportedCause) -> Iterator[_ReportedCause]:
-    """Yield the scale errors of both axes, um/m.
+    """Yield the scale errors of both axes, um/m, from the radius and the scale ``mismatch``.
 
     They are the mean radius deviation over R, plus and minus a quarter of the mismatch over R.
     """

@@ -234,7 +234,8 @@ class Evidence:
         )
 
     def log_posterior(self, h: FloatArray, draw: int | None = None) -> float:
-        """Return the log posterior density of the model's parameters, up to a constant.
+        """Return the log posterior density of the parameters ``h``, up to a constant, under one
+        ``draw`` of the noise (None: the typical draw).
 
         Log marginal likelihood plus log prior (Rasmussen and Williams 2006, eq. 5.8). The constant
         depends on neither them nor the noise.

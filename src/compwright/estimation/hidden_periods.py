@@ -264,8 +264,8 @@ class _ExpectedPeriods:
     def _there(
         self, frequencies: FloatArray, targets: FloatArray
     ) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
-        """Return which ``frequencies`` (f,) the ``targets`` (m,) can separate from the periods in
-        the estimate.
+        """Return a mask (f,) of the ``frequencies`` (f,): True for a frequency that the ``targets``
+        (m,) can separate from the periods in the estimate.
         """
         near = PEAK / float(np.ptp(targets))
         free = np.ones(frequencies.size, dtype=np.bool_)

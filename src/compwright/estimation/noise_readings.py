@@ -112,12 +112,11 @@ def traverse_effects(readings: CellReadings, effects: FloatArray) -> FloatArray:
 def reduce_readings(
     readings: CellReadings, values: FloatArray, weights: FloatArray
 ) -> ReducedReadings:
-    """Return the Fisher information of readings about the offset and tilt of each traverse.
+    """Return the Fisher information of the readings ``values`` (c, n) with ``weights`` (c, n) about
+    the offset and tilt of each traverse.
 
-    ``values`` (c, n): n readings at each of c targets and directions; ``weights`` (c, n): 0 without
-    a reading. The mean of each target is estimated too, and eliminated (Harville 1974;
-    normal equations by blocks: Björck, Numerical Methods for Least Squares Problems, 1996, section
-    6.3).
+    The mean of each target is estimated too, and eliminated (Harville 1974; normal equations by
+    blocks: Björck, Numerical Methods for Least Squares Problems, 1996, section 6.3).
     """
     n, m = readings.runs, readings.u.size // 2
     total = weights.sum(axis=1)

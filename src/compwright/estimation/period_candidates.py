@@ -227,7 +227,9 @@ class _ShownLikelihood:
         return silent
 
     def either(self, frequencies: FloatArray, choice: NodeChoice) -> FloatArray:
-        """Return the log odds (f,) of a wave with one or two harmonics, both cases together."""
+        """Return the log odds (f,) of a wave with one or two harmonics, both cases together,
+        averaged over the grid points in ``choice``.
+        """
         odds: FloatArray = np.logaddexp(*self.odds(frequencies, choice)) - np.log(2.0)
         return odds
 

@@ -53,8 +53,8 @@ class SpectralWindow:
         return np.asarray(np.maximum(self.at(frequencies - other), self.at(frequencies + other)))
 
     def slow(self, frequencies: FloatArray, lowest: float) -> NDArray[np.bool_]:
-        """Return which ``frequencies`` appear at the targets as a wave with a frequency far below
-        ``lowest``.
+        """Return a mask of the ``frequencies``: True for a frequency that appears at the targets as
+        a wave with a frequency far below ``lowest``.
         """
         right = np.searchsorted(self.peaks, frequencies).clip(0, self.peaks.size - 1)
         left = (right - 1).clip(0)

@@ -20,11 +20,11 @@ def score_of_t(t: float, dof: float) -> float:
 
 def score_of_ratio(ratio: float, dof: float, dof_below: float) -> float:
     """Return the standard normal value that is as improbable as the ``ratio`` of two variances (F
-    test).
+    test). Degrees of freedom: ``dof`` of the numerator, ``dof_below`` of the denominator.
 
-    ``dof`` of the numerator, ``dof_below`` of the denominator: degrees of freedom. Negative where
-    the numerator is smaller. The cube root of F is nearly normal (Paulson, Ann. Math. Statist. 13
-    (1942) 233); the larger variance is the numerator there, where this is most accurate.
+    Negative where the numerator is smaller. The cube root of F is nearly normal (Paulson, Ann.
+    Math. Statist. 13 (1942) 233); the larger variance is the numerator there, where this is most
+    accurate.
     """
     if ratio < 1.0:
         return -score_of_ratio(1.0 / ratio if ratio > 0.0 else math.inf, dof_below, dof)

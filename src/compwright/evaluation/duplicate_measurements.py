@@ -252,7 +252,9 @@ def _one_of_each(tests: Sequence[PositioningTest]) -> list[list[int]]:
 
 
 def _top(above: list[int], index: int) -> int:
-    """Return the lowest index in the group of ``index`` (union-find with path compression)."""
+    """Return the lowest index in the group of ``index`` (union-find with path compression).
+    ``above``: for each index, a lower index of the same group or the same index.
+    """
     while above[index] != index:
         above[index] = above[above[index]]
         index = above[index]

@@ -439,7 +439,9 @@ def _moved(
 
 
 def _jump(tests: _Tests, mixture: _Mixture, chosen: Sequence[int], place: int) -> TrendJump:
-    """Return the size of a chosen jump, averaged over the models that contain it."""
+    """Return the chosen jump after the test with index ``place``, with its size averaged over the
+    models that contain the jump.
+    """
     certain = frozenset(each for each in chosen if each not in mixture.lacking)
     at = 2 + list(chosen).index(place)
     logs, means, variances = [], [], []

@@ -84,7 +84,9 @@ class CurveChain:
         return float(0.5 * self.diagonal @ e**2 + self.off @ (e[1:] * e[:-1]))
 
     def value(self, v: FloatArray, constant: float) -> float:
-        """Return the objective for table values ``v`` (m,) and ``constant``; mm or deg, squared."""
+        """Return the objective, mm² or deg², for table values ``v`` (m,) and the reversal value
+        ``constant``.
+        """
         e, c = v - self.optimum, constant - self.constant
         return (
             self.least

@@ -19,7 +19,8 @@ from compwright.records.estimate import WantedCorrection
 def with_datum(
     wanted: WantedCorrection, layout: UnknownsLayout, capacity: Capacity
 ) -> tuple[WantedCorrection, tuple[Finding, ...]]:
-    """Return ``wanted`` (totals, mm or deg), shifted so that its best table is 0 at the reference.
+    """Return ``wanted`` (totals, mm or deg), shifted so that the best table for it is 0 at the
+    reference.
 
     Also returns the findings about the reference. The best table of ``layout`` is zero in the zero
     state.

@@ -49,9 +49,8 @@ def _climbs(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> 
 
 
 def magnification_needed(nodes: FloatArray, wanted: WantedCorrection, lattice: Lattice) -> float:
-    """Return the smallest magnification at which increments follow each change between points.
-
-    A real number, not rounded up to a whole one.
+    """Return the smallest magnification (a real number) at which the increments are large enough
+    for each change of the wanted correction between neighbouring table points.
     """
     least, largest = (limit * lattice.unit for limit in lattice.increments)
     steps = np.concatenate(

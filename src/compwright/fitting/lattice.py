@@ -185,7 +185,9 @@ class _LatticeSearch:
         return part.limits(self.unit, magnification, self.increments)
 
     def relaxed(self, index: int, magnification: int) -> _Relaxed:
-        """Return the best lower bound of a curve from all multipliers found so far."""
+        """Return the best lower bound of the curve with this ``index``, from all multipliers found
+        so far.
+        """
         part, pushes = self.parts[index], self.pushes[index]
         best = self.best.get((index, magnification))
         if best is None or best.pushes < len(pushes):
@@ -245,8 +247,8 @@ class _LatticeSearch:
         return total
 
     def _whole(self, index: int, magnification: int, room: float) -> float:
-        """Return a lower bound of the objective of one curve over whole-number values; infinite if
-        it is above ``room``, the largest objective of interest.
+        """Return a lower bound of the objective of the curve with this ``index`` over whole-number
+        values; infinite if it is above ``room``, the largest objective of interest.
 
         A result for a larger ``room`` is used again for a smaller one.
         """
@@ -273,8 +275,8 @@ class _LatticeSearch:
         return part.shifts(self.unit, magnification)
 
     def first_solution(self, index: int, magnification: int) -> LatticeValues | None:
-        """Return valid values of one curve: the rounded real-number optimum, or else the best valid
-        values near this optimum.
+        """Return valid values of the curve with this ``index``: the rounded real-number optimum, or
+        else the best valid values near this optimum. None if there are none.
         """
         part, limits = self.parts[index], self.limits(self.parts[index], magnification)
         relaxation = self.relaxed(index, magnification).relaxation

@@ -186,11 +186,11 @@ def whole_bounds(
     shifts: FloatArray,
     counts: IntArray,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the distances (n,) of reversal values from the optimum, and lower bounds of the
-    objective.
+    """Return the distances (n,) of the reversal values ``counts`` (n,), whole numbers of steps,
+    from the optimum, and lower bounds (shifts * n,) of the objective over whole numbers for each
+    of the offsets ``shifts`` and reversal values.
 
-    ``counts`` (n,): the whole values. Bounds (shifts * n,): over whole numbers, all of the first
-    shift, then of the next.
+    Bounds: all of the first offset, then of the next.
     """
     step = part.constant[0] if part.constant else 0.0
     distance = counts.astype(np.float64) * step - part.chain.constant
@@ -332,8 +332,8 @@ def _within(
 def _search_windows(
     part: LatticePart, limits: ChainLimits, variants: Variants, low: FloatArray, high: FloatArray
 ) -> LatticeValues | None:
-    """Return the best solution with totals from ``low`` to ``high`` (n, m), which have one row per
-    combination.
+    """Return the best solution with totals from ``low`` to ``high`` (n, m). Each row belongs to one
+    of the ``variants``, combinations of reversal value and offset. None if there is no solution.
     """
     chain = part.chain
     low, high = reachable_windows(chain, limits, low, high)

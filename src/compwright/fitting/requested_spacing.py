@@ -62,7 +62,8 @@ def requested_grid(
 def _reaching_grid(
     span: Span, step: int, capacity: Capacity, wanted: WantedCorrection
 ) -> FloatArray:
-    """Return table points for a control that accepts only certain spacings.
+    """Return table points with the interval ``step`` (in resolution steps) over the range ``span``,
+    for a control that accepts only certain intervals.
 
     One node is at the reference or at an end given in the job; open ends are exceeded.
     """

@@ -124,7 +124,8 @@ def _osqp_multipliers(problem: QuadraticProblem) -> FloatArray:
 
 
 def _active_set(problem: QuadraticProblem, y: FloatArray) -> tuple[BoolArray, FloatArray]:
-    """Return which limits (c,) the solution reaches, and the value of each of them (c,).
+    """Return a mask (c,) of the limits that the solution reaches, and the value (c,) of each limit:
+    the upper one if the solution reaches it, else the lower one.
 
     Newton steps from the multipliers ``y`` (c,): reached limits become equations. A limit whose
     multiplier has the wrong sign is released, a violated limit is added (Hintermüller, Ito and

@@ -100,8 +100,8 @@ class SparseMatrix:
         return largest
 
     def gram(self, weights: FloatArray) -> SparseMatrix:
-        """Return M' diag(``weights``) M, (columns, columns), as in weighted least squares (Golub
-        and Van Loan, Matrix Computations, 4th ed. 2013, section 6.1).
+        """Return the product M' diag(``weights``) M (columns, columns) for this matrix M, as in
+        weighted least squares (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 6.1).
         """
         weighted = self.value * weights[self.row]
         rows, columns, values = [self.column], [self.column], [weighted * self.value]

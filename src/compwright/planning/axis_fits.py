@@ -100,7 +100,8 @@ def _fit(
     task: tuple[AxisWork, Capacity, Literal["simple", "guarded"]],
 ) -> _Fitted | CapacityError:
     """Return the wanted correction and the fitted tables of an axis, or the CapacityError that
-    states why the control cannot hold a table.
+    states why the control cannot hold a table. ``task``: axis, limits of the control and decision
+    rule.
 
     One table is used where the second could hold the drift of the test and the job leaves the
     choice.
@@ -190,8 +191,8 @@ def _pays(
 
 
 def _not_held(error: CapacityError, name: str, work: AxisWork, file: str) -> CapacityError:
-    """Return the error that the control cannot hold the table of an axis. Doubts about the readings
-    are its first faults.
+    """Return the error that the control cannot hold the table of an axis. If there are doubts about
+    the readings, the error lists them first.
 
     Readings with a wrong unit or sign are the usual cause.
     """

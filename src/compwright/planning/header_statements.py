@@ -65,8 +65,8 @@ def with_statements(
 
 
 def after_test_doubts(result: _Result, axes: Sequence[str]) -> _Result:
-    """Return the result of a test after loading, with a doubt where its header states that
-    compensation was off.
+    """Return the ``result`` of a test after loading, with a doubt if the header of the measurement
+    file states that compensation was off.
 
     ``axes``: those of which the plan loads a table; none: nothing to compare.
     """

@@ -83,8 +83,8 @@ def fit_keeping_grid(
     request: TableRequest,
     axis: Axis,
 ) -> FittedTable:
-    """Return the result of ``fit`` on the existing table points. If no table on these points is
-    possible, use new points and add a warning.
+    """Return the table that ``fit`` gives on the existing table points. If no table on these points
+    is possible, use new points and add a warning.
 
     Raises CapacityError as ``fit`` does, for the new grid where there is one.
     """
@@ -133,7 +133,8 @@ def free_grid_table(
 
 
 def negligible_loss(kept: TestPrediction, best: TestPrediction) -> bool:
-    """Return whether tests with a table are almost as good as with the ``best`` table.
+    """Return whether predicted tests with one table (``kept``) are almost as good as those with the
+    best table (``best``).
 
     Compared at the same targets and at new ones, by the parameter `judged_parameter`.
     """
