@@ -60,8 +60,8 @@ class NewFile:
         self, placed: Collection[str], switches: Sequence[str], faults: list[Fault]
     ) -> ControlFile | None:
         """Return the new file; None if it would be empty. ``placed``: quantities in the control's
-        own files, which the new file leaves out. ``switches``: lines that activate tables, added at
-        the end of a file without table rows.
+        own files, which the new file leaves out. ``switches``: lines that activate tables, added
+        before the last line of a file without table rows.
         """
         rows = self._rows(placed)
         left = rows is not None
