@@ -72,7 +72,7 @@ class Jump:
 
     def drawn(self, positions: FloatArray, count: int, rng: np.random.Generator) -> FloatArray:
         """Return random draws (count, k) of the jump minus its mean `ramp`, at ``positions`` (k,)
-        or (count, k). Draws in which it does not exist are zero.
+        or (count, k). Draws in which the jump does not exist are zero.
         """
         places, there = rng.random((count, 1)), rng.random((count, 1)) < self.probability
         step = (self._share(positions) > places) - self._level(positions)

@@ -276,7 +276,8 @@ class PeriodLikelihood:
     def moments(
         self, frequencies: FloatArray, choice: NodeChoice, *, harmonics: int = 2
     ) -> tuple[dict[tuple[int, int], FloatArray], list[FloatArray]]:
-        """Return W' P W and W' P y at each grid point: wave columns W, means y, precision P.
+        """Return W' P W and W' P y at each grid point, for the wave columns W, the means y at the
+        targets and the precision matrix P of these means.
 
         For each pair of columns and each column: cosine and sine of the first harmonic, half of
         those of the second.

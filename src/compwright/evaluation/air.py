@@ -99,7 +99,9 @@ def saturation_pressure(air_c: FloatArray) -> FloatArray:
 
 
 def _vapour_fraction(t: FloatArray, p: FloatArray, humidity_percent: FloatArray) -> FloatArray:
-    """Return the mole fraction of water vapour in humid air (enhancement factor: Ciddor, 1996)."""
+    """Return the mole fraction of water vapour in air of temperature ``t`` (°C) and pressure ``p``
+    (Pa) (enhancement factor: Ciddor, 1996).
+    """
     enhancement = 1.00062 + 3.14e-8 * p + 5.6e-7 * t**2
     fraction: FloatArray = humidity_percent / 100.0 * enhancement * saturation_pressure(t) / p
     return fraction

@@ -201,7 +201,7 @@ def _compared_tests(
     entries: Sequence[HistoryEntry], parameter: str, jumps: Sequence[NotedJump]
 ) -> _ComparedTests | None:
     """Return the tests of one parameter that can be compared with its last test, or None if there
-    are fewer than two. ``jumps``: the jumps of those parameters that were estimated earlier.
+    are fewer than two. ``jumps``: jumps already found in the trends of other parameters.
     """
     having = [
         place for place, entry in enumerate(entries) if entry.day and parameter in entry.values

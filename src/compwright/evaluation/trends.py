@@ -219,8 +219,8 @@ def _solved(tests: _Tests, design: FloatArray, widths: FloatArray) -> _Solution:
 
 
 def _further(solution: _Solution, size: float) -> tuple[FloatArray, FloatArray]:
-    """Return how much a further jump at each place increases the log evidence, and the precision of
-    its size.
+    """Return how much a further jump at each place increases the log evidence, and the precision (1
+    / variance) of the size of this jump. ``size``: prior standard deviation of a jump.
     """
     precision = np.maximum(solution.precision, 0.0) + size**-2.0
     gain = 0.5 * (solution.residual**2 / precision - np.log(precision)) - math.log(size)

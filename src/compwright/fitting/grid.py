@@ -88,8 +88,8 @@ def possible_grids(
 
 
 def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatArray:
-    """Return table points that must not change. Raises CapacityError if the job states different
-    points.
+    """Return ``nodes``, the table points of a control whose points must not change. Raises
+    CapacityError if the job states different points.
     """
     step = float(np.max(np.diff(nodes)))
     requested = (

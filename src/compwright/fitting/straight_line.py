@@ -123,7 +123,8 @@ class _FittedLine:
     def relaxed(
         self, slopes: tuple[float, float], reversals: tuple[float, float]
     ) -> tuple[float, float]:
-        """Return the best slope and reversal value within their ranges, not yet rounded.
+        """Return the best slope within the range ``slopes`` and the best reversal value within the
+        range ``reversals``, not yet rounded.
 
         The datum is free, so that each is found without the other.
         """

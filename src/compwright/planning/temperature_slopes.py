@@ -38,8 +38,8 @@ def with_temperature_slopes(job: Job, tests: Sequence[PlannedTest]) -> tuple[Pla
 
 
 def relative_to_first(tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ...]:
-    """Return the tests with the standard deviation of their slope relative to the first test, from
-    which the table takes its slope.
+    """Return the tests, each with the standard deviation of the difference between its slope and
+    the slope of the first test, from which the table takes its slope.
 
     It is zero for the first and the combination of both for the others.
     """
