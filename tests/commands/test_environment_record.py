@@ -182,6 +182,10 @@ def test_refused_where_the_instrument_did_it(
         ("", "is empty"),
         ("# hall\n", "contains no rows"),
         (RECORD.partition("\n")[0] + "\n", "contains no rows"),
+        (RECORD.replace("material_c", "materal_c"), "rename it to `material_c`"),
+        (RECORD.replace("material_c", "Material temp"), "rename it to `material_c`"),
+        (RECORD.replace("air_c,pressure_hpa", "air_temp,preasure"), "rename it to `pressure_hpa`"),
+        (RECORD.replace("time", "Timestamp"), "rename it to `time`"),
     ],
 )
 def test_records_that_cannot_be_used(
@@ -191,6 +195,15 @@ def test_records_that_cannot_be_used(
     shown = capsys.readouterr().err
     assert expected in shown
     assert "Next:" in shown
+
+
+def test_other_columns_of_a_logger_are_left_alone(tmp_path: Path) -> None:
+    head, *rows = RECORD.splitlines()
+    lines = [
+        f"{head},dew_point_c,co2_ppm,oil_c,hall_c,material_2",
+        *(f"{row},9,4,3,1,2" for row in rows),
+    ]
+    assert refused(tmp_path, readings(), "\n".join(lines)) == 2  # no state is given
 
 
 def test_a_record_in_the_place_of_a_test(

@@ -279,6 +279,15 @@ def test_compensated_for_and_extra_columns() -> None:
     assert "CW-R004" not in codes(read("# compensated_for: none\n" + COMPLETE))
 
 
+@pytest.mark.parametrize("name", ["tiem", "Time [s]", "timestamp"])
+def test_a_misspelt_column_of_times(name: str) -> None:
+    test = read(f"target_mm,direction,run,deviation_um,{name},note\n0.5,+,1,1,12:00,a\n")
+    left = " ".join(name.lower().split())
+    assert message(test, "CW-R005") == (
+        f"These columns were left out: {left}, note. If {left} is the column time, rename it."
+    )
+
+
 def test_deviation_beyond_a_millimetre() -> None:
     test = read(COMPLETE.replace("deviation_um", "deviation_mm"))
     # 10 * 2 + 2 + 0.5 = 22.5 is the largest of the twelve, and -4.5 to 22.5 are all beyond 1 mm.

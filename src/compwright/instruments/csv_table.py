@@ -13,6 +13,7 @@ from itertools import chain
 import numpy as np
 
 from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.key_faults import nearest
 from compwright.instruments.comments import comment_text
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.numbers import parse_number
@@ -163,6 +164,22 @@ def like_traverse(column: str) -> bool:
         any(character.isdigit() for character in column)
         and _LIKE_TRAVERSE.search(column) is not None
     )
+
+
+def misspelt(columns: Sequence[str], known: Iterable[str]) -> dict[str, str]:
+    """Return the columns that look like a ``known`` name that is not there, with that name.
+
+    A word of the column is similar to the first word of the name or begins with it, as in
+    ``materal_c``, ``air temp`` or ``timestamp``.
+    """
+    missing = {name.partition("_")[0]: name for name in known if name not in columns}
+    found: dict[str, str] = {}
+    for column in columns:
+        for word in re.findall(r"[^\W\d_]+", column):
+            near = next(filter(word.startswith, missing), None) or nearest(word, missing, 0.7)
+            if near is not None:
+                found.setdefault(column, missing[near])
+    return found
 
 
 def in_inches(names: Iterable[str]) -> str:

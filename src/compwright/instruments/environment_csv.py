@@ -3,7 +3,7 @@ temperatures.
 
 ``time`` and ``air_c``, ``pressure_hpa`` and ``humidity_percent`` (the air in the beam), or
 ``material_c`` (scale or workpiece), or both; one row per moment, in any order; other columns are
-left alone.
+left alone, but not a misspelt one of these.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import numpy as np
 
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.provenance import source_of
-from compwright.instruments.csv_table import CsvTable, read_table, split_lines
+from compwright.instruments.csv_table import CsvTable, misspelt, read_table, split_lines
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.numbers import DecimalMarks
 from compwright.instruments.text_input import read_lines
@@ -39,8 +39,8 @@ _PLAUSIBLE: Final = {
 def read_environment(content: bytes, file: str) -> EnvironmentRecord:
     """Return the environment record in a file. Raises InputError with every fault at once.
 
-    No column of times, no column of values, cells that are no numbers or cannot be in that unit, a
-    time given twice.
+    No column of times, no column of values, a misspelt column, cells that are no numbers or cannot
+    be in that unit, a time given twice.
     """
     faults = FaultList(file)
     _, lines = split_lines(read_lines(content, file))
@@ -55,6 +55,15 @@ def read_environment(content: bytes, file: str) -> EnvironmentRecord:
         )
     table = read_table(lines, faults)
     columns = [name for name in (*AIR, MATERIAL) if name in table.columns]
+    for column, name in misspelt(table.columns, (TIME, *AIR, MATERIAL)).items():
+        faults.add(
+            f"the column {column} is not known",
+            place=f"line {table.line}",
+            expected=f"{name}, the nearest known name",
+            found=shown(column),
+            hint=f"rename it to `{name}` if it holds these values, else remove it",
+        )
+    faults.raise_if_any()
     whole = not set(AIR) & set(columns) or set(AIR) <= set(columns)
     if TIME not in table.columns or not columns or not whole:
         faults.add(

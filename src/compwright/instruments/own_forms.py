@@ -39,6 +39,7 @@ from compwright.instruments.reading_findings import (
 from compwright.instruments.spans import Meaning, Spans, TextSpan, whole
 from compwright.instruments.target_data import is_target_data, read_target_data, split_target_data
 from compwright.instruments.target_data import spans_in as spans_in_target_data
+from compwright.instruments.times import TIME as READING_TIME
 from compwright.words.sentences import SentenceText, say
 
 #: All columns that a plain CSV form reads, but for those of traverses.
@@ -84,7 +85,7 @@ def read_plain_csv(text: Sequence[str], faults: FaultList) -> Parsed:
     )
     about = (
         doubtful_finding(read.doubtful),
-        left_out_finding(read.left_out),
+        left_out_finding(read.left_out, READING_TIME if "direction" in table.columns else ""),
         read.unread,
         stray_finding(hidden),
     )

@@ -8,6 +8,7 @@ import numpy as np
 
 from compwright.foundations.findings import Finding
 from compwright.instruments.assembling import as_text
+from compwright.instruments.csv_table import misspelt
 from compwright.instruments.fault_list import shown
 from compwright.instruments.readings import Readings
 from compwright.instruments.text_input import unfinished_number
@@ -26,9 +27,15 @@ def assumed_finding(assumed: Sequence[str]) -> Finding | None:
     return Finding.of("CW-R001", "info", assumed=assumed) if assumed else None
 
 
-def left_out_finding(columns: Sequence[str]) -> Finding | None:
-    """Return the finding about columns that are not part of the form, or None if there are none."""
-    return Finding.of("CW-R005", "warning", columns=columns) if columns else None
+def left_out_finding(columns: Sequence[str], optional: str = "") -> Finding | None:
+    """Return the finding about columns that are not part of the form, or None if there are none.
+
+    It suggests a column that may be the ``optional`` one under another name.
+    """
+    if not columns:
+        return None
+    near = list(misspelt(columns, {optional} - {""}))
+    return Finding.of("CW-R005", "warning", columns=columns, near=near, name=optional)
 
 
 def stray_finding(lines: Sequence[tuple[int, str]]) -> Finding | None:

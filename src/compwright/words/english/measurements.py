@@ -12,7 +12,10 @@ SENTENCES: Final[dict[str, str]] = {
         " target)."
     ),
     "CW-R004": "The instrument already compensated for: {compensated}.",
-    "CW-R005": "These columns were left out: {columns}.",
+    "CW-R005": (
+        "These columns were left out: {columns}."
+        "{near:if| If {near} is the column {name}, rename it.}"
+    ),
     "CW-R006.place": "{target} in run {run}",
     "CW-R006.readings": "{missing} of {readings} readings are missing: {places}.",
     "CW-R006.rows": (

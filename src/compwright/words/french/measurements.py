@@ -12,7 +12,10 @@ SENTENCES: Final[dict[str, str]] = {
         " moins visé)."
     ),
     "CW-R004": "L'instrument a déjà compensé : {compensated}.",
-    "CW-R005": "Ces colonnes ont été omises : {columns}.",
+    "CW-R005": (
+        "Ces colonnes ont été omises : {columns}."
+        "{near:if| Si {near} est la colonne {name}, renommez-la.}"
+    ),
     "CW-R006.place": "{target} au parcours {run}",
     "CW-R006.readings": "{missing} des {readings} mesures manquent : {places}.",
     "CW-R006.rows": (

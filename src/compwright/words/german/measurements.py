@@ -14,7 +14,10 @@ SENTENCES: Final[dict[str, str]] = {
         " minus Ziel)."
     ),
     "CW-R004": "Das Messgerät hat schon kompensiert: {compensated}.",
-    "CW-R005": "Diese Spalten wurden weggelassen: {columns}.",
+    "CW-R005": (
+        "Diese Spalten wurden weggelassen: {columns}."
+        "{near:if| Ist {near} die Spalte {name}, umbenennen.}"
+    ),
     "CW-R006.place": "{target} in Lauf {run}",
     "CW-R006.readings": "{missing} von {readings} Messwerten fehlen: {places}.",
     "CW-R006.rows": (
