@@ -6,11 +6,22 @@ Judged with both columns measured, on six controls that this judge has built fro
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
+import yaml
 
 import harm_columns
+from compwright.controls.control import open_control
+from compwright.controls.differences import ComparedSide, compared_side
+from compwright.controls.read_back import newly_coupled
+from compwright.foundations.session import Session
+from compwright.records.axis import AxisKind
+from compwright.records.correction import ControlFile, CrossCompensation
+from compwright.records.plan import PlannedCross
 from harm_bridges import (
     BACKLASH,
     BRIDGES,
@@ -200,6 +211,72 @@ def test_a_coupling_that_cannot_be_read_is_no_zero(
     answer = command("run", job)
     assert answer.declined, answer.first
     assert answer.names(parameter)
+
+
+def read_side(bridge: Bridge, files: Mapping[str, str]) -> ComparedSide:
+    options = yaml.safe_load(bridge.options)
+    contents = [ControlFile(name, text.encode()) for name, text in files.items()]
+    return compared_side(open_control(Session(), bridge.format, options), contents, "the files")
+
+
+@pytest.mark.parametrize(
+    ("name", "file", "line", "parameter"),
+    [
+        *(one for one in UNREADABLE if one[3] != "GANTRY_AXIS_TYPE"),  # the file is not read at all
+        ("sinumerik", "MD.INI", "$MA_CC_MASTER_AXIS[AX4]=1", "MD63000"),
+        ("isg", "achskw2.lis", "kenngr.multi_link[0].lead_axis 1", "multi_link"),
+        *(
+            (name, coupling, "", "->" if coupling == "definition" else coupling)
+            for name, make in BRIDGES.items()
+            for coupling in make().couplings
+            if name != "linuxcnc"  # no tables between axes
+        ),
+    ],
+)
+def test_a_coupling_that_appears_in_what_was_read_back_is_a_doubt(
+    name: str, file: str, line: str, parameter: str
+) -> None:
+    """A table on one of two coupled axes racks the machine, whatever file states the coupling."""
+    bridge = BRIDGES[name]()
+    plain = bridge.files(TABLE, TABLE, "")
+    if line:
+        rows = [row for row in plain[file].splitlines() if parameter not in row]
+        last = rows[-1:] if rows[-1] in ("M17", "%") else []
+        new = {**plain, file: "\n".join([*rows[: len(rows) - len(last)], line, *last]) + "\n"}
+    else:
+        new = bridge.files(TABLE, TABLE, file)
+    where = np.array([0.0, 100.0])
+    linear = AxisKind.LINEAR
+    added = CrossCompensation(
+        input=bridge.partner,
+        output="9",
+        input_kind=linear,
+        output_kind=linear,
+        positions=where,
+        positive=where,
+        negative=where,
+    )
+    cross = PlannedCross(input="X", output="Y", added=added, source="circle")
+    sides = [read_side(bridge, files) for files in (plain, new)]
+    assert not newly_coupled([cross], sides[0], sides[0])
+    assert not newly_coupled([replace(cross, written=False)], *sides)
+    ((pair, finding),) = newly_coupled([cross], *sides).items()
+    assert pair == (bridge.partner, "9")
+    assert parameter in str(finding.message)
+
+
+def test_a_coupling_of_the_lists_is_compared_by_its_value() -> None:
+    """Its line has no `=`: `kenngr.gantry_ax_nr 0` couples nothing."""
+    bridge = BRIDGES["isg"]()
+    texts = {
+        value: read_side(bridge, bridge.files(TABLE, TABLE, "") | {"o.lis": f"{line} {value}\n"})
+        for line, value in [("kopf.achs_nr 3\nkenngr.gantry_ax_nr", one) for one in "012"]
+    }
+    ((key, entry),) = [
+        (key, one) for key, one in texts["0"].entries.items() if "gantry" in one.name
+    ]
+    assert (entry.axis, entry.text, entry.relevant) == ("3", "0", True)
+    assert [side.entries[key].text for side in texts.values()] == ["0", "1", "2"]
 
 
 @pytest.mark.parametrize("value", ["-x", "1.5"])

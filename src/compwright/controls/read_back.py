@@ -81,6 +81,29 @@ def pairs_not_read_back(
     return missing
 
 
+def newly_coupled(
+    planned: Iterable[PlannedCross], expected: ComparedSide, found: ComparedSide
+) -> dict[tuple[str, str], Finding]:
+    """Return, for each written cross-axis table, a finding that names a parameter that couples one
+    of its axes with another axis in the ``found`` files, and not in those of the plan.
+
+    By addresses of the axis pair.
+    """
+    coupled = {}
+    for entry in planned:
+        for address, axis in zip(entry.addresses, (entry.input, entry.output), strict=True):
+            was, now = (
+                () if side.state is None else side.state.facts_of(address).couplings
+                for side in (expected, found)
+            )
+            new = [one for one in now if one not in was]
+            if entry.written and new:
+                coupled[entry.addresses] = Finding.of(
+                    "CW-S087.coupled", "warning", axis=axis, parameter=new[0]
+                )
+    return coupled
+
+
 def read_back_differences(
     control: Control,
     expected: ComparedSide,
@@ -118,6 +141,7 @@ def read_back_differences(
         tuple(dict.fromkeys((*whole.findings, *_ignored(whole, known, len(ignored))))),
         (
             *pairs_not_read_back(planned, whole, found).values(),
+            *newly_coupled(planned, expected, found).values(),
             *(_assumed_instead(expected, found) if lost else ()),
         ),
     )

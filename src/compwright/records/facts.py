@@ -55,7 +55,8 @@ class AxisFacts:
     coordinate of the reference position, mm or deg, approached in ``reference_return``.
     ``diameter``: positions are programmed in diameter. ``unit_evidence``: the source of its
     detection unit. ``synchronised``, ``leading``: the addresses of the other axes of its gantry, by
-    the files. ``lead``: the travel of one turn of its motor, mm or deg, suggested by the files
+    the files; ``couplings``: the parameters, with their values, that couple it with other axes.
+    ``lead``: the travel of one turn of its motor, mm or deg, suggested by the files
     (``lead_evidence``). ``limits_evidence``: why the limits differ from those written there.
     ``rapid_more``: the backlash at rapid traverse minus that at cutting feed, mm or deg; None: left
     open. ``grid``: the points (ascending, mm or deg) of its own table in the files if that is not
@@ -84,6 +85,7 @@ class AxisFacts:
     unit_evidence: str = ""
     synchronised: tuple[str, ...] = ()
     leading: str | None = None
+    couplings: tuple[str, ...] = ()
     lead: float | None = None
     lead_evidence: str = ""
     limits_evidence: str = ""

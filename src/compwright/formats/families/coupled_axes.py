@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 
 import numpy as np
@@ -18,6 +18,7 @@ from compwright.formats.text.notes import Notes
 from compwright.foundations.errors import Fault
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import AxisCompensation, ControlFile
+from compwright.records.facts import AxisFacts
 
 #: What the job says of an axis that moves alone.
 ALONE = "gantry: none"
@@ -107,12 +108,28 @@ def followers(couplings: Sequence[Coupling], address: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys(found))
 
 
-def leader(couplings: Sequence[Coupling], address: str) -> str | None:
+def _leader(couplings: Sequence[Coupling], address: str) -> str | None:
     """Return the address of the axis that the axis at ``address`` follows; None if it follows no
     axis.
     """
     found = (one.leads for one in couplings if one.follows == address and not one.unlike)
     return next((leads[0] for leads in found if leads), None)
+
+
+def with_couplings(facts: AxisFacts, couplings: Sequence[Coupling], address: str) -> AxisFacts:
+    """Return the facts of the axis at ``address``, with the axes that move together with it."""
+    return replace(
+        facts,
+        synchronised=followers(couplings, address),
+        leading=_leader(couplings, address),
+        couplings=parameters_of(couplings, address),
+    )
+
+
+def parameters_of(couplings: Sequence[Coupling], address: str) -> tuple[str, ...]:
+    """Return the parameters, with their values, that couple the axis at ``address``."""
+    mine = (one.parameter for one in couplings if address in (one.follows, *one.leads))
+    return tuple(dict.fromkeys(mine))
 
 
 def _led(address: str, coupling: Coupling) -> Fault:

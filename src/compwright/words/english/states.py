@@ -318,4 +318,9 @@ SENTENCES: Final[dict[str, str]] = {
         " not, so the comparison depends on this assumption. Read this value of the control back"
         " too, and give its file with `--loaded`."
     ),
+    "CW-S087.coupled": (
+        "The files read back couple axis {axis} with another axis ({parameter}), those of the plan"
+        " do not. A table on one of two coupled axes racks the machine. Check this parameter on the"
+        " control. If it is right, add `gantry` to the job, and run it again with these files."
+    ),
 }

@@ -336,4 +336,10 @@ SENTENCES: Final[dict[str, str]] = {
         " relus non : la comparaison dépend de cette hypothèse. Relire aussi cette valeur de la"
         " commande, et donner son fichier avec `--loaded`."
     ),
+    "CW-S087.coupled": (
+        "Les fichiers relus couplent l'axe {axis} avec un autre axe ({parameter}), ceux du plan"
+        " non. Une table sur un seul de deux axes couplés vrille la machine. Contrôler ce paramètre"
+        " sur la commande. S'il est juste, ajouter `gantry` au job, et le relancer avec ces"
+        " fichiers."
+    ),
 }

@@ -339,4 +339,10 @@ SENTENCES: Final[dict[str, str]] = {
         " den ausgelesenen nicht; der Vergleich hängt von dieser Annahme ab. Auch diesen Wert"
         " aus der Steuerung auslesen und seine Datei mit `--loaded` angeben."
     ),
+    "CW-S087.coupled": (
+        "Die ausgelesenen Dateien koppeln Achse {axis} mit einer anderen Achse ({parameter}), die"
+        " des Plans nicht. Eine Tabelle auf nur einer von zwei gekoppelten Achsen verspannt die"
+        " Maschine. Diesen Parameter an der Steuerung prüfen. Ist er richtig, `gantry` im Auftrag"
+        " ergänzen und den Auftrag mit diesen Dateien erneut ausführen."
+    ),
 }

@@ -25,10 +25,9 @@ from compwright.formats.families.coupled_axes import (
     UNREAD,
     Coupling,
     check_couplings,
-    followers,
-    leader,
     statements_in,
     whole_number,
+    with_couplings,
 )
 from compwright.formats.families.family import Family, require_files
 from compwright.formats.text.addresses import normal_text
@@ -108,7 +107,8 @@ def read_columns(
             notes.no_table(f"axis {partner}")
     values = TableValues(control, sources, known, notes)
     state = _ColumnStateReader(values, files, wanted, activity).read()
-    return replace(state, facts=_paired(state.facts, couplings))
+    facts = {name: with_couplings(one, couplings, name) for name, one in state.facts.items()}
+    return replace(state, facts=facts)
 
 
 def _number_faults(axes: Sequence[Axis], mentioned: Sequence[str]) -> Iterator[Fault]:
@@ -141,16 +141,6 @@ def _number_faults(axes: Sequence[Axis], mentioned: Sequence[str]) -> Iterator[F
                 f"{letter} as number {usual}; otherwise add `address: {other_letter}` to "
                 f"{axis.name}, with the letter that the control gives to number {found}",
             )
-
-
-def _paired(facts: Mapping[str, AxisFacts], couplings: Sequence[Coupling]) -> dict[str, AxisFacts]:
-    """Return the facts of each axis, with the axes that move together with it."""
-    return {
-        address: replace(
-            stated, synchronised=followers(couplings, address), leading=leader(couplings, address)
-        )
-        for address, stated in facts.items()
-    }
 
 
 class _ColumnStateReader:

@@ -56,6 +56,7 @@ class AxisSettingsReader:
             other_functions=other,
             synchronised=synchronised,
             leading=leading,
+            couplings=(f"MD37100 = {kind}",) if (kind := self._kind(self.address)) else (),
         )
 
     def _paired(self) -> tuple[tuple[str, ...], str | None]:

@@ -15,7 +15,12 @@ from compwright.formats.definition.consistency import curves
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_names import axis_names
 from compwright.formats.families.control_texts import is_listing, texts_of
-from compwright.formats.families.coupled_axes import Coupling, check_couplings, find_partners
+from compwright.formats.families.coupled_axes import (
+    Coupling,
+    check_couplings,
+    find_partners,
+    parameters_of,
+)
 from compwright.formats.families.family import Family, require_files
 from compwright.formats.families.grid.axis_reading import AxisReading, AxisSource, GridAxisReader
 from compwright.formats.families.grid.axis_settings import AxisSettingsReader
@@ -129,7 +134,8 @@ class GridReader:
                 self._refuse_unnamed(address, named)
         self._same_systems(readings)
         wanted = {name: axis for name, axis in self.wanted.items() if axis in self.axes and axis}
-        check_couplings(self.couplings(), wanted, self.notes)
+        couplings = self.couplings()
+        check_couplings(couplings, wanted, self.notes)
         cross = self.cross()
         self.notes.ask_contradicted()
         raise_all(InputError, self.notes.faults)
@@ -148,7 +154,13 @@ class GridReader:
             format=self.definition.id,
             axes=axes,
             cross=cross,
-            facts={address: reading.facts for address, reading in readings.items()},
+            facts={
+                address: replace(
+                    one.facts,
+                    couplings=(*one.facts.couplings, *parameters_of(couplings, address)),
+                )
+                for address, one in readings.items()
+            },
             tables=self.pair_tables(),
             stays={address: found for address in axes if (found := self.staying(axes[address]))},
             assumed=tuple(self.notes.assumed),

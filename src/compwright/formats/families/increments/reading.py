@@ -16,12 +16,7 @@ import numpy as np
 
 from compwright.formats.definition.options import known_kind
 from compwright.formats.definition.schema import Definition
-from compwright.formats.families.coupled_axes import (
-    Coupling,
-    check_couplings,
-    followers,
-    leader,
-)
+from compwright.formats.families.coupled_axes import check_couplings, with_couplings
 from compwright.formats.families.family import Family, require_files
 from compwright.formats.families.increments.axis_facts import facts_of, name_of, with_neighbours
 from compwright.formats.families.increments.axis_reading import IncrementReader
@@ -127,7 +122,11 @@ class StateReader:
             axes=self.compensations,
             cross=cross,
             facts={
-                address: _paired(facts, address, couplings, unknown)
+                address: with_couplings(
+                    replace(facts, of_family=replace(increments_of(facts), unread=unknown)),
+                    couplings,
+                    address,
+                )
                 for address, facts in self.facts.items()
             },
             assumed=tuple(self.notes.assumed),
@@ -369,20 +368,6 @@ class StateReader:
                 self.notes.find(
                     "CW-S014", "warning", addresses=sharing, first=min(each), last=max(each)
                 )
-
-
-def _paired(
-    facts: AxisFacts, address: str, couplings: Sequence[Coupling], unread: frozenset[int]
-) -> AxisFacts:
-    """Return the facts of an axis with two additions: the axes coupled with it, by ``couplings``,
-    and ``unread``, the point numbers that no file contains.
-    """
-    return replace(
-        facts,
-        of_family=replace(increments_of(facts), unread=unread),
-        synchronised=followers(couplings, address),
-        leading=leader(couplings, address),
-    )
 
 
 def read_texts(

@@ -29,6 +29,8 @@ _OF_CHANNEL = re.compile(
     r"\.log_achs_nr_(master|slave)(?:[ \t]+(\S+))?",
     re.MULTILINE | re.IGNORECASE,
 )
+#: How a line of the lists that couples axes begins.
+COUPLING = re.compile(r"kenngr\.(?:gantry_ax_nr|multi_link)|synchro_data\.", re.IGNORECASE)
 _REMARK = re.compile(r"(?!)")  # without_remarks has taken them
 
 

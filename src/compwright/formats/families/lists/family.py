@@ -23,7 +23,7 @@ from compwright.formats.families.family import (
     writable_tables,
 )
 from compwright.formats.families.lists.between import lists_between
-from compwright.formats.families.lists.files import file_values
+from compwright.formats.families.lists.file_values import file_values
 from compwright.formats.families.lists.reading import ListStateReader
 from compwright.formats.families.lists.table import COUNTS, TENTH, VALUE_TYPES, counted
 from compwright.formats.families.lists.writing import ListsWriter

@@ -8,11 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence, name_in_form
-from compwright.formats.text.file_values import FileValue, by_statements, texts_of
 from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.formats.text.notes import CORRECT_VALUE, EXPORT_AGAIN, KEEP_ONE, Notes
 from compwright.formats.text.texts import ReadText, text_reader
@@ -21,7 +20,7 @@ from compwright.words.sentences import say
 
 #: Statements of the header, and those of the start-up list.
 AXIS_NUMBER = "axis_number"
-_HEADERS = (AXIS_NUMBER, "logical_axis_number")
+HEADERS = (AXIS_NUMBER, "logical_axis_number")
 LISTED_COUNT, LISTED_AXIS, LISTED_FILE = "listed_count", "listed_axis", "listed_file"
 _START_UP = (LISTED_COUNT, LISTED_AXIS, LISTED_FILE)
 #: How every statement of a value list begins.
@@ -94,28 +93,6 @@ def read_lists(definition: Definition, files: Sequence[ControlFile], notes: Note
     return sorter.lists
 
 
-def file_values(
-    definition: Definition, files: Sequence[ControlFile], _: Sequence[ControlFile] = ()
-) -> dict[str, FileValue]:
-    """Return every value in the lists by a key that contains the axis number instead of the file
-    name.
-
-    Raises InputError for a file that cannot be opened.
-    """
-    reader = text_reader(definition)
-    found: dict[str, FileValue] = {}
-    for file in texts_of(files):
-        code = ControlFile(file.name, without_remarks(file.content))
-        text = reader.read(code, [])
-        places = text.occurrences if text is not None else ()
-        headers = (_value(each) for each in places if each.statement in _HEADERS)
-        axis = next((str(int(number)) for number in headers), "")
-        for key, entry in by_statements(definition, [code]).items():
-            by_axis = key.replace(file.name, f"axis {axis}", 1) if axis else key
-            found[key if by_axis in found else by_axis] = replace(entry, axis=entry.axis or axis)
-    return found
-
-
 class _Sorter:
     def __init__(self, lists: ListsByAxis, notes: Notes, texts: Sequence[ReadText]) -> None:
         self.lists = lists
@@ -124,7 +101,7 @@ class _Sorter:
         for text in texts:
             for occurrence in text.occurrences:
                 if occurrence.statement in _START_UP:
-                    found = FoundValue(_value(occurrence), occurrence, text.number)
+                    found = FoundValue(value_of(occurrence), occurrence, text.number)
                     lists.start_up.setdefault(occurrence.statement, []).append(found)
         self.axes = self._by_index(LISTED_AXIS)
         self.names = self._by_index(LISTED_FILE)
@@ -190,7 +167,7 @@ class _Sorter:
         self.lists.files.setdefault(address, set()).add(text.number)
         statements = self.lists.statements.setdefault(address, {})
         for occurrence in own:
-            found = FoundValue(_value(occurrence), occurrence, text.number)
+            found = FoundValue(value_of(occurrence), occurrence, text.number)
             statements.setdefault(occurrence.statement, []).append(found)
 
     def _address(
@@ -202,7 +179,7 @@ class _Sorter:
         headers = [
             FoundValue(each.tokens["axis"].text, each, text.number)
             for each in own
-            if each.statement in _HEADERS
+            if each.statement in HEADERS
         ]
         listed = [self.axes[index] for index in indices if index in self.axes]
         numbers = {int(found.text) for found in (*headers, *listed)}
@@ -253,7 +230,7 @@ def _low(text: ReadText) -> str:
     return text.file.casefold()
 
 
-def _value(occurrence: Occurrence) -> str:
+def value_of(occurrence: Occurrence) -> str:
     """Return the value in a line of an axis list, as text."""
     tokens = occurrence.tokens
     return tokens["value" if "value" in tokens else "axis"].text

@@ -6,7 +6,7 @@ Missing is not zero. Assumptions are listed; faults of an axis that is not under
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -15,9 +15,8 @@ from compwright.formats.families.activity import Activity
 from compwright.formats.families.coupled_axes import (
     check_couplings,
     compare_partners,
-    followers,
-    leader,
     note_twin,
+    with_couplings,
 )
 from compwright.formats.families.family import Family
 from compwright.formats.families.lists.backlash import backlash_of, check_others
@@ -173,11 +172,7 @@ class ListStateReader:
         couplings = couplings_of(files, owners, list(self.leading))
         check_couplings(couplings, self.leading, self.notes)
         for address, facts in self.facts.items():
-            self.facts[address] = replace(
-                facts,
-                synchronised=followers(couplings, address),
-                leading=leader(couplings, address),
-            )
+            self.facts[address] = with_couplings(facts, couplings, address)
 
     def _refuse_unnamed(
         self, lists: ListsByAxis, address: str, files: Sequence[ControlFile]

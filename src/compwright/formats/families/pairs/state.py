@@ -113,7 +113,7 @@ class PairsReader(GridReader):
     def couplings(self) -> Sequence[Coupling]:
         """Return the axes that move together by the files (gantry, synchronised axes)."""
         texts = texts_of(self.definition, self.files, [])
-        return couplings_of(texts, self.gathered.axis, list(self.wanted))
+        return couplings_of(texts, self.gathered.axis, list(self.wanted) or self.named())
 
     def between(self) -> Collection[str]:
         """Return the input and output axes of all cross-axis tables."""

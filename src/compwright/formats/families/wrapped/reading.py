@@ -15,7 +15,7 @@ import numpy as np
 from compwright.formats.definition.options import axis_options, known_kind
 from compwright.formats.definition.schema import Choice, Definition
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.coupled_axes import check_couplings, followers, leader
+from compwright.formats.families.coupled_axes import check_couplings, with_couplings
 from compwright.formats.families.limits import SAME_TURN
 from compwright.formats.families.wrapped.card_memory import (
     MemoryTable,
@@ -120,12 +120,7 @@ class WrappedStateReader:
         couplings = couplings_of(self.files)
         check_couplings(couplings, self.leading, self.notes)
         facts = {
-            address: replace(
-                stated,
-                synchronised=followers(couplings, address),
-                leading=leader(couplings, address),
-            )
-            for address, stated in facts.items()
+            address: with_couplings(stated, couplings, address) for address, stated in facts.items()
         }
         self.notes.ask_contradicted()
         raise_all(InputError, self.notes.faults)
