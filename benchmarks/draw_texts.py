@@ -3,8 +3,8 @@
     python benchmarks/draw_texts.py [SEED] [TREE]
 
 60 messages (sentences of findings and labels with their fields, errors with their next step, help
-texts) and 20 first paragraphs of docstrings behind the name and the arguments. The reader marks
-each: understood at first reading. A message without a subject is drawn behind the place that is
+texts) and 20 docstrings behind the name, or behind the function's line as it is in the code. The
+reader marks each: understood at first reading. A message without a subject is drawn behind the place that is
 printed before it. An error whose sentence a helper gets from its caller is drawn where the caller
 gives the next step too.
 """
@@ -61,18 +61,18 @@ def messages(tree: ast.AST, path: Path) -> Iterator[str]:
 
 
 def docstrings(tree: ast.AST, path: Path) -> Iterator[str]:
-    """Yield the first paragraph of each docstring of a module, behind what it belongs to."""
+    """Yield each docstring of a module, behind what it belongs to."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Module):
             head = "/".join(path.parts[-2:])
         elif isinstance(node, ast.ClassDef):
             head = f"class {node.name}"
         elif isinstance(node, ast.FunctionDef):
-            names = [each.arg for each in (*node.args.args, *node.args.kwonlyargs)]
-            head = f"def {node.name}({', '.join(names)})"
+            returned = f" -> {ast.unparse(node.returns)}" if node.returns else ""
+            head = f"def {node.name}({ast.unparse(node.args)}){returned}"
         else:
             continue
-        text = (ast.get_docstring(node) or "").split("\n\n")[0]
+        text = ast.get_docstring(node)
         if text:
             yield f"{head}: {text}"
 
