@@ -4,9 +4,9 @@
 
 60 messages (sentences of findings and labels with their fields, errors with their next step, help
 texts) and 20 docstrings behind the name, or behind the function's line as it is in the code. The
-reader marks each: understood at first reading. A message without a subject is drawn behind the place that is
-printed before it. An error whose sentence a helper gets from its caller is drawn where the caller
-gives the next step too.
+reader marks each: understood at first reading. A message without a subject is drawn behind the
+place that is printed before it. An error whose sentence a helper gets from its caller is drawn
+where the caller gives the next step too.
 """
 
 from __future__ import annotations
