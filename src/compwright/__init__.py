@@ -1,9 +1,16 @@
 """compwright: evaluate positioning and circular tests, fit compensation tables, predict and verify.
 
-The library: `read` -> tests; `evaluate` -> results to a standard; `estimate` -> the error of an
-axis with its uncertainty; `load_job` and `plan` -> tables, prediction and findings; `verify` and
-`compare` after loading; `decode` -> what a control does with its files; `simulate` -> tests of a
-virtual machine. Nothing is printed, and nothing is written unless asked (`JobPlan.write`).
+The functions of the library:
+
+- `read` reads test files and returns tests.
+- `evaluate` returns the results of tests by a standard.
+- `estimate` returns the error of an axis with its uncertainty.
+- `load_job` reads a job file. `plan` computes its tables, a prediction and findings.
+- `verify` and `compare` check the compensation after loading.
+- `decode` shows what a control does with its files.
+- `simulate` returns tests of a virtual machine.
+
+No function prints. Files are written only on request, for example by `JobPlan.write`.
 """
 
 from __future__ import annotations

@@ -21,7 +21,7 @@ _HEADINGS = {command: heading for heading, commands in ORDER.items() for command
 class HelpfulCommand(click.Command):
     """A command whose help shows required arguments, examples and a page of the documentation.
 
-    ``examples``: whole command lines; ``page``: path of the page.
+    ``examples``: complete command lines. ``page``: path of the documentation page.
     """
 
     def __init__(

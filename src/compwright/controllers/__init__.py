@@ -1,6 +1,7 @@
 """Virtual controls: programs that read a control's files independently of `formats` and return the
 active correction.
 
-Sign, unit and interpolation of each control are stated here a second time, from its manual. Nothing
-is shared with the room that writes the files: where both agree, the agreement means something.
+This package states sign, unit and interpolation of each control a second time, from the manual. It
+shares no code with `formats`, which writes the files. So if both packages agree, this confirms the
+files.
 """

@@ -1,26 +1,30 @@
 """Inclination, cyclic and straightness compensation of a FANUC axis, in addition to its table.
 
-Stated from the manuals, independently of the room that writes the files:
+The rules are taken from the manuals, independently of the package that writes the files. "Practice"
+marks a rule that no manual page confirms.
 
-- Inclination: four point numbers 5861 to 5864 and amounts 5871 to 5874 in detection units make
-  three straight lines, put out at the pitch intervals and added to the pitch amount (35i-B,
-  B-64523EN-1/02, 1.3.8; B-63522EN/02 p. 222). Numbers, the ends held, zero at the reference, not
-  multiplied by 3623: practice.
-- Second (cyclic) table: numbers 14985 to 14986 of the common pitch data, 14987 its interval; the
-  amounts of a period add up to 0 and repeat, superposed on the main table (A-78868E p. 3, 6). The
-  period begins at the reference, 3623 does not multiply; 14988 its magnification: practice.
-- Straightness: 5711 to 5713 the moving axis, 5721 to 5723 the axis that is bent, by pair four
-  numbers of the moving axis' points (5731 and on) and four amounts (5761 and on); the difference of
-  two amounts is spread evenly over the intervals between them (B-63522EN/02 p. 222). The numbers of
-  the parameters, and the bent axis' detection unit: practice. A real backup has more of them than
-  are known here.
+- Inclination: four point numbers (5861 to 5864) and four amounts (5871 to 5874, detection units)
+  define three straight lines. The control outputs them at the pitch intervals and adds them to the
+  pitch amount (35i-B, B-64523EN-1/02, 1.3.8; B-63522EN/02 p. 222). Practice: the parameter numbers;
+  outside the four points the end amounts apply; inclination is 0 at the reference; 3623 does not
+  multiply it.
+- Second (cyclic) table: 14985 and 14986 are its first and last number in the common pitch data,
+  14987 is its interval. The increments of a period add up to 0. The period repeats and is added to
+  the main table (A-78868E p. 3, 6). Practice: the period begins at the reference; 3623 does not
+  multiply it; 14988 is its magnification.
+- Straightness: 5711 to 5713 name the moving axis, 5721 to 5723 the axis that is corrected. Each
+  pair has four point numbers of the moving axis (from 5731) and four amounts (from 5761). The
+  difference of two amounts is distributed evenly over the intervals between their points
+  (B-63522EN/02 p. 222). Practice: the parameter numbers, and that the amounts are in detection
+  units of the corrected axis. A real backup has further such parameters whose meaning is unknown.
 - 10800 to 10802 name the axes of three-dimensional error compensation, a field over three positions
-  (A-79351E p. 3; the numbers: practice); 13301 to 13399 belong to further straightness pairs
-  (practice). Never counted.
-- 1846 to 1849: smooth backlash (practice). Never counted: the whole 1851 is taken.
+  (A-79351E p. 3; the numbers: practice). 13301 to 13399 belong to further straightness pairs
+  (practice). Both are never included in the correction.
+- 1846 to 1849: smooth backlash (practice). It is never included: the correction uses the whole
+  value 1851.
 
-A function that is not counted is reported. compwright does not change it, so its effect is the same
-before and after a change of the table.
+A function that is not included is reported. compwright does not change it, so its effect is the
+same before and after a change of the table.
 """
 
 from __future__ import annotations
@@ -62,7 +66,7 @@ _LARGEST = 32767
 class InclinedLines:
     """Straight lines through compensation amounts (detection units) at ascending point numbers.
 
-    Outside, the end values hold.
+    Outside the first and the last point the end amounts apply.
     """
 
     points: tuple[int, ...]
@@ -85,8 +89,8 @@ class Cycle:
     """The second (cyclic) pitch error table, which repeats along the whole axis, towards + and
     towards −.
 
-    ``totals`` (n + 1,): detection units at the section ends, first and last 0; ``interval``: mm or
-    deg.
+    ``totals`` (n + 1,): sums of the increments at the section ends, detection units; the first and
+    the last are 0. ``interval``: length of a section, mm or deg.
     """
 
     interval: float
@@ -111,7 +115,7 @@ class Bend:
     """Straightness compensation of one pair of axes: at each position of the axis ``moving``, the
     axis ``bent`` is corrected by the amount that ``lines`` give.
 
-    ``entry``: the parameter of the pair.
+    ``entry``: the parameter that names the moving axis, with its place in the file.
     """
 
     moving: int

@@ -1,7 +1,7 @@
 """The point numbers and interval of a FANUC axis' table, and checks that they are consistent.
 
-Contradictions in the files become faults of the memory; open points become notes or assumptions.
-Sources: ``control``.
+A contradiction in the files becomes a fault of the memory. An unknown fact becomes a note or an
+assumption. Sources: the docstring of ``control``.
 """
 
 from __future__ import annotations
@@ -171,7 +171,9 @@ class AxisLoader:
     def _endless(self, grid: IncrementGrid, *, rotary: bool) -> IncrementGrid:
         """Return ``grid``, with its travel per turn if its points are those of an endless axis.
 
-        Point numbers that nearly are those of an endless axis are a fault.
+        If the axis is endless by the job or by its first point number, but its points do not cover
+        exactly one turn, a fault is added. Contradictions between the files and the job are faults
+        too. Any other axis is returned unchanged, as an axis with ends.
         """
         modulo = finite_number(by_address(self.request.modulo, str(grid.axis)))
         if not rotary:

@@ -1,7 +1,7 @@
 """The compensation of one FANUC axis: pitch error table, backlash, second (cyclic) table.
 
-Contradictions in the files become faults of the memory; open points become notes or assumptions.
-Sources: ``control``, ``additional_functions``.
+A contradiction in the files becomes a fault of the memory. An unknown fact becomes a note or an
+assumption. Sources: the docstrings of ``control`` and ``additional_functions``.
 """
 
 from __future__ import annotations
@@ -32,8 +32,9 @@ def pitch_table(
     """Return an axis' pitch error table as totals (summed increments), with inclination if the
     options include inclination. ``returning``: the direction of the reference return.
 
-    The set of the reference-return direction is 0 at the reference; the other set is offset by
-    3627. None where points of the grid are missing or faulty.
+    The totals for travel in the direction of the reference return are 0 at the reference. With
+    bidirectional data, 3627 is added to the totals for the other direction. Returns None if
+    increments of the table are missing.
     """
     # the number of the reference itself owns no section of an endless axis, and need not be among
     # its numbers
@@ -74,7 +75,8 @@ def backlash(loader: AxisLoader, axis: int, options: Options) -> int:
     """Return the backlash parameter in detection units: 1851, or 1852 at rapid traverse if 1800#4 =
     1.
 
-    0 where the files do not hold it, or hold an invalid one of an axis that is not under work.
+    Returns 0 if the files do not contain the parameter. Returns 0 also for an invalid value of an
+    axis outside the job.
     """
     memory = loader.memory
     whole = memory.whole if loader.under_work(axis) else memory.whole_if_sound
@@ -107,7 +109,7 @@ def cycle(
     """Return an axis' second (cyclic) table; None if it has none, if the options exclude it, or,
     with a fault, if it is invalid.
 
-    ``grid``: the grid of the axis' main table.
+    ``grid``: point numbers and interval of the axis' main table; None if the axis has none.
     """
     memory = loader.memory
     ends = [memory.machine.entry(number, axis) for number in CYCLIC]
@@ -191,7 +193,8 @@ def _inclined(loader: AxisLoader, grid: IncrementGrid, options: Options, used: i
     """Return the correction by inclination (k + 1,), in detection units, at the ends of the table's
     sections. ``used``: how many of the first point numbers have no section.
 
-    Not multiplied by 3623. 0 where inclination is not counted.
+    The correction is 0 if the options exclude inclination. The magnification 3623 does not multiply
+    it.
     """
     numbers = np.arange(grid.lowest - 1 + used, grid.highest + 1, dtype=np.float64)
     if "inclination" not in options.counted:

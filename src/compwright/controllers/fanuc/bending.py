@@ -1,7 +1,8 @@
 """Straightness compensation of a FANUC: the position of one axis corrects another axis.
 
-The amounts are put out at the pitch points of the moving axis; here they are straight lines between
-them (unconfirmed, and reported as an assumption). Sources: ``additional_functions``.
+The control outputs the amounts at the pitch points of the moving axis. This module interpolates
+linearly between them, which is unconfirmed and reported as an assumption. Sources: the docstring of
+``additional_functions``.
 """
 
 from __future__ import annotations
@@ -23,8 +24,9 @@ from compwright.records.correction import Assumption
 class Bending:
     """The straightness compensation of the axis ``bent`` by the position of the axis ``moving``.
 
-    ``shifts`` (k,) of the axis ``bent``, mm or deg, with the axis ``moving`` at ``nodes`` (k,) from
-    its ``reference``, mm or deg; ``turn`` of an endless moving axis, else None.
+    ``nodes`` (k,): positions of the axis ``moving`` relative to its ``reference``, mm or deg.
+    ``shifts`` (k,): corrections of the axis ``bent`` at these positions, mm or deg. ``turn``:
+    travel per turn of an endless moving axis, deg; None for an axis with ends.
     """
 
     moving: str
@@ -38,7 +40,7 @@ class Bending:
         """Return the correction (mm or deg) of the axis ``bent`` with the moving axis at
         ``positions`` (any shape).
 
-        Beyond the ends the end values apply.
+        Outside the nodes the corrections of the end nodes apply.
         """
         x = positions - self.reference
         if self.turn is not None:
@@ -52,7 +54,9 @@ def bending_of(
     """Yield the straightness compensations of the job's axes, if the options ask to evaluate
     straightness.
 
-    Open questions about such a pair become faults of the memory.
+    ``grids``: point numbers and interval of each axis' table. ``options``: the options of each
+    axis. If the moving axis has no active table, or the detection unit of the corrected axis is
+    unknown, the pair becomes a fault of the memory.
     """
     memory = loader.memory
     if not any("straightness" in entry.counted for entry in options.values()):

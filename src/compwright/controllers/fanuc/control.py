@@ -1,23 +1,24 @@
 """FANUC virtual control: stored pitch error compensation, backlash, and further functions.
 
-Stated from the manuals, independently of the definition that writes the files:
+The rules are taken from the manuals, independently of the definition that writes the files.
+"Practice" marks a rule that no manual page confirms.
 
-- 3620 number of the reference, 3621 .. 3622 the most negative and most positive number, 3623
-  magnification, 3624 interval; the data are increments (0i-PB parameter manual B-63980EN/01 p. 100;
-  totals: ``table``). Correction = pulses * 3623 * detection unit, a positive pulse moves the axis
-  towards + (practice; option ``pitch_sign``).
-- Endless rotary axis: 3621 = 3620, 3622 = 3620 + turn / interval, the increments of a turn add up
-  to 0 (B-63980EN/01 p. 100).
-- 3605#0 = 1: the numbers 3621 .. 3622 count while the axis moves towards +, as many from 3626 on
-  while it moves towards -; 3627 is the correction at the reference, approached against the
+- 3620 is the point number of the reference. 3621 and 3622 are the most negative and the most
+  positive number, 3623 is the magnification, 3624 the interval. The data are increments (0i-PB
+  parameter manual B-63980EN/01 p. 100; sums of increments: ``table``). Correction = pulses * 3623 *
+  detection unit. A positive pulse moves the axis towards + (practice; option ``pitch_sign``).
+- Endless rotary axis: 3621 = 3620 and 3622 = 3620 + turn / interval. The increments of a turn add
+  up to 0 (B-63980EN/01 p. 100).
+- 3605#0 = 1: the numbers 3621 to 3622 apply to travel towards +. As many numbers from 3626 on apply
+  to travel towards -. 3627 is the correction at the reference when it is approached against the
   direction of the reference return (A-77810E, section 2).
-- 1851 in detection units, nothing in the direction of the reference return, on reversal the whole
-  value in the direction of motion (0i-C parameter manual B-64120EN/01 p. 116): sgn(d) * 1851 *
-  detection unit. It is active together with bidirectional data (practice).
-- At rapid traverse 1852 where 1800#4 = 1 (21i parameter manual B-63090EN/02 p. 97).
-- Inclination, a second (cyclic) table, straightness: ``additional_functions``. They are counted if
-  the option of their name is ``available``, else left unchanged and reported.
-- Nothing is active before the reference return: the grid starts at the reference position.
+- Backlash 1851, in detection units: it adds nothing in the direction of the reference return. On
+  reversal the whole value is added in the direction of motion (0i-C parameter manual B-64120EN/01
+  p. 116): sgn(d) * 1851 * detection unit. It is active together with bidirectional data (practice).
+- If 1800#4 = 1, 1852 replaces 1851 at rapid traverse (21i parameter manual B-63090EN/02 p. 97).
+- Inclination, second (cyclic) table, straightness: ``additional_functions``. Each is included in
+  the correction if the option of its name is ``available``. Else it is left unchanged and reported.
+- No compensation is active before the reference return: the points begin at the reference position.
 """
 
 from __future__ import annotations
@@ -53,7 +54,7 @@ _SAME_UNIT = 1e-4
 class _FanucAxis:
     """One axis of the virtual FANUC.
 
-    ``backlash``: detection units; ``unit``: mm or deg per detection unit, None if unknown.
+    ``backlash``: detection units. ``unit``: mm or deg per detection unit, None if unknown.
     """
 
     table: PitchTable | None
@@ -70,9 +71,8 @@ class FanucControl:
     """A FANUC with loaded files and all axes referenced; interface
     ``controllers.virtual.VirtualControl``.
 
-    At cutting feed unless the option ``motion`` says rapid.
-
-    Addresses are controlled axis numbers as text, ``"1"``.
+    The axes move at cutting feed, or at rapid traverse if the option ``motion`` is ``rapid``. The
+    address of an axis is its controlled axis number as text, ``"1"``.
     """
 
     axes: dict[str, _FanucAxis]
@@ -93,8 +93,8 @@ class FanucControl:
         """Return the correction at ``positions`` (any shape), approached in ``direction``; mm or
         deg.
 
-        Raises UsageError for an axis that is not in the files, or without a detection unit (not
-        required where no compensation is active).
+        Raises UsageError for an axis that is not in the files. Raises UsageError also if a
+        compensation of the axis is active but its detection unit is unknown.
         """
         axis = self._axis(address)
         x = np.asarray(positions, dtype=np.float64)
@@ -127,7 +127,8 @@ class FanucControl:
         """Return the correction of ``output`` with ``input`` at ``positions`` (any shape), mm or
         deg of the output.
 
-        Raises UsageError for a pair without counted straightness compensation.
+        The correction is the same in both directions. Raises UsageError for a pair of axes without
+        straightness compensation, or if the options exclude it.
         """
         wanted = (input.strip(), output.strip())
         entries = [entry for entry in self.bent if (entry.moving, entry.bent) == wanted]
@@ -159,13 +160,13 @@ def fanuc_control(
     """Return a control of a series with its files loaded, in any order: parameters, pitch data,
     entry sheets.
 
-    Options: ``detection_unit`` (mm or deg per pulse, required where the files do not state it),
-    ``output`` (step, ramp), ``motion`` (feed, rapid), ``increment_limit``, ``pitch_sign``,
-    ``offset_sign``, ``offset_magnified``, and ``inclination``, ``cyclic``, ``straightness``
-    (absent, available).
+    Options of the job: ``detection_unit`` (mm or deg per pulse, required if the files do not state
+    it), ``output`` (step, ramp), ``motion`` (feed, rapid), ``increment_limit``, ``pitch_sign``,
+    ``offset_sign``, ``offset_magnified``. ``inclination``, ``cyclic`` and ``straightness`` are each
+    absent or available.
 
-    Raises InputError for anything the control would not take or that is contradictory, every fault
-    with file and line; UsageError for wrong options, and if no axis has a detection unit.
+    Raises InputError for data that the control would not accept and for contradictions, each fault
+    with file and line. Raises UsageError for wrong options, and if no axis has a detection unit.
     """
     memory = _memory(files, request, series)
     options = _options(request, memory, series)
@@ -236,7 +237,8 @@ def _memory(files: Sequence[ControlFile], request: Request, series: ControlSerie
 def _options(request: Request, memory: Memory, series: ControlSeries) -> dict[int, Options]:
     """Return the options of each axis; detection units that are not given come from the files.
 
-    A given detection unit that contradicts the files is a fault.
+    If a given detection unit of an axis in the job contradicts the files, a fault is added to
+    ``memory``. Raises UsageError for wrong options, and if no axis has a detection unit.
     """
     faults: list[Fault] = []
     options: dict[int, Options] = {}
@@ -310,7 +312,8 @@ def _axis(
 def _note_shared(loader: AxisLoader, grids: dict[int, IncrementGrid]) -> None:
     """Add a note on the points that two axes use in the array that all axes share.
 
-    An axis whose magnification is 0 uses none; that its range overlaps another's is noted too.
+    An axis without an active table is noted if its range of points overlaps the points of another
+    axis. Points with values that no axis uses are noted too.
     """
     owners: dict[int, list[int]] = {}
     for axis, grid in grids.items():

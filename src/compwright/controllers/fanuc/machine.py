@@ -1,15 +1,17 @@
 """Parameters of a FANUC, stored by axis, path or machine, and what they mean: paths, units, turns.
 
-Stated from the manuals and from a real backup, independently of the room that writes the files:
+The rules are taken from the manuals and from a real backup, independently of the package that
+writes the files. "Practice" marks a rule that no manual page confirms.
 
-- Detection unit = least command increment / CMR; 1820 = 2 x CMR (1 to 96) or 100 + 1 / CMR (101 to
-  127) (B-63943EN-1/02 p. 109, B-63950EN/02 p. 106). Least command increment: IS-A 0.01, IS-B 0.001,
-  IS-C 0.0001, IS-D 0.00001, IS-E 0.000001 mm or deg (p. 109), a tenth of that in inches where
-  1001#0 = 1. 1013 bits 0 to 3 are IS-A, C, D, E, bits 0 and 1 of 1004 IS-A and C (practice).
-- 1006#0 = 1, 1006#1 = 0: an endless rotary axis; both 1: a rotary axis of the linear type
+- Detection unit = least command increment / CMR. 1820 is 2 x CMR (1 to 96) or 100 + 1 / CMR (101 to
+  127) (B-63943EN-1/02 p. 109, B-63950EN/02 p. 106).
+- Least command increment: IS-A 0.01, IS-B 0.001, IS-C 0.0001, IS-D 0.00001, IS-E 0.000001 mm or deg
+  (p. 109). If 1001#0 = 1, it is a tenth of this number in inches. Bits 0 to 3 of 1013 select IS-A,
+  C, D, E; bits 0 and 1 of 1004 select IS-A and C (practice).
+- 1006#0 = 1 with 1006#1 = 0: an endless rotary axis. Both bits 1: a rotary axis with ends
   (practice; a real backup agrees).
-- Values are given by axis (A), by path (L) or once for the machine; 981 states the path of an axis
-  (a real backup). Without it an axis may belong to any path.
+- A value belongs to an axis (A), to a path (L) or to the whole machine. 981 states the path of an
+  axis (a real backup). Without 981 an axis may belong to any path.
 """
 
 from __future__ import annotations
@@ -140,7 +142,7 @@ class Machine:
         )
 
     def path(self, axis: int) -> int | None:
-        """Return the number of an axis' path, from 0; None if parameter 981 does not state the
+        """Return the number of an axis' path, from 1; None if parameter 981 does not state the
         path.
         """
         home = self.entries.get(PATH_OF, {}).get(("A", axis))
@@ -150,7 +152,8 @@ class Machine:
         """Return a parameter's value for the axis, else for its path, else for the machine; else
         None.
 
-        An axis of unknown path is taken to be on the first; `either` reports whether that matters.
+        An axis whose path is unknown is assumed to be in path 1. `either` returns a fault if
+        another path would give a different value.
         """
         found = self.entries.get(number, {})
         owners: tuple[Owner, ...] = (("A", axis), ("L", self.path(axis) or 1), MACHINE)
@@ -223,7 +226,8 @@ class Machine:
         """Return the axes that an axis ``number`` in a parameter of ``owner`` may mean: it counts
         either all axes of the machine, or the axes of the owner's path.
 
-        Empty means any axis: a further path whose axes are unknown.
+        The result is empty if ``owner`` is a path from 2 on whose axes are unknown. The number may
+        then mean any axis.
         """
         homes = self.entries.get(PATH_OF, {})
         mates = sorted(

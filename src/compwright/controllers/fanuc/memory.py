@@ -1,9 +1,9 @@
 """The parameters and pitch error data of a FANUC after all files are loaded, each value once.
 
-Ranges and types: 16i technical report A-77810E (bidirectional pitch error compensation) and 0i-PB
-parameter manual B-63980EN/01 p. 100 for the meaning of 3620 to 3627; 0i-C parameter manual
-B-64120EN/01 p. 116 for 1851, 1852 (-9999..9999); number ranges, and the integer type of 3624 on the
-older series, are known from practice only.
+Meaning of 3620 to 3627: 16i technical report A-77810E (bidirectional pitch error compensation) and
+0i-PB parameter manual B-63980EN/01 p. 100. Ranges of 1851 and 1852 (-9999..9999): 0i-C parameter
+manual B-64120EN/01 p. 116. Known from practice only: the ranges of point numbers, and that 3624 is
+an integer on the older series.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ _EIGHT_BITS = re.compile("[01]{8}")
 class Memory:
     """The parameters and pitch error data in all files, with faults and notes.
 
-    A value that is given twice must be the same both times.
+    If the files give a value twice, both must be the same.
     """
 
     def __init__(
@@ -83,7 +83,7 @@ class Memory:
     def moves(self, axis: int) -> bool:
         """Return whether an axis has an active table or a backlash value.
 
-        Without these its detection unit has no effect.
+        Without a table and backlash, the detection unit of the axis has no effect.
         """
         low, high = self.whole(3621, axis), self.whole(3622, axis)
         return bool((self.whole(3623, axis) and low != high) or self.whole(1851, axis))
@@ -123,7 +123,8 @@ class Memory:
     def bit(self, number: int, bit: int, axis: int | None) -> bool | None:
         """Return a bit of a parameter; None if it is not in the files.
 
-        ``axis`` None: a parameter of no axis.
+        ``number``: the parameter. ``bit``: number of the bit, 0 is the rightmost. ``axis``:
+        controlled axis number; None for a parameter that belongs to no axis.
         """
         return self._one((number, axis, bit), lambda setting: setting.text == "1")
 
@@ -141,9 +142,10 @@ class Memory:
         return self._length(setting, rotary=rotary)
 
     def increment_size(self, axis: int) -> float | None:
-        """Return the least input increment of an axis, mm or deg. The default is 0.001 for IS-B.
+        """Return the least input increment of an axis, mm or deg. If the files do not state the
+        increment system, IS-B with 0.001 is assumed.
 
-        None, with a fault, for another coding.
+        Returns None, with a fault, if the parameter of the increment system has an unknown form.
         """
         size, system = self.machine.least_increment(axis), self.machine.system(axis)
         if system is None:
@@ -266,10 +268,10 @@ class Memory:
             )
 
     def _keep_points(self, records: list[PointRecord]) -> None:
-        """Store the pitch error data of one file.
+        """Store the pitch error data of all files.
 
-        Records without Q in a file with parameters count only where no others do and they fill a
-        whole range.
+        A record without Q in a file with parameters may be a parameter. Such records are stored
+        only if there are no other records and they cover the whole point range of an axis.
         """
         certain = [record for record in records if record.mark != "with_parameters"]
         held = {record.number for record in records}

@@ -18,12 +18,15 @@ OPTIONAL_FUNCTIONS = ("inclination", "cyclic", "straightness")
 class Options:
     """The options of one axis, such as its detection unit (mm or deg; None if unknown).
 
-    ``ramp``: the pulses of a section are spread evenly over it, instead of output in its middle.
-    ``pitch_sign``, ``offset_sign``: +1 or -1, of the pitch data and of 3627 (no manual page
-    confirms these signs). ``offset_magnified``: 3623 multiplies 3627. ``lowest`` to ``highest``:
-    increments that the control accepts. ``counted``: additional functions that are counted
-    (``inclination``, ``cyclic``, ``straightness``); the others stay unchanged and are only
-    reported. ``rapid``: the axis arrives at rapid traverse, not at cutting feed.
+    - ``ramp``: the pulses of a section are distributed evenly over it. Else they are output in its
+      middle.
+    - ``pitch_sign``: sign of the pitch data, +1 or -1. ``offset_sign``: sign of 3627, +1 or -1. No
+      manual page confirms these signs.
+    - ``offset_magnified``: 3623 multiplies 3627.
+    - ``lowest``, ``highest``: least and greatest increment that the control accepts.
+    - ``counted``: the additional functions (``inclination``, ``cyclic``, ``straightness``) that are
+      included in the correction. The others are left unchanged and only reported.
+    - ``rapid``: the axis moves at rapid traverse, else at cutting feed.
     """
 
     detection_unit: float | None

@@ -1,15 +1,17 @@
 """Differences between the families of FANUC controls: limits, number formats, parameter numbers.
 
-- 30i, 31i, 32i: points 0 to 1535, increments above 7 (a real backup, software D4G3: N10000Q0P0 to
-  N11535Q0P0, increments up to 10). Lengths are real numbers (the same backup).
-- 0i-D: increments -7 to 7; 8135#0 (NPE) = 1 switches stored pitch error compensation off
-  (connection manual, function, B-64303CM-1/01 p. 26). Q1 and real lengths: reported from the
-  backups of eleven machines. Its points 0 to 1023, and everything about 0i-F: practice.
+"Practice" marks a fact that no manual page confirms.
+
+- 30i, 31i, 32i: points 0 to 1535, increments greater than 7 are possible (a real backup, software
+  D4G3: N10000Q0P0 to N11535Q0P0, increments up to 10). Lengths are real numbers (the same backup).
+- 0i-D: increments -7 to 7. 8135#0 (NPE) = 1 switches stored pitch error compensation off
+  (connection manual, function, B-64303CM-1/01 p. 26). Q1 and real lengths are reported from the
+  backups of eleven machines. The points 0 to 1023 are practice. Everything about 0i-F is practice.
 - 0i-A to C, 16i, 18i, 21i: no Q and no decimal point, reported from the backups of eight 18i
-  machines; all else practice.
+  machines. Everything else is practice.
 - 15i: parameters without Q (B-63330EN/03 p. 21, 25). Its pitch parameters have numbers of their
-  own, 5420 to 5427; which bit selects two sets, and the meaning of 5428 to 5499, are unknown. All
-  practice, no page was found.
+  own, 5420 to 5427. Unknown are the bit that selects two sets, and the meaning of 5428 to 5499. All
+  this is practice, no page was found.
 """
 
 from __future__ import annotations
@@ -28,12 +30,12 @@ _COMMON = frozenset({1001, 1851, 1852})
 class ControlSeries:
     """A family of FANUC controls with its limits, number formats and parameter numbers.
 
-    ``whole_lengths``: 3624 without a point counts least input increments (16i and older).
-
-    ``systems``: parameters that state the increment system, the first one given counts.
-    ``switched_by``: parameter whose bit 0 switches the pitch data off. ``own``: number in the files
-    -> number used here, where the series has numbers of its own. ``unknown``: parameters that may
-    correct an axis and whose meaning is not known.
+    - ``whole_lengths``: 3624 without a decimal point counts least input increments (16i and older).
+    - ``systems``: parameters that can state the increment system. The first one in the files
+      applies.
+    - ``switched_by``: parameter whose bit 0 switches the pitch data off.
+    - ``own``: for a series with parameter numbers of its own, the standard number of each.
+    - ``unknown``: parameters that may correct an axis and whose meaning is unknown.
     """
 
     name: str
@@ -48,7 +50,7 @@ class ControlSeries:
     def number_here(self, number: int) -> int | None:
         """Return the standard number of a parameter that has another number on this series.
 
-        None for a number that means something else on this series.
+        Returns None for a number that has another meaning on this series.
         """
         if not self.own or number in _COMMON:
             return number

@@ -1,9 +1,12 @@
 """Entry sheets ``entry_<axis>.csv`` for a FANUC: the rows that an engineer types at the control.
 
-Comments ``# key: value`` (``address`` or ``axis``: controlled axis number; ``value``: what the
-numbers are), a header ``point,position,value,unit``, then rows: the point is a number of pitch data
-(10000 + n, or n) with its increment in pulses, or a parameter (``3620``, ``3605#0``, one of an
-inclination or of the second table) without position. Comma and decimal point.
+A sheet begins with comments ``# key: value``. ``address`` or ``axis`` states the controlled axis
+number, ``value`` whether the values are errors or corrections. The header
+``point,position,value,unit`` and the rows follow.
+
+The point of a row is the number of a pitch point (10000 + n, or n), and the value is its increment
+in pulses. Or the point is a parameter, without position: ``3620``, ``3605#0``, a parameter of
+inclination or of the second table. Cells are separated by commas; numbers have a decimal point.
 """
 
 from __future__ import annotations
@@ -50,7 +53,8 @@ def read_sheet(
     """Return the contents of an entry sheet. ``pitch_sign``: the function that returns the option
     of this name for an axis address.
 
-    A sheet whose values are errors needs the option ``-``.
+    If the sheet states that its values are errors, the option ``pitch_sign`` must be ``-``. Else a
+    fault is added.
     """
     try:
         text = file.content.decode("utf-8-sig")

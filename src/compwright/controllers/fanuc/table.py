@@ -1,14 +1,14 @@
 """The pitch error compensation of a FANUC by position, as totals in whole detection units.
 
-Stated from the manuals, independently of the definition that writes the files:
+The rules are taken from the manuals, independently of the definition that writes the files:
 
-- An increment belongs to its section: with reference number r and interval b, number n owns ((n - r
-  - 1) b, (n - r) b) (0i-PB parameter manual B-63980EN/01 p. 100). Values count from the negative
-  towards the positive side, on both sides of r.
-- Total at the node m b: the increments from the reference to there; 0 at the reference; minus the
-  increments passed on the way for m < 0.
+- An increment belongs to its section. With reference number r and interval b, number n belongs to
+  the section from (n - r - 1) b to (n - r) b (0i-PB parameter manual B-63980EN/01 p. 100). On both
+  sides of r, increments are counted from the negative towards the positive side.
+- The total at the node m b is the sum of the increments from the reference to this node. It is 0 at
+  the reference. For m < 0 it is minus the sum of the increments in between.
 - The pulses of a section are output in its middle (practice), or as a ramp with interpolated
-  compensation. Outside, the last total holds.
+  compensation. Outside the table the total of its end applies.
 """
 
 from __future__ import annotations
@@ -25,10 +25,9 @@ class IncrementGrid:
     """The point numbers, interval and travel per turn of an axis' table (parameters 3605#0 and 3620
     to 3627).
 
-    ``interval``, ``turn``: mm or deg; ``offset``: detection units.
-
-    ``negative_from``: 3626 with bidirectional data, else None. ``turn``: of an endless axis, else
-    None.
+    ``interval``: mm or deg. ``turn``: travel per turn of an endless axis, deg; else None.
+    ``negative_from``: 3626, the first point number for travel towards -; None without bidirectional
+    data. ``offset``: 3627, detection units.
     """
 
     axis: int
@@ -62,9 +61,9 @@ class IncrementGrid:
 class PitchTable:
     """The total corrections (k,) of a pitch error table in each direction, in detection units.
 
-    At ``(first + i) * interval`` from the reference (mm or deg), i = 0..k-1.
-
-    ``turn``: period of an endless axis, deg; None for an axis with ends.
+    Total i (0 to k - 1) is at the position ``(first + i) * interval`` relative to the reference, mm
+    or deg. ``positive``, ``negative`` (k,): totals for travel towards + and −. ``turn``: period of
+    an endless axis, deg; None for an axis with ends.
     """
 
     first: int

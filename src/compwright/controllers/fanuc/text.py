@@ -1,18 +1,18 @@
 """Read the blocks of FANUC text files as the control does: parameters and pitch error data.
 
-A second, small reader on purpose: it shares nothing with the room that writes these files. Sources
-of the text form:
+This is a second, small reader on purpose. It shares no code with the package that writes these
+files. Sources of the text form:
 
-- 30i/31i/32i: parameter manual B-63950EN/02 p. 8, 11, 12: ``N03620Q1A1P40A2P0`` (A: controlled axis
-  number, S: spindle, L: path; P, or M / I for metric / inch lengths), bits as eight digits of which
-  the rightmost is bit 0.
+- 30i/31i/32i: parameter manual B-63950EN/02 p. 8, 11, 12: ``N03620Q1A1P40A2P0``. A is the
+  controlled axis number, S the spindle, L the path. The value follows P, or M / I for metric / inch
+  lengths. Bits are eight digits, of which the rightmost is bit 0.
 - 15i and older: parameter manual B-63330EN/03 p. 21, 25: the same without Q, ``%;`` first. Old
   machines write blanks between the words (``N01825 A1 P 3000``).
 - Pitch data ``N1nnnnQ0P<increment>`` (10000 + point number) and program entry (``G10L50`` or
-  ``G10L52`` to ``G11``, ``N<parameter>P<axis>R<value>``): known from practice only, no page was
-  found.
+  ``G10L52`` to ``G11``, ``N<parameter>P<axis>R<value>``) are known from practice only. No manual
+  page was found.
 
-Values are kept as text here; ``memory`` gives them their types.
+Values are kept as text here; ``memory`` converts them to numbers.
 """
 
 from __future__ import annotations
@@ -58,10 +58,9 @@ KEPT_FILES = 64
 class ParameterSetting(OfLine):
     """One value of a parameter.
 
-    ``axis``: controlled axis number, None for a parameter of no axis.
-
-    ``bit``: number of a single bit, None for the whole value. ``keyword``: P, M or I as in a file,
-    or the unit of a typed-entry sheet (pulse, mm, deg or nothing).
+    ``axis``: controlled axis number, None for a parameter of no axis. ``bit``: number of a single
+    bit, None for the whole value. ``keyword``: P, M or I as in a file, or the unit in an entry
+    sheet (pulse, mm, deg or nothing).
     """
 
     number: int
@@ -118,10 +117,9 @@ class TapeContent:
 def read_file(file: ControlFile, series: ControlSeries) -> TapeContent:
     """Return the contents of one ASCII file.
 
-    Lines end with LF, CR LF, LF CR CR or CR.
-
-    Parameters get the numbers used here (`ControlSeries.number_here`). Nothing is raised. The
-    result is cached by content: do not change it.
+    A line ends with LF, CR LF, LF CR CR or CR. Parameter numbers are converted to the standard
+    numbers (`ControlSeries.number_here`). Errors become faults in the result; nothing is raised.
+    The result is cached by content: do not change it.
     """
     if b"\x00" in file.content:
         fault = Fault(
@@ -146,7 +144,8 @@ class _Unreadable(Exception):  # noqa: N818  # a signal inside this module
 class _TapeReader:
     """Reads a FANUC text file (parameters or pitch error data) line by line.
 
-    ``marks``: the number of ``%`` so far; odd ones open a tape section, even ones close it.
+    ``marks``: the number of ``%`` lines so far. An odd one opens a tape section, an even one closes
+    it.
     """
 
     def __init__(self, file: str, series: ControlSeries) -> None:
@@ -194,10 +193,12 @@ class _TapeReader:
                 self._wrong(number, raw, "the block cannot be read", str(error))
 
     def finish(self, *, ends_with_break: bool) -> None:
-        """Check the file as a whole (``%`` at start and end), and decide whether records without Q
-        are points or parameters. ``ends_with_break``: the file ends with a line break.
+        """Check the file as a whole (``%`` at start and end), and mark the point records without Q.
+        ``ends_with_break``: the file ends with a line break.
 
-        Records without Q are parameters if the file contains other parameters.
+        A record without Q is marked as a point if the file contains no parameters. Else it is
+        marked as doubtful, because it may be a parameter. If a block with a number from 10000 on
+        has the form of a parameter, all records without Q are removed.
         """
         mark: Mark = "with_parameters" if self.parameters else "alone"
         kept = [record for record in self.found.points if record.mark == "Q0" or not self.above]
@@ -243,10 +244,11 @@ class _TapeReader:
         )
 
     def _place(self, number: int) -> None:
-        """Add a fault for a block that is not between two ``%`` lines, because the control does not
-        read such a block.
+        """Check that a block is between two ``%`` lines, because the control does not read other
+        blocks.
 
-        A file without any ``%`` counts as inside.
+        A block before the first ``%`` is kept for the check at the end of the file: a file without
+        any ``%`` is valid. Raises _Unreadable for a block after the closing ``%``.
         """
         if self.marks == 0:
             self.before.append(number)
