@@ -1,24 +1,27 @@
 """HEIDENHAIN controls: iTNC 530 and older (machine parameters, .COM/.CMA), and NCK controls
 (CfgAxisComp, .COM/.CMA).
 
-TNC 407 to 430 too; MP710, MP720, MP730.
+The older controls include TNC 407 to 430. Machine parameters: MP710 (backlash), MP720 (linear
+error), MP730 (selection of the tables).
 
-Stated from the manuals, independently of the definitions that write the files:
+The rules are taken from the manuals, independently of the definitions that write the files:
 
-- Linear error MP720, mm/m, positive when the axis travels too far; it starts at the reference mark:
-  the control adds -MP720 * (p - reference) / 1000. No effect on rotary axes; per axis either this
-  or the tables (MP730 bit), TNC 407 p. 151.
+- Linear error MP720, mm/m, positive when the axis travels too far. It begins at the reference mark:
+  the control adds -MP720 * (p - reference) / 1000. It has no effect on rotary axes. On each axis
+  either MP720 or the tables are active (MP730 bit), TNC 407 p. 151.
 - A column Y in the .COM that the active .CMA line names under X is Y = F(X) (MANUALplus 620 p.
-  718). Point k lies at DATUM + k * spacing; the spacing is 2^n * 0.1 µm (TNC 407 p. 153) or free
-  (iTNC 530 HSCI p. 655). NCK: AXISPOS (p. 716).
+  718). On an iTNC 530, point k is at DATUM + k * spacing. The spacing is 2^n * 0.1 µm (TNC 407 p.
+  153) or free (iTNC 530 HSCI p. 655). On an NCK control, the column AXISPOS lists the positions (p.
+  716).
 - MP710 / backLash positive: the encoder runs ahead, the travel is too short (TNC 426/430 p. 366,
-  MANUALplus 620 p. 707). Nothing in the direction of referencing, on reversal the whole value in
-  the direction of motion; that zero state is not confirmed.
-- The column BACKLASH of an NCK table holds the values of the axis' own column for travel towards -;
-  a table has at most 256 points (MANUALplus 620 p. 715).
-- Axes are numbered as given (``axis_number``; AX4 is axis 4), else X, Y, Z, A, B, C from 1.
-- Unconfirmed and so an option or an assumption: the sign of the table values, and the correction
-  outside a table.
+  MANUALplus 620 p. 707). It adds nothing in the direction of referencing (unconfirmed). On reversal
+  the whole value is added in the direction of motion.
+- The column BACKLASH of an NCK table contains the values of the moving axis for travel towards -. A
+  table has at most 256 points (MANUALplus 620 p. 715).
+- Axes are numbered as the job states (``axis_number``; AX4 is axis 4), else X, Y, Z, A, B, C from
+  1.
+- The sign of the table values and the correction outside a table are unconfirmed, and so an option
+  or an assumption.
 """
 
 from __future__ import annotations
@@ -67,7 +70,7 @@ class HeidenhainControl:
         """Return the correction at ``positions`` (any shape), approached in ``direction``; mm or
         deg.
 
-        Without cross tables.
+        Corrections by the position of another axis are not included: see `cross_correction`.
         """
         return self._axis(address).correction(np.asarray(positions, dtype=np.float64), direction)
 
@@ -85,7 +88,8 @@ class HeidenhainControl:
         """Return the correction of ``output`` (mm, deg for a rotary axis) with ``input`` at
         ``positions`` (any shape).
 
-        It is the same in both directions. Raises UsageError for a pair without a table.
+        The correction is the same in both directions. It is 0 if the tables of ``output`` are not
+        active. Raises UsageError for a pair without a table.
         """
         pair = (self.generation.address(input), self.generation.address(output))
         if pair not in self.crossed:
@@ -115,12 +119,15 @@ def heidenhain_control(
 ) -> HeidenhainControl:
     """Return a control of one generation with its files loaded; their order does not matter.
 
-    Entry sheets, .COM, .CMA and, for an iTNC 530, lines of machine parameters.
+    The files are entry sheets, .COM and .CMA tables and, for an iTNC 530, lines of machine
+    parameters.
 
-    Options: ``table_values`` (``error``, ``correction``) of exported tables, ``spacing_rule``
-    (``free``, ``power_of_two``; iTNC 530), ``backlash_column`` (``second_curve``, ``absent``; NCK).
-    Raises InputError for anything the control would not take or that is contradictory, every fault
-    with file and line; UsageError for a wrong option or a turn other than 360 deg.
+    Options of the job: ``table_values`` of exported tables (``error``, ``correction``);
+    ``spacing_rule`` (``free``, ``power_of_two``; iTNC 530); ``backlash_column`` (``second_curve``,
+    ``absent``; NCK).
+
+    Raises InputError for data that the control would not accept and for contradictions, each fault
+    with file and line. Raises UsageError for a wrong option or a turn other than 360 deg.
     """
     numbers = {
         int(one[2:]): one for one in request.axes_under_work if re.fullmatch(r"AX[1-9][0-9]?", one)

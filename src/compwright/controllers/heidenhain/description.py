@@ -1,9 +1,11 @@
 """The description of a table's columns in NCK controls, between first line and column headings.
 
-Two forms occur in public tables of these controls (none of them a .COM): ``#STRUCTBEGIN`` to
-``#STRUCTEND`` with lines ``NAME =`` and ``WIDTH =``, and ``TableDescription (`` up to the bracket
-that closes it, with ``key:="X"``, ``width:=8``, ``unitIsInch:=TRUE`` and ``primaryKey:="NR"``. For
-.COM and .CMA tables they are unconfirmed.
+Two forms occur in public tables of these controls. None of these tables is a .COM; for .COM and
+.CMA tables both forms are unconfirmed:
+
+- ``#STRUCTBEGIN`` to ``#STRUCTEND`` with lines ``NAME =`` and ``WIDTH =``.
+- ``TableDescription (`` up to the bracket that closes it, with ``key:="X"``, ``width:=8``,
+  ``unitIsInch:=TRUE`` and ``primaryKey:="NR"``.
 """
 
 from __future__ import annotations
@@ -27,7 +29,7 @@ _STRUCT = re.compile(r"\s*(NAME|WIDTH)\s*=\s*(\S+)\s*", re.IGNORECASE)
 class ColumnWidths:
     """The widths (characters) of a table's columns, as the head of the table describes the widths.
 
-    ``first``: the column with the row numbers.
+    ``widths``: width by column name. ``first``: the column with the row numbers.
     """
 
     widths: dict[str, int] = field(default_factory=dict)
@@ -36,8 +38,9 @@ class ColumnWidths:
     def cells(self, names: Sequence[str], starts: Sequence[int]) -> bool:
         """Return whether the described widths agree with the positions of the column names.
 
-        Then a cell belongs to the column whose name begins where the cell begins. (A column may be
-        followed by a blank.)
+        If they agree, a cell belongs to the column whose name begins at the same character.
+        ``names``: the column names in order. ``starts``: index of the first character of each name.
+        A column may be followed by one blank.
         """
         next_start = dict(zip(names, starts[1:], strict=False))
         places = [
@@ -52,7 +55,7 @@ class ColumnWidths:
 def described(lines: Sequence[Line]) -> tuple[ColumnWidths, list[Line]]:
     """Return the description of a table's columns, and the remaining lines of the table.
 
-    Raises InputError for a description without its end, and for a column with its own unit inch.
+    Raises InputError for a description without its end, and for a column described as inches.
     """
     filled = [index for index, (_, line) in enumerate(lines) if line.strip()]
     begin = filled[0] if filled else len(lines)

@@ -1,7 +1,7 @@
 """Elements of HEIDENHAIN files: numbers, lines, parameters, differences between generations.
 
-Lines of machine parameters of an iTNC 530: ``MP710.0 : 0.0040`` (index = axis number from 0) and
-``MP730 : %00011``.
+Lines of machine parameters of an iTNC 530 look like ``MP710.0 : 0.0040`` (index = axis number from
+0) or ``MP730 : %00011`` (one bit per axis).
 """
 
 from __future__ import annotations
@@ -39,10 +39,11 @@ class Quantity(Enum):
 class Generation:
     """The rules of one generation of HEIDENHAIN controls, iTNC 530 or NCK.
 
-    Parameter names, limits, and how axes are named.
-
-    ``parameters``: name -> quantity; ``largest``: limit of backlash and linear error, both signs;
-    ``numbers``: axes by the given axis number, from 1.
+    - ``parameters``: meaning of each machine parameter, by its name.
+    - ``ignores_case``: axis names are the same in upper and lower case.
+    - ``most_points``: greatest number of points in a table; None if unknown.
+    - ``largest``: greatest amount of backlash (mm or deg) and linear error (mm/m); None if unknown.
+    - ``numbers``: name of each axis whose number (from 1) the job states.
     """
 
     name: str
@@ -56,7 +57,8 @@ class Generation:
         """Return the name of the axis with a number (from 1): by the job, else by the letter usual
         for that number.
 
-        The number itself where no letter is fixed, or the letter was given another number.
+        Returns the number as text if no letter is usual for it, or if the job gives this letter
+        another number.
         """
         letter = LETTERS[number - 1] if number <= len(LETTERS) else str(number)
         free = str(number) if letter in self.numbers.values() else letter
@@ -110,7 +112,7 @@ class LinePlace(OfLine):
 class Parameter:
     """A parameter of an axis: backlash (mm or deg), linear error (mm/m), or on/off (1 or 0).
 
-    ``unit`` is empty where the file names none.
+    ``unit``: as stated in the file; empty if the file states none.
     """
 
     quantity: Quantity
@@ -208,7 +210,8 @@ def _mask(
     """Return the bit mask MP730 as one on/off parameter per axis, bit 0 for the first axis. An
     invalid mask is a fault in ``found`` and gives no parameters.
 
-    All digits of ``%00011``, all axes of a decimal number.
+    A mask such as ``%00011`` gives one parameter per digit. A decimal number gives a parameter for
+    every possible axis.
     """
     bits = text[1:][::-1] if _BITS.fullmatch(text) else ""
     if len(text.lstrip("0")) > 1 and not set(text) - {"0", "1"}:

@@ -1,8 +1,8 @@
 """HEIDENHAIN tables as blocks of lines, and their cells by column heading.
 
-The form of the classic tables is known from memory only. What is unambiguous is taken as written,
-the rest is refused, never guessed: a cell belongs to the column whose heading is above it; a table
-without its end line has been cut short.
+The form of the classic tables is not confirmed by a manual page. So a table is read only where it
+is unambiguous; everything else is refused. A cell belongs to the column whose heading is above it.
+A table without its end line was cut short, which is a fault.
 """
 
 from __future__ import annotations
@@ -30,6 +30,7 @@ _MOST_COLUMNS = 64
 class TableBlock:
     """The lines of a table from BEGIN to its end line.
 
+    ``name``: name of the table. ``kind``: COM or CMA. ``inch``: its lengths are in inches.
     ``rest``: the text after the unit in the BEGIN line.
     """
 
@@ -175,12 +176,15 @@ def _row(
     starts: Sequence[int] | None,
 ) -> tuple[str | None, ...] | Fault:
     """Return the cells of a table line, or a fault if it is unclear to which columns they belong.
-    ``wanted``: the row number with which the line must begin; ``spans``: start and end of each
-    column name.
 
-    Where the table's description says so, a cell reaches from its column's first character (one of
-    ``starts``) to the next one's. Else, with every cell filled, the blanks separate the columns;
-    with fewer cells, each must be under exactly one heading.
+    - ``wanted``: the row number with which the line must begin.
+    - ``spans``: index of the start and of the end of each column name.
+    - ``starts``: index of the first character of each column, if the table describes its columns;
+      else None. With ``starts``, a cell reaches from the start of its column to the start of the
+      next column.
+
+    Without ``starts``, blanks separate the columns if every cell is filled. With fewer cells, each
+    cell must be below exactly one heading.
     """
     words = [(match.group(), match.span()) for match in _WORD.finditer(line)]
     if not _WHOLE.fullmatch(words[0][0]) or int(words[0][0]) != wanted:

@@ -1,8 +1,7 @@
 """The contents of HEIDENHAIN files, and which table is active for the motion of which axis.
 
-And of the request, with the assumptions, notes and faults that the parts of the loader add.
-
-A table is active by the active .CMA line, else by its name.
+The active line of the .CMA table decides which tables are active, and for which moving axis.
+Without a .CMA table, the name of each table states its moving axis.
 """
 
 from __future__ import annotations
@@ -65,6 +64,7 @@ class LoadedContents:
     def choice(self, name: str, allowed: tuple[str, str], address: str) -> str:
         """Return an option of the moving axis; the first of ``allowed`` is the default.
 
+        ``name``: the option. ``allowed``: its two possible values. ``address``: the moving axis.
         Raises UsageError for another value.
         """
         value = self.request.options_of(address).get(name, allowed[0])
@@ -90,7 +90,7 @@ class AxisAssignment:
         """Return each .COM table with the axis whose position selects its rows; None for a table
         that is not active.
 
-        A .COM that is active twice is listed twice.
+        A .COM table that is active for two axes is listed twice.
         """
         if len(self.given.cmas) > 1:
             self.given.faults += [
@@ -158,7 +158,8 @@ class AxisAssignment:
         """Return the moving axis of a .COM table if there is no .CMA table; None, with a fault, if
         it is unclear.
 
-        Named in its head or its file name, else the option ``axis``.
+        The name in the head of the table or the file name states the axis. If neither does, the
+        option ``axis`` states it for the only .COM table.
         """
         known = dict.fromkeys(
             [

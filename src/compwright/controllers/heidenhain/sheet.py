@@ -1,9 +1,9 @@
 """Entry sheets ``entry_<axis>.csv`` for HEIDENHAIN controls: the rows that an engineer types at the
 control.
 
-Comment lines ``# key: value``, the header ``point,position,value,unit``, then points and
-parameters. A second, small reader on purpose: it shares nothing with the room that writes these
-sheets.
+A sheet has comment lines ``# key: value``, the header ``point,position,value,unit``, then rows with
+points and parameters. This is a second, small reader on purpose. It shares no code with the package
+that writes these sheets.
 """
 
 from __future__ import annotations
@@ -40,10 +40,8 @@ _NO_UNIT = ("", "-", "bit")
 class JudgedSheet:
     """An entry sheet of one axis: ``values`` (k,) at ``nodes`` (k,), both in mm or deg.
 
-    k = 0 without points.
-
-    ``errors``: the values are errors, else corrections. ``kind``: linear or rotary by the units,
-    None where there is no unit.
+    k is 0 for a sheet with parameters only. ``errors``: the values are errors, else corrections.
+    ``kind``: linear or rotary by the units; None without a unit.
     """
 
     address: str

@@ -1,7 +1,8 @@
 """HEIDENHAIN tables: ``.COM`` (correction values), ``.CMA`` (the active .COM table of each axis).
 
-iTNC 530: one row per point, the point k lies at DATUM + k * spacing (TNC 407 technical manual p.
-153, iTNC 530 HSCI p. 655). NCK: the column AXISPOS lists the positions (MANUALplus 620 p. 716).
+On an iTNC 530, a table has one row per point. Point k is at DATUM + k * spacing (TNC 407 technical
+manual p. 153, iTNC 530 HSCI p. 655). On an NCK control, the column AXISPOS lists the positions
+(MANUALplus 620 p. 716).
 """
 
 from __future__ import annotations
@@ -43,11 +44,11 @@ _KINEMATICS = {f"C{n}" for n in range(1, 7)}
 class Com:
     """One .COM table: values (k, columns) as written, NaN where blank.
 
-    ``columns``: the corrected axes.
-
-    iTNC 530: ``datum`` and ``distance`` as written, ``listed`` is None. NCK: ``listed`` (k,) =
-    AXISPOS, ``negative`` (k,) = BACKLASH, None without that column. ``names``: the names by which a
-    .CMA may refer to the table, in capitals without the ending.
+    - ``names``: the names by which a .CMA may refer to the table, in capitals without the ending.
+    - ``columns``: the corrected axes.
+    - ``datum``, ``distance``: DATUM and DIST of an iTNC 530, as written.
+    - ``listed`` (k,): positions in the column AXISPOS of an NCK control; None for an iTNC 530.
+    - ``negative`` (k,): column BACKLASH of an NCK control; None without this column.
     """
 
     name: str
@@ -66,7 +67,8 @@ class Com:
 class Cma:
     """One .CMA table: its active line, which names a .COM table for each moving axis.
 
-    Moving axis -> name of its .COM (capitals, no ending); ``axes`` are all its axis columns.
+    ``axes``: all axis columns. ``active``: name of the .COM table (capitals, no ending) by moving
+    axis; None if no line is active. ``marked``: the active line has a mark.
     """
 
     axes: tuple[str, ...]
@@ -324,7 +326,9 @@ def _by_position(block: TableBlock, grid: CellGrid, stem: str | None, faults: li
 def _cma(block: TableBlock, generation: Generation) -> Cma:
     """Return the .CMA table in a block of lines, of which only the active line is read.
 
-    NCK: ``*`` in ACTIVE; iTNC 530: the only line, or the one with ``M`` in STATUS or ACTIVE.
+    On an NCK control, the active line has ``*`` in the column ACTIVE. On an iTNC 530, it is the
+    only line, or the line with ``M`` in STATUS or ACTIVE. Raises InputError if it is unclear which
+    line is active, or for wrong column headings.
     """
     grid = read_grid(block)
     mark = "M" if generation.name == ITNC530.name else "*"

@@ -27,7 +27,8 @@ _MEETS = 1e-6
 class CorrectionCurve:
     """A correction curve: ``values`` (k,) at ``nodes`` (k,), linear in between, constant outside.
 
-    ``endless``: positions count modulo 360 deg; ``one_turn``: only 0 to 360 deg is used.
+    ``endless``: positions count modulo 360 deg. ``one_turn``: the curve is used from 0 to 360 deg
+    only; outside, its value at 0 or 360 deg applies.
     """
 
     nodes: FloatArray
@@ -64,13 +65,11 @@ class OwnTable:
 class HeidenhainAxis:
     """The compensation of one axis.
 
-    ``nonlinear``: its tables are active, else its linear error.
+    Either the tables or the linear error are active, never both (TNC 407 technical manual p. 151).
 
-    Never both (TNC 407 technical manual p. 151).
-
-    ``linear_error``: the active one, mm/m, positive when the axis travels too far; 0 with active
-    tables. ``backlash``: mm or deg, positive when the encoder runs ahead and the travel is too
-    short.
+    ``nonlinear``: the tables are active. ``linear_error``: the active linear error, mm/m, positive
+    when the axis travels too far; 0 with active tables. ``backlash``: mm or deg, positive when the
+    encoder runs ahead and the travel is too short.
     """
 
     table: OwnTable | None
@@ -118,8 +117,9 @@ _SAME_VALUE = 5e-5
 class OwnTableLoader:
     """Builds correction curves from tables; faults and notes are added to ``given``.
 
-    ``own``: the versions of each axis' own table with their place; ``crossed``: moving and
-    corrected axis -> curve.
+    ``own``: for each axis, every version of the table that corrects it by its own position, with
+    its place in the files. ``crossed``: curves that correct another axis, by moving and corrected
+    axis.
     """
 
     def __init__(self, given: LoadedContents) -> None:
@@ -228,7 +228,9 @@ class OwnTableLoader:
     ) -> CorrectionCurve | None:
         """Return the curve for approaches towards -; None if one curve applies to both directions.
 
-        It is the column BACKLASH of NCK controls.
+        The curve is the column BACKLASH of a table of an NCK control. ``moving``: the axis whose
+        position selects the rows. ``nodes`` (k,): positions of the rows, mm or deg. ``sign``: 1 or
+        -1, factor from a table value to the correction.
         """
         chosen = self.given.choice("backlash_column", ("second_curve", "absent"), moving)
         if com.negative is None or np.all(np.isnan(com.negative)):
@@ -301,7 +303,10 @@ class OwnTableLoader:
     ) -> CorrectionCurve:
         """Return the curve through the rows that have a value.
 
-        A rotary axis is endless if the request gives its turn, or if its table spans the turn.
+        ``moving``: the axis whose position selects the rows. ``nodes`` (k,): positions, mm or deg.
+        ``values`` (k,): corrections, NaN where blank. A rotary axis is endless if the job states
+        its turn, or if its table covers 0 to 360 deg. Raises UsageError for a stated turn other
+        than 360 deg.
         """
         filled = ~np.isnan(values)
         nodes, values = nodes[filled], values[filled] + 0.0
