@@ -62,7 +62,7 @@ _USERS_LENGTHS = 1 << 0 | 1 << 1 | 1 << 11 | 1 << 12
 def basic_system(gathered: Gathered, notes: Notes) -> str | None:
     """Return the length unit of the files, mm or inch. None if they do not state it.
 
-    Contradicting files are refused, and an inch of another length.
+    These are faults: files that contradict each other, and an inch that is not 25.4 mm long.
     """
     by_word = _places(gathered)
     if "unit_word" in gathered.definition.bindings and {"mm", "inch"} <= by_word.keys():

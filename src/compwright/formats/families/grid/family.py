@@ -1,7 +1,7 @@
 """Controls with a table for each axis: values by index at equal spacing, or rows with positions.
 
-The form of positions and values in a file is a shape (`tables`), one module each. `pairs` extends
-this family by cross-axis tables; nothing here depends on it.
+The form of positions and values in a file is a `TableShape` (`tables`); there is one class for each
+form. The family `pairs` extends this family by cross-axis tables; nothing here depends on it.
 """
 
 from __future__ import annotations

@@ -61,8 +61,8 @@ def joint_letters(kinematics: str, order: str, count: str) -> str:
     order applies. ``kinematics``, ``order``, ``count``: the machine's kinematics, axis letters and
     number of joints, as the files state them.
 
-    Arguments of the kinematics (``coordinates=XYYZ``) have priority; ``order`` is used for
-    kinematics with letters of its own (XYZBC) if there are as many as joints.
+    An argument of the kinematics (``coordinates=XYYZ``) has priority. Without it, ``order`` is used
+    if the kinematics has its own letters (such as XYZBC) and there are as many letters as joints.
     """
     given = re.search(r"coordinates=\"?([A-Za-z]+(?:[ \t]+[A-Za-z]+(?![\w=]))*)", kinematics)
     if given is not None:
@@ -102,9 +102,10 @@ def homing_of(
     which a shifted correction is zero. ``values``: the settings of one joint; ``factor``: mm or deg
     per unit of the files.
 
-    A switch sets the motor offset to the commanded position less the correction that is applied
-    there; an encoder's index that resets its counter, an absolute encoder, and homing in place
-    before the first motion leave the correction unchanged (homing.c).
+    Homing to a switch sets the motor offset to the commanded position less the correction at this
+    position, so it shifts the correction. Three kinds of homing leave the correction unchanged
+    ("absolute"): to an encoder index that resets its counter, with an absolute encoder, and in
+    place before the first motion (homing.c). If the files do not show the kind, the word is empty.
     """
     if "home_offset" not in values.definition.bindings:
         return "", None
@@ -142,8 +143,9 @@ def unapplied_steps(values: GridAxisValues, factor: float) -> tuple[float, float
     because it applies smaller and larger steps only; None if unknown. ``factor``: mm or deg per
     unit of the files.
 
-    Left out: a step above the first number, up to the second. From rest the ramp takes a step up to
-    ``least`` at once; it starts for a step above ``most`` (control.c, ``compute_screw_comp``).
+    The control leaves out a step that is larger than the first number and at most the second. From
+    rest, a step up to the first number is applied at once. A step above the second number starts a
+    ramp (control.c, ``compute_screw_comp``).
     """
     if "max_acceleration" not in values.definition.bindings or not any(
         values.single(name) is not None for name in ("servo_period", "max_acceleration")

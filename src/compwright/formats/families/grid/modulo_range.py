@@ -1,6 +1,6 @@
 """Fit the table of an endless axis to the control's modulo range, and check that the turns agree.
 
-The same turn, starting where that range begins.
+The table covers one turn and starts where the modulo range begins.
 """
 
 from __future__ import annotations
@@ -40,8 +40,8 @@ def in_modulo_range(
     angle keeps its correction. ``name``: the axis in messages; ``faults``: the list that gets a
     fault.
 
-    It is not known whether the control would find a table with another start. If no node is at
-    ``start``, that is a fault, which names a possible spacing.
+    The table must begin there, because it is not known whether the control applies a table with
+    another start. If no point is at ``start``, a fault is added that names a possible spacing.
     """
     period, positions = compensation.period, compensation.positions
     if period is None or positions.size < 2:
@@ -121,7 +121,8 @@ def most_points_of_turn(axis: Axis, rows: int) -> int:
     """Return how many points one turn can have if one table of at most ``rows`` points has to
     contain all turns of the travel.
 
-    Both ends of the turn are included. Raises CapacityError if two points do not fit.
+    The points at both ends of the turn are counted. Raises CapacityError if a turn would have fewer
+    than three sections.
     """
     low, high = axis.travel
     sections = int((rows - _EXTRA_ROWS) * float(axis.modulo or 0.0) / (high - low))
@@ -189,7 +190,7 @@ def _check_range(values: GridAxisValues, axis: Axis, found: FoundValue) -> None:
     """Check that the modulo range of the axis is the same in the job and in the control. ``found``:
     the line in the files that makes the axis endless.
 
-    A job with ends would leave out the rest of the turn.
+    An axis with ends in the job is a fault too: its table would leave out the rest of the turn.
     """
     length = values.single("modulo_range")
     turn = float(length.text) if length is not None else None

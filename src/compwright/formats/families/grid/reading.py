@@ -1,7 +1,8 @@
 """Read a control's files as the active compensation of every axis that they name.
 
-Missing is not zero: a grid without values, a table that is switched on but was not given, and an
-axis that no file names are errors. Assumptions are listed.
+A missing value does not count as zero. These are errors: a grid without values, a table that is
+switched on but is in no file, and an axis of the job that no file names. Every assumption is
+listed.
 """
 
 from __future__ import annotations
@@ -67,8 +68,8 @@ _CORRECTING = ("backlash", "enabled", "cross_axis_enabled", "dynamic_backlash", 
 class GridReader:
     """Reads the files of one control; see `Family.read` for the arguments and errors.
 
-    An extension reads anything in addition to the axes' own tables: the methods without an
-    underscore are its hooks.
+    A derived class can read more than the axes' own tables. It overrides the methods without an
+    underscore.
     """
 
     #: What the user gives instead of a container that cannot be opened.
@@ -229,7 +230,7 @@ class GridReader:
         """Add a fault if it is unclear whether values under another name in the files, such as X1
         in addition to AX1, belong to this axis.
 
-        No list of names says which of them are one axis.
+        This is unclear if no file contains the list of axis names.
         """
         if axis is None or "machine_axis" not in self.definition.bindings:
             return

@@ -159,8 +159,8 @@ class TableFiles:
 def unused_table_files(definition: Definition, files: Sequence[ControlFile]) -> list[str]:
     """Return the names of files that the control never opens, because no loaded file names them.
 
-    A machine's folder holds many (its HAL files, its tools). A damaged file that would otherwise
-    state what is loaded is not among them.
+    A machine's folder holds many such files, for example its tool table. A damaged file that states
+    what is loaded when intact is not returned.
     """
     binding = definition.bindings.get("table_file")
     if binding is None:
@@ -186,7 +186,8 @@ def unused_table_files(definition: Definition, files: Sequence[ControlFile]) -> 
 def offset_at_run_time(files: Sequence[ControlFile], axes: Collection[str]) -> Iterator[Fault]:
     """Yield a fault for each line of a HAL file that adds an external offset to one of ``axes``.
 
-    Letters; an axis with another name may be any.
+    ``axes``: the axes of the job, by letter. If one of them has a longer name, each external offset
+    in the files is a fault, because it may belong to this axis.
     """
     letters = {name.upper() for name in axes}
     known = bool(letters) and all(len(name) == 1 for name in letters)

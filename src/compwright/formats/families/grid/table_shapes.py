@@ -1,6 +1,6 @@
 """Tables of one axis in two shapes: values by index at equal spacing, or rows with positions.
 
-Start, end and spacing are given once.
+A table with values by index states its start, end and spacing once.
 """
 
 from __future__ import annotations
@@ -86,7 +86,8 @@ class ByIndex(TableShape):
     def write(self, text: TableText) -> WrittenTable:
         """Return the text of a table by index, which needs equal spacing; see `TableShape.write`.
 
-        An existing grid keeps its text, with all its decimal places.
+        If the grid stays the same, start, end and spacing keep their existing text with all its
+        decimal places.
         """
         positions, scale = text.compensation.positions, text.scale
         rows = tuple({"index": str(index), **text.values(index)} for index in range(positions.size))
@@ -178,8 +179,8 @@ def indexed(source: TableSource) -> dict[int, FoundValue] | None:
 class _Grid:
     """The positions of equally spaced points: start, spacing, and number of spacings.
 
-    ``beyond``: one more point follows with the value of the last one; the control may use it or
-    not.
+    ``beyond``: the table has one more point, which the control may use or not. Its value is the
+    same as that of the last point.
     """
 
     start: Decimal
@@ -191,8 +192,8 @@ class _Grid:
 def _steps(source: TableSource, values: Mapping[int, FoundValue]) -> _Grid | None:
     """Return start, spacing and number of spacings of the table in the files.
 
-    If its end lies between two points, it is not known whether the control goes on to the second
-    one: both must hold the same value.
+    If the table's end lies between two points, it is not known whether the control uses the second
+    one. Such a table is accepted only if both points have the same value.
     """
     start, end, step = (source.position(name, source.singles[name]) for name in _GRID)
     if start is None or end is None or step is None:
@@ -246,8 +247,9 @@ def _alike(source: TableSource, values: Mapping[int, FoundValue], inside: int) -
 def _complete(source: TableSource, values: Mapping[int, FoundValue], grid: _Grid) -> bool:
     """Return whether every table point has a value.
 
-    Values after the end are memory that the control does not use, such as an older, longer table
-    (SINUMERIK FB2 09/2009, 6FC5397-1BP20-0BA0, p362 and p370: values greater than k are ignored).
+    Values after the end are only reported, because the control does not use them. They can be left
+    from an older, longer table (SINUMERIK FB2 09/2009, 6FC5397-1BP20-0BA0, p362 and p370: values
+    greater than k are ignored).
     """
     steps = grid.steps
     # one of the first len(values) + 1 indices is free; a few more make the message useful, however

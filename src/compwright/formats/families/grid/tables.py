@@ -1,8 +1,8 @@
 """The table of one axis: its lines in the files, its values, and its text for writing.
 
-A shape (`table_shapes`) combines these. A control whose files hold a table in another way gets a
-`TableShape` of its own, with an entry in ``SHAPES``. No other code depends on the form of positions
-and values in a file.
+A `TableShape` (see `table_shapes`) reads and writes tables with these classes. A control whose
+files hold a table in another form gets a `TableShape` of its own, with an entry in ``SHAPES``. No
+other code depends on the form of positions and values in a file.
 """
 
 from __future__ import annotations
@@ -49,9 +49,9 @@ class WrittenTable:
 class TableSource:
     """The lines of one table in the control's files, and what is needed to read their numbers.
 
-    ``label``: its name in messages; ``singles``: start, end and spacing.
-
-    ``ends_at_point``: its end has to be a point, as for an endless axis.
+    ``label``: the name of the table in messages. ``singles``: the lines with its start, end and
+    spacing, by quantity. ``ends_at_point``: the end of the table has to be a point, as for an
+    endless axis.
     """
 
     label: str
@@ -129,9 +129,8 @@ class TableSource:
 class TableText:
     """Converts the numbers of one table to text.
 
-    Numbers that the text cannot represent exactly are added to ``faults``.
-
-    ``there``: the text of the existing grid in the files, by quantity; empty if there is none.
+    A number that the text cannot represent exactly is a fault in ``faults``. ``there``: the text of
+    the existing grid in the files, by quantity; empty if there is none.
     """
 
     compensation: AxisCompensation
@@ -166,7 +165,8 @@ class TableText:
 class TableShape(ABC):
     """How a table stores positions and values in a file, with reading and writing.
 
-    ``spacing``: which nodes it can hold. ``repeats``: the table of an endless axis can repeat.
+    ``spacing``: whether the table points must be equally spaced ("equidistant") or not ("free").
+    ``repeats``: whether the table of an endless axis can repeat after one turn.
     """
 
     rules: ClassVar[ShapeRules]

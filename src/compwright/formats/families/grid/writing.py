@@ -38,7 +38,7 @@ from compwright.records.correction import AxisCompensation, ControlFile
 class AxisText:
     """The text to write for one axis: the table rows, and single values such as the spacing.
 
-    ``named``: the fields that all its lines have.
+    ``named``: the fields that every line of this axis has, with their texts.
     """
 
     address: str
@@ -124,8 +124,8 @@ class NewFile:
 class AxisToWrite:
     """One axis whose table is to be written, with its options and the faults found.
 
-    ``options``: the controller's, overridden by its own; ``faults``: values that text cannot
-    represent.
+    ``options``: the options of the control; the options of the axis override them. ``faults``:
+    values that the text cannot represent.
     """
 
     address: str
@@ -363,9 +363,9 @@ class GridWriter:
         """Change the lines of the table's activation parameter so that the table is active once the
         file is loaded.
 
-        In a file that also holds the values the switch is off before them, as in a maker's program,
-        and on after them: a table that is on is protected, and the control would take none of the
-        values.
+        The control protects a table while it is active, and would reject its new values. So a file
+        that also contains the values switches the table off before them and on after them, as the
+        machine maker's programs do.
         """
         if self.own is None or not switches:
             return
@@ -390,9 +390,9 @@ class GridWriter:
     ) -> None:
         """Reserve memory for the table's points if the control's files reserve too few.
 
-        As many as the option states, or, if none were reserved, as many as the table has.
-
-        Files with a smaller number would remove the memory again when they are loaded.
+        The option ``points`` states how many points to reserve. Without it, memory for ``count``
+        points is reserved. The files must not keep a smaller number, because loading it would
+        remove the memory again.
         """
         promised = options.get("points")
         needed = promised if isinstance(promised, int) else count

@@ -178,9 +178,10 @@ def screw_lead(own: AxisParameters, kind: AxisKind) -> Lead | None:
     """Return the travel between two reference marks of the motor encoder, which on a screw is its
     lead. None if the parameters of the axis (``own``) do not show it.
 
-    1821 counts detection units from one mark to the next: a turn of the motor, on a screw its lead
-    (B-63943EN-1/02 page 109). With a separate detector (1815#1 = 1, from memory) it is the distance
-    of the marks of a scale, and unrelated to a screw.
+    Parameter 1821 states the detection units from one mark to the next. For an encoder on the motor
+    this is one turn of the motor, on a screw its lead (B-63943EN-1/02 page 109). With a separate
+    detector (1815#1 = 1, from memory) it is the distance of the marks of a scale, which does not
+    show the lead.
     """
     unit, counter = detection_unit(own, kind), own.get(known.REFERENCE_COUNTER)
     if unit is None or counter is None or own.bit(known.ENCODER, 1) is not False:

@@ -44,8 +44,8 @@ LIMIT = "increment_limit"
 class IncrementReader:
     """Reads the compensation of one axis of a FANUC control.
 
-    ``points``: the pitch data of all axes by number; ``options``: those of the axis.
-    ``checks_travel``: its software limits are compared with the job's travel.
+    ``points``: the pitch data of all axes by point number. ``options``: the options of the axis.
+    ``checks_travel``: compare the axis' software limits with the job's travel.
     """
 
     values: IncrementAxisValues

@@ -27,8 +27,9 @@ def thousandths(definition: Definition) -> bool:
 class IncrementAxisValues(Values):
     """The single values that the files state for one axis, such as backlash and turn.
 
-    ``own``: parameters other than those of the table; ``axis``: the job's axis, None without a job;
-    ``known_kind``: given for files that do not state it.
+    ``own``: parameters of the axis other than those of its table. ``axis``: the axis in the job,
+    None without a job. ``known_kind``: the kind of the axis (linear, rotary) if the files do not
+    state it.
     """
 
     gathered: Gathered
@@ -57,8 +58,9 @@ class IncrementAxisValues(Values):
     def length(self, quantity: str, kind: AxisKind) -> Decimal | None:
         """Return a quantity that is a length, in mm or deg.
 
-        M metric, I inch, P the machine's unit; without a point in the control's own small unit. A
-        length that needs a point and has none is a fault.
+        The letter before the number states the unit: M metric, I inch, P the machine's unit. On
+        some controls with increment system IS-B, a number without a decimal point counts 0.001 mm
+        or deg, or 0.0001 inch. Elsewhere such a number is a fault.
         """
         found = self.found(quantity)
         if found is None:
@@ -188,7 +190,7 @@ def length_text(value: Decimal, *, inch: bool = False, whole: bool = False) -> s
     ``whole``: write it without a decimal point, in thousandths of a mm or deg, or ten thousandths
     of an inch.
 
-    With a decimal point it has at least one decimal (``50.0``).
+    Text with a decimal point has at least one decimal place (``50.0``).
     """
     if inch:
         value /= INCH

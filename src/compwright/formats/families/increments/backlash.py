@@ -2,10 +2,11 @@
 
 Source: FANUC B-64120EN/01 page 116, 21i B-63090EN/02 page 97.
 
-Smooth backlash: after a reversal a part is output at once and the rest on the way, between two
-distances. After the second one the whole of 1851 (1852) has been output, so that a target further
-away from the reversal sees the plain backlash. Which of 1846 to 1849 is a distance and which a part
-is from memory: the largest of them is taken for the distance.
+With smooth backlash the control puts out a part of the backlash at once after a reversal. It puts
+out the rest between two distances from the reversal. After the second distance all of 1851 (1852)
+has been put out, so a target farther away shows the full backlash. It is known from memory only
+which of 1846 to 1849 is a distance and which is a part. Therefore the largest of these four values
+is taken as the second distance.
 """
 
 from __future__ import annotations
@@ -79,7 +80,8 @@ def active_backlash(values: IncrementAxisValues, feed: int) -> int:
     """Return the backlash, in detection units, that was active when the axis was measured: at rapid
     traverse (1852) or at cutting feed (``feed``, the value of 1851).
 
-    If the files leave it open, that is a fault; if 1851 and 1852 differ, a finding.
+    If the files do not show which of them was active, a fault is added. If both values can be
+    active and differ, a finding is added.
     """
     rapid, separate = values.integer("backlash_rapid"), values.separate_rapid()
     at_rapid = values.axis is not None and values.axis.motion == "rapid"
@@ -131,7 +133,7 @@ def both_backlashes(axis: Axis, facts: IncrementFacts, count: int) -> dict[str, 
     not switched off. ``count``: the new backlash, in detection units, at the kind of motion at
     which the axis was measured.
 
-    The difference of the two parameters stays as in ``facts``.
+    The difference between 1852 and 1851 stays the same as in ``facts``.
     """
     rapid, feed = facts.backlash_rapid, facts.backlash or 0
     if rapid is None or facts.separate_rapid is False:

@@ -1,11 +1,12 @@
 """Corrections between axes by FANUC straightness compensation, as files or as an entry sheet.
 
-In the control's own files if they hold its parameters at zero. Numbers and signs are from memory,
-none is confirmed by a page.
+The correction is written into the control's own files if they contain the parameters of an unused
+axis pair. Otherwise it becomes an entry sheet. Parameter numbers and signs are from memory; no page
+confirms them.
 
-Two points of the moving axis' numbers, the amounts absolute in detection units of the compensated
-axis: a straight line. A curve, an axis without a table and a second pair are not written, with a
-remark.
+The correction is a straight line between two points of the moving axis' table. Each amount is the
+whole correction at a point, in detection units of the compensated axis. A curve, a moving axis
+without a table, and a second axis pair are not written; a remark says so.
 """
 
 from __future__ import annotations
@@ -67,7 +68,8 @@ def _filled(family: Family, request: BetweenRequest, entry: PlannedCross) -> Bet
     """Return an answer with files in which unused parameters of straightness compensation contain
     the straight line; None if impossible.
 
-    None if it has no place there, or would not be exact.
+    It is impossible if no axis pair is unused, or if the line cannot be written exactly: its ends
+    must be points of the moving axis' table, and both directions must have the same correction.
     """
     added, bent = entry.added, request.axes.get(entry.output)
     places = free_pair(Parameters(request.base, family.definition.parameters), added.input)

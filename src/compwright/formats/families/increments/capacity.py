@@ -26,7 +26,8 @@ MIN_SECTIONS = 2
 class IncrementLimits:
     """The limits of one axis' table on a FANUC control.
 
-    ``assumed``: their assumptions; ``shares``: other axes use some of its point numbers too.
+    ``assumed``: the assumptions made for these limits. ``shares``: other axes also use some of the
+    axis' point numbers.
     """
 
     def __init__(self, family: Family, axis: Axis) -> None:
@@ -96,7 +97,8 @@ class IncrementLimits:
     def _nodes(self, numbers: int) -> int:
         """Return how many table points the axis can have with so many successive point numbers.
 
-        Sections have numbers, and a table that starts or ends at the reference needs one more.
+        Each point number belongs to one section, the interval between two table points. A table
+        that starts or ends at the reference position also needs the number of the reference.
         """
         axis = self.axis
         return numbers + (axis.travel[0] < axis.reference < axis.travel[1])
@@ -127,7 +129,8 @@ class IncrementLimits:
         table. ``limit``: the largest increment; ``gap``: how many successive point numbers are free
         for it.
 
-        Only on a rotary axis: the only page that describes it is about a worm.
+        Only a rotary axis can get one, because the only page that describes this table is about a
+        worm gear.
         """
         has = self.options.get("cyclic") == "available" and not self.facts.waved
         if self.axis.kind is not AxisKind.ROTARY or not has:

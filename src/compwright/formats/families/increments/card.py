@@ -36,7 +36,7 @@ def increment_values(
 ) -> dict[str, str]:
     """Return the commissioning card's values of one axis, such as point numbers and backlash.
 
-    ``facts``: facts of the axis in the written files.
+    ``facts``: what the written files state about the axis.
     """
     scale, own = family.scale_of(axis), increments_of(facts)
     names = ("reference_number", "first_number", "last_number", "magnification")
@@ -78,7 +78,7 @@ def _feed_backlash(count: str, facts: AxisFacts) -> str:
 def _neighbours(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
     """Yield remarks on functions that are active in addition to the table.
 
-    ``facts``: of the axis in the written files.
+    ``facts``: what the written files state about the axis.
     """
     before = increments_of(family.state.facts_of(family.address(axis)[0]))
     now = increments_of(facts)
@@ -115,8 +115,8 @@ def _further(family: Family, axis: Axis, facts: IncrementFacts) -> str:
     """Return the card's text on parameters to type in next to the table: data set for travel
     towards -, turn, backlash at rapid traverse.
 
-    In addition to the grid and 1851. ``facts``: of the axis in the written files, with the turn of
-    an endless axis.
+    The parameters of the grid and 1851 are elsewhere on the card. ``facts``: what the written files
+    state about the axis, with the turn of an endless axis.
     """
     words = {}
     if "bidirectional" in family.definition.bindings:
@@ -147,7 +147,8 @@ def numbered_sections(
     """Return the sections of a table by point number, for the drawing on the card; None if the axis
     has no table.
 
-    ``facts``, and the ``table`` that was read back.
+    ``facts``: what the written files state about the axis. ``table``: the table as it was read back
+    from these files.
     """
     increments = increments_of(facts)
     reference, first, last = (

@@ -1,9 +1,14 @@
 """Find the axes of a FANUC that move together, by its parameters.
 
-8311 (axis synchronous control, simple synchronous control, twin table), 1817#6 (tandem control, the
-master has the odd servo number 1023), 8180, 8183 and 8186 (synchronous, composite and superimposed
-control of several paths) and 5660 to 5667 (flexible synchronous control) hold numbers of axes;
-8200#0 with 8211 and 8212 is angular axis control. The definition gives the evidence of each.
+- 8311: number of the master axis in axis synchronous control, simple synchronous control and twin
+  table.
+- 1817#6: tandem control; the master has the odd servo number (1023).
+- 8180, 8183 and 8186: number of the other axis in synchronous, composite and superimposed control
+  of several paths.
+- 5660 to 5667: axis numbers in flexible synchronous control.
+- 8200#0 with 8211 and 8212: angular axis control.
+
+The definition gives the evidence of each.
 """
 
 from __future__ import annotations
@@ -34,9 +39,8 @@ _UNLIKE = {
 def couplings_of(parameters: Parameters, addresses: Sequence[str]) -> tuple[Coupling, ...]:
     """Return the couplings of the axes that move together, as the parameters state them.
 
-    ``addresses``: the axes in its files.
-
-    A number that names none of them may mean any: then no axis is worked on.
+    ``addresses``: the axis numbers in the control's files. If a parameter states a number that is
+    none of these, it may mean any axis. Then no axis is compensated.
     """
     every = [one for values in parameters.values.values() for one in values if one.owner == "A"]
     known = list(dict.fromkeys((*addresses, *(str(one.index) for one in every))))

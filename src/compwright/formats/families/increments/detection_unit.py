@@ -36,11 +36,12 @@ def detection_unit(own: AxisParameters, kind: AxisKind) -> DetectionUnit | None:
     """Return the detection unit (least command increment / CMR) by an axis' parameters ``own``;
     None if these do not state it.
 
-    1820 = 2 x CMR from 1 to 96, 100 + 1/CMR from 101 to 127 (B-63950EN/02 page 106, B-63943EN-1/02
-    page 109). The least command increment is 0.001 mm or deg by IS-B (0.01 by IS-A, 0.0001 by
-    IS-C), a tenth of that in inches on an inch machine (1001#0). 1013 by axis states the system, on
-    older series 1004; no page says which of its bits mean IS-D and IS-E. The effect of diameter
-    programming (1006#3) is not known.
+    Parameter 1820 states the command multiplier CMR: from 1 to 96 it is 2 x CMR, from 101 to 127 it
+    is 100 + 1/CMR (B-63950EN/02 page 106, B-63943EN-1/02 page 109). The least command increment is
+    0.001 mm or deg by IS-B (0.01 by IS-A, 0.0001 by IS-C). A linear axis of an inch machine
+    (1001#0) has a tenth of this number, in inches. Parameter 1013 states the increment system by
+    axis; on older series 1004 states it. No page says which of its bits mean IS-D and IS-E. The
+    effect of diameter programming (1006#3) is not known.
     """
     multiplier, system = own.get(known.MULTIPLIER), own.system
     power = None if system is None else _power(system)
@@ -97,7 +98,7 @@ def two_systems(own: AxisParameters) -> str:
     """Return a sentence on an axis' parameters 1013 and 1004 (in ``own``) if they state different
     increment systems; empty if they agree.
 
-    1013 is the one that counts.
+    If they differ, the system in 1013 is used.
     """
     system, number = own.get(known.SYSTEM), known.SYSTEM_OF_MACHINE
     older = own.get(number) or own.another(number)
@@ -142,8 +143,9 @@ def resolved_options(
 def _silent(values: IncrementAxisValues, kind: AxisKind) -> bool:
     """Return whether the user need not be asked for the detection unit although it is unknown.
 
-    That is: nothing is active on the axis, or its files contain faults, which are reported first.
-    Raises UsageError for a parameter value from which the unit does not follow.
+    There are two such cases: nothing is active on an axis without a job, or the axis has other
+    faults, which are reported first. Raises UsageError for a parameter value from which the unit
+    does not follow.
     """
     if values.axis is None:
         return not values.does_anything()

@@ -48,12 +48,15 @@ OFFSETS = (-32767, 32767)
 class Entries:
     """The values to enter for one axis: parameters by quantity, and increments by point number.
 
-    ``cleared``: numbers that the axis no longer uses. ``interval``: that of the points, mm or deg.
-    ``switches``: whether 3605#0 has to change for it, by the control's files. ``inch``: its unit by
-    the files (1001#0). ``kept``: interval, reference and numbers are the existing ones, so that
-    functions that depend on them stay valid; False: they move. ``moved``: numbers that other
-    functions use to refer to the grid, and their new values. ``added``: parameters of compwright's
-    own inclination line or second table, as text; their points are among ``points``.
+    - ``cleared``: point numbers that the axis no longer uses.
+    - ``interval``: the distance of the table points, mm or deg.
+    - ``switches``: whether 3605#0 (one or two data sets) has to be set for this table.
+    - ``inch``: whether the files state that the machine is in inches (1001#0).
+    - ``kept``: interval, reference and point numbers are the existing ones, so functions that refer
+      to them stay valid; False: they change.
+    - ``moved``: point numbers in the parameters of other functions, with their new values.
+    - ``added``: parameters, as text, of an inclination line or second (cyclic) table that
+      compwright adds. The increments of the second table are in ``points``.
     """
 
     address: str
@@ -73,7 +76,7 @@ class Entries:
 def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, ...]:
     """Return the values to enter for each axis, with point numbers that no two axes share.
 
-    Raises UsageError if the free numbers are unknown, CapacityError with everything that the
+    Raises UsageError if the free numbers are unknown, and CapacityError with every value that the
     control cannot hold.
     """
     start = _first_point(family, tables)
@@ -123,9 +126,9 @@ def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, .
 def _first_point(family: Family, tables: Sequence[AxisTable]) -> int:
     """Return the lowest point number to use, from the options of the controller or the axes.
 
-    The option of one axis is enough: the numbers of the other axes follow.
-
-    Raises UsageError if neither the control's files nor the job state which numbers are free.
+    It is enough if one axis has this option: the tables of the other axes get the next free
+    numbers. Raises UsageError if neither the control's files nor the job state which numbers are
+    free.
     """
     if family.options.get("first_point") is not None:
         return first_point(family.options)
@@ -159,7 +162,8 @@ def free_numbers_question(definition: Definition) -> Fault:
 class _WholeNumbers:
     """The table of one axis, rounded to the whole increments that the control can store.
 
-    ``rapid``: the facts of the axis from which it takes the difference between both backlashes.
+    ``rapid``: facts of the axis that has the existing backlashes. The difference between its two
+    backlashes is kept.
     """
 
     def __init__(
@@ -187,7 +191,7 @@ class _WholeNumbers:
         """Return the parameters and increments to enter for the table of the axis. ``used``: point
         numbers that are not free; ``start``: the lowest number for an axis without point numbers.
 
-        Raises NotHeld.
+        Raises NotHeld if the control cannot hold the table.
         """
         steps, interval = self._grid()
         home = self.compensation.reference_return
@@ -349,7 +353,8 @@ class _WholeNumbers:
         the smallest one with which it can. ``differences``: the increments of each data set, in
         detection units.
 
-        It divides every increment and keeps it within the limit.
+        A magnification is possible if it divides every increment and each quotient is within the
+        control's limit.
         """
         steps = np.concatenate(differences).astype(np.int64)
         limit = increment_limit(self.options)
@@ -458,8 +463,8 @@ class _WholeNumbers:
 def magnifications(definition: Definition, facts: IncrementFacts) -> tuple[int, ...]:
     """Return the possible magnifications (parameter 3623) of an axis, ascending.
 
-    Only the existing one if another function depends on the table: it is not known whether the
-    magnification counts for it.
+    If another function depends on the table, only the existing one is possible: it is not known
+    whether the magnification also multiplies this function.
     """
     if facts.hung and facts.magnification:
         return (facts.magnification,)
@@ -469,7 +474,8 @@ def magnifications(definition: Definition, facts: IncrementFacts) -> tuple[int, 
 def length_step(scale: NumberScale, facts: IncrementFacts) -> Decimal:
     """Return the value (mm or deg) of the last digit in which an axis' lengths are written.
 
-    For linear axes of a control in inches: a tenth of it, in inches.
+    On a control in inches, lengths of a linear axis are written in inches, with one more decimal
+    place.
     """
     step = Decimal(repr(scale.quantum("table_spacing")))
     return step * INCH / 10 if scale.kind is AxisKind.LINEAR and facts.inch else step

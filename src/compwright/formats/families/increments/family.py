@@ -102,7 +102,8 @@ class IncrementsFamily(Family):
     ) -> ControlState:
         """Return the state of a control from its ``files``; see `Family.read`.
 
-        No file of these controls switches a table off.
+        The argument ``activity`` is not used, because no file of these controls switches a table
+        off.
         """
         del activity
         return StateReader(self, files, axes, address).read()
@@ -110,8 +111,9 @@ class IncrementsFamily(Family):
     def questions(self, axis: Axis, *, files: bool, given: Collection[str] = ()) -> Iterator[Fault]:
         """Yield questions about an axis that no file answers; see `Family.questions`.
 
-        Also the first free point number, which one axis gives for all, and the position from which
-        points are counted.
+        Two questions are added: the first free point number, if no file shows it, and the position
+        from which points are counted. The answer of one axis about the first free number is enough
+        for all axes.
         """
         yield from super().questions(axis, files=files, given=given)
         if not files and self.options.get("first_point") is None and "first_point" not in given:
@@ -150,7 +152,8 @@ class IncrementsFamily(Family):
     ) -> tuple[ControlFile, ...]:
         """Return entry sheets, or G10 programs that enter the values; see `Family.sheets`.
 
-        Raises UsageError for a program that an inch machine would read differently.
+        Raises UsageError if an option requires a program and the machine is in inches, because a
+        program cannot state its unit.
         """
         own = [
             (self.address(axis)[0], axis, table)

@@ -1,7 +1,7 @@
 """Read every value in a FANUC backup.
 
-N03620Q1A1P40A2P140 is 40 of axis 1 and 140 of axis 2; N10044Q0P-3 is a point of the array that all
-axes share.
+``N03620Q1A1P40A2P140`` states parameter 3620: 40 for axis 1 and 140 for axis 2. ``N10044Q0P-3``
+states one point of the array that all axes share.
 """
 
 from __future__ import annotations
@@ -64,8 +64,8 @@ _WORDS = {
 class _Known:
     """The meaning of a parameter in words, and whether a correction depends on the parameter.
 
-    ``relevant``: it corrects an axis, refers to the shared numbers, or decides a unit, a kind or
-    the zero.
+    ``relevant``: the parameter corrects an axis, refers to the shared point numbers, or decides a
+    unit, the kind of an axis or its zero.
     """
 
     words: str

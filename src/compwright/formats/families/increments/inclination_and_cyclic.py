@@ -1,11 +1,16 @@
 """Inclination compensation and second (cyclic) table of a FANUC axis, on controls with both.
 
-Inclination: three straight lines through four point numbers, in detection units, put out at the
-points and added to the pitch data (FANUC B-63522EN/02 page 222); zero at the reference, held
-outside. Second table: the number 14985 is its reference point, those behind it up to 14986 own the
-sections of one period, increments as in the main table, whose sum is 0 (A-78868E pages 3 and 6).
-Unconfirmed: that the sign is that of the pitch data, that 3623 does not multiply them, and that the
-period starts at the reference position.
+Inclination compensation is three straight lines through four points, each given by its point number
+and an amount in detection units. It is put out at the points and added to the pitch data (FANUC
+B-63522EN/02 page 222). It is zero at the reference position, and outside the four points it keeps
+the end values.
+
+The second table belongs to the point numbers from 14985 to 14986. The number in 14985 is the start
+of the period. Each number after it, up to that in 14986, belongs to one section of the period. Its
+increments have the same form as in the main table, and their sum is 0 (A-78868E pages 3 and 6).
+
+Three facts are unconfirmed: that both have the sign of the pitch data, that 3623 does not multiply
+them, and that the period starts at the reference position.
 """
 
 from __future__ import annotations
@@ -100,7 +105,7 @@ class Counted:
         control adds to the correction by the table at its points ``nodes``. ``zero``: the reference
         position; ``scale``: mm or deg per detection unit, with sign.
 
-        A function that cannot be counted is a fault.
+        If one of these corrections cannot be calculated, a fault is added to the notes.
         """
         try:
             if "inclination" in self.functions:
@@ -210,7 +215,8 @@ def second_table(
     points get the first free numbers from ``start`` to ``highest``; ``used``: numbers that are not
     free.
 
-    ``interval``: the width of its sections, as text. Raises NotHeld if too few numbers are free.
+    ``totals`` is in detection units. ``interval``: the width of the sections, as text. Raises
+    NotHeld if too few successive numbers are free.
     """
     first = first_free(totals.size, used, start, highest)
     if first is None:

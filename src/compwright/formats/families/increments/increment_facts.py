@@ -11,8 +11,8 @@ from compwright.records.facts import AxisFacts
 class PointNumber:
     """A point number in the files by which another function refers to the table of an axis.
 
-    ``label`` names it with its value; ``parameter`` is its name if it belongs to the axis alone,
-    else empty.
+    ``label``: the name of its parameter with the value. ``parameter``: the name alone, empty if the
+    parameter does not belong to this axis alone.
     """
 
     number: int
@@ -37,17 +37,22 @@ class FunctionOnPoints:
 class IncrementFacts:
     """What the files state about an axis' table and backlash. A value is None if no file states it.
 
-    ``reference_number``, ``first_number``, ``last_number``: the numbers of its sections in the
-    array that all axes share, ``negative_first`` that of the set for travel towards -, which counts
-    with ``two_sets``. ``negative_offset``, ``backlash``, ``backlash_rapid``: detection units.
-    ``separate_rapid``: rapid traverse has a backlash of its own. ``inch``: the machine counts in
-    inches. ``rapid_feed``: mm/min or deg/min. ``unread``: numbers whose contents no file states.
-    ``interval``: the width of its sections, mm or deg. ``hung``: functions in addition to the table
-    that depend on its numbers and are left alone. ``first_stage``: the part of the backlash that is
-    output at once if the rest follows on the way, detection units. ``inclined``: the existing line
-    of inclination compensation, in words; empty: none. ``waved``: the second table, the same.
-    ``turn``: the travel of one turn that its table has, deg. ``foreign``: the numbers of second
-    tables, wherever they are: none of them is free for a table.
+    - ``reference_number``, ``first_number``, ``last_number``: the point numbers of the reference,
+      the first and the last section, in the array that all axes share.
+    - ``negative_first``: the first number of the data set for travel towards -; it is used if
+      ``two_sets`` is true.
+    - ``negative_offset``, ``backlash``, ``backlash_rapid``: in detection units.
+    - ``separate_rapid``: rapid traverse has a backlash of its own.
+    - ``inch``: the machine's unit is the inch.
+    - ``rapid_feed``: in mm/min or deg/min.
+    - ``unread``: point numbers whose contents no file states.
+    - ``interval``: the width of the sections, mm or deg.
+    - ``hung``: other functions that refer to point numbers of this table; their values stay.
+    - ``first_stage``: the part of a smooth backlash that is put out at once, detection units.
+    - ``inclined``: the existing inclination compensation in words, empty if there is none.
+    - ``waved``: the existing second (cyclic) table in words, empty if there is none.
+    - ``turn``: the travel of one turn on which the table is based, deg.
+    - ``foreign``: point numbers of all second (cyclic) tables. None of them is free for a table.
     """
 
     reference_number: int | None = None
@@ -75,7 +80,8 @@ class IncrementFacts:
     def claimed(self) -> tuple[range, ...]:
         """The one or two ranges of point numbers that the axis uses; empty without a table.
 
-        A full turn without the reference's own number claims that too.
+        If the first number is one above that of the reference (a table of a full turn), the number
+        of the reference is included.
         """
         first, last = self.first_number, self.last_number
         if first is None or last is None or first >= last:

@@ -111,8 +111,8 @@ def check_return(values: IncrementAxisValues, *, two: bool) -> None:
     ``two``: the table has one data set per direction; then a difference is a fault, else only a
     warning.
 
-    The direction decides the sign of 3627, which only two sets need; one set differs by a constant
-    only.
+    The direction decides the sign of 3627, which is used only with two data sets. With one data set
+    a wrong direction adds only a constant to the correction.
     """
     home, bits, axis = values.returning(), values.own.get(known.KIND), values.axis
     if home is None or bits is None or axis is None or home is axis.reference_return:
@@ -139,7 +139,7 @@ def check_diameter(values: IncrementAxisValues, kind: AxisKind) -> None:
     """Check that the job and 1006#3 agree on diameter programming. Raises UsageError if no file
     states it.
 
-    Else everything may be wrong by a factor of 2.
+    A wrong answer would make all values wrong by a factor of 2.
     """
     if kind is AxisKind.ROTARY:
         return

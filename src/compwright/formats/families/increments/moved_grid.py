@@ -1,6 +1,6 @@
 """Change the point numbers of a table together with those in functions that refer to them.
 
-If that is impossible, the new table is refused with the parameter's name.
+If that is impossible, the new table is refused, and the message names the parameter.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ def moved_numbers(
     each with its new number. ``place``, ``interval`` (mm or deg), ``magnification``: those of the
     new table.
 
-    Empty if no position gets a new number. Raises NotHeld with the first function that the new grid
-    would change.
+    The result is empty if the positions keep their point numbers. Raises NotHeld with the name of
+    the first function whose effect the new table would change.
     """
     for each in facts.hung:
         _check_kept(each, facts, magnification)
@@ -48,7 +48,8 @@ def check_sets(facts: IncrementFacts, *, two: bool) -> None:
     """Raise NotHeld if other functions refer to the existing table and the new one has two data
     sets (``two``) instead of one, or one instead of two.
 
-    The first function is named: it is not known whether it is active with both kinds.
+    The error names the first such function: it is not known whether its effect is the same with one
+    and with two data sets.
     """
     for each in facts.hung if two is not facts.two_sets else ():
         mode = "bidirectional" if facts.two_sets else "single"

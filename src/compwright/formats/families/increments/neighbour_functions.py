@@ -1,12 +1,13 @@
 """FANUC functions that are active in addition to an axis' table and stay unchanged.
 
-Inclination, straightness, the second (cyclic) table, three-dimensional compensation.
+These are inclination, straightness, the second (cyclic) table and three-dimensional compensation.
 
-A function that was active during a test and stays the same afterwards cancels, whatever its sign
-and unit: the new total is the old one less the error. So it is reported and left alone, as long as
-the grid that it depends on stays. Sources: inclination and straightness FANUC B-63522EN/02 page
-222, cyclic table A-78868E pages 3 and 6; further pairs, three-dimensional compensation:
-unconfirmed.
+The new total correction is the old one minus the measured error. A function that is the same during
+the test and afterwards therefore does not change the result, whatever its sign and unit. So it is
+reported and left alone, as long as the grid that it depends on stays.
+
+Sources: inclination and straightness FANUC B-63522EN/02 page 222, cyclic table A-78868E pages 3 and
+6; further pairs, three-dimensional compensation: unconfirmed.
 """
 
 from __future__ import annotations
@@ -37,8 +38,9 @@ OPTION_OF = {
 class Function:
     """A function, apart from table and backlash, that corrects an axis, with its parameters.
 
-    ``points``: the parameters that name a number of the axis' own sections; None: the numbers that
-    it depends on are unknown. ``moves``: it changes with the axis' own position.
+    ``points``: the parameters whose values are point numbers of the axis' own sections; None: it is
+    unknown on which point numbers the function depends. ``moves``: the correction changes with the
+    axis' own position.
     """
 
     words: str
@@ -85,7 +87,8 @@ def functions_on_points(
     """Return those of the functions ``every`` that refer to point numbers of the axis, each with
     the places of these numbers in the files. ``own``: the axis' parameters.
 
-    ``every``: the axis' functions.
+    ``every``: all functions that correct this axis. Parameters of unknown meaning that may be a
+    further compensation of this axis are returned too.
     """
     return tuple(
         FunctionOnPoints(
@@ -142,7 +145,8 @@ def _straightness(own: AxisParameters) -> Iterator[Function]:
     """Yield a function for each axis pair of straightness compensation that contains the axis with
     the parameters ``own``.
 
-    As the moving one, whose sections have the points, or as the corrected one.
+    The axis is the moving axis of the pair, whose sections the point numbers mean, or the
+    compensated axis.
     """
     for value in own.all.of(known.STRAIGHTNESS_MOVING):
         if not value.nonzero or not own.named_by(value):

@@ -50,11 +50,12 @@ def find_place(
     the reference. ``highest``: the control's last number; ``used``: numbers that are not free;
     ``two``: one data set per direction; ``start``: the first number to use.
 
-    Whole spacings from the reference, low <= 0 <= high. ``reference`` and ``negative``: the
-    existing numbers of the reference and of the first of the set for travel towards -, kept if the
-    table still fits there; ``claimed``: all existing numbers of the axis, which have priority over
-    those that are free for every axis, from ``start`` on. A second set has the length of the first.
-    The first number is not above the reference's, the last one above it. Raises NoRoom.
+    ``low`` and ``high`` are whole numbers with low <= 0 <= high. ``reference``: the existing number
+    of the reference; ``negative``: the existing first number of the set for travel towards -. Both
+    are kept if the table still fits there. ``claimed``: all existing numbers of the axis; they are
+    tried before the free numbers from ``start`` on. The set for travel towards - has as many
+    numbers as the other set. The first number is never above that of the reference, the last one
+    always is. Raises NoRoom if too few successive numbers are free.
     """
     first, last = min(low + 1, 0), max(high, 1)
     length = last - first + 1
@@ -92,7 +93,7 @@ def kept_place(
     (intervals from the reference) needs other numbers, or if other axes use them. ``two``: one data
     set per direction; ``endless``: of the axis.
 
-    A second set that does not exist yet gets the first free numbers.
+    If the second data set does not exist yet, it gets the first free numbers after the table.
     """
     reference, first, last = facts.reference_number, facts.first_number, facts.last_number
     if reference is None or first is None or last is None or first >= last:
@@ -137,8 +138,11 @@ def longest_gap(highest: int, used: Sequence[range], start: int = 0) -> int:
 def used_numbers(state: ControlState, without: Iterable[str]) -> list[range]:
     """Return the point numbers in use, except those of the axes ``without``.
 
-    Those that other axes claim, including for a table that is switched off; those that hold data,
-    unless the axes ``without`` own them; those of a second table, even if the axes claim them.
+    Three kinds of numbers are in use:
+
+    - numbers of the tables of other axes, also of a table that is switched off;
+    - numbers that contain data, unless they belong to the tables of the axes ``without``;
+    - numbers of second (cyclic) tables, even if they belong to the tables of the axes ``without``.
     """
     left_out = set(without)
     claims = {address: increments_of(facts).claimed for address, facts in state.facts.items()}

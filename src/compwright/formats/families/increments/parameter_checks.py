@@ -1,7 +1,8 @@
 """Checks of the parameters of a FANUC axis on which the meaning of its table depends.
 
-Functions that are active in addition to the table and stay are in `neighbour_functions`; functions
-of other axes only reserve their point numbers. Sources: `parameters` and docs/controllers/fanuc.md.
+Functions of the axis that stay active in addition to its table are in `neighbour_functions`.
+Functions of other axes only need point numbers that stay reserved for them. Sources: `parameters`
+and docs/controllers/fanuc.md.
 """
 
 from __future__ import annotations
@@ -42,7 +43,8 @@ def pointed_numbers(parameters: Parameters) -> frozenset[int]:
 def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
     """Yield a fault if a second (cyclic) table uses the axis' own point ``numbers``.
 
-    Both would use the same data. Inclination and straightness only refer to sections there.
+    Both tables would then use the same data. Inclination and straightness compensation are no such
+    fault: they only refer to sections by their numbers.
     """
     users = (
         value for value, others in own.all.second_tables if not set(numbers).isdisjoint(others)
@@ -90,10 +92,10 @@ def unclear_path(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
     """Yield a fault for each of an axis' parameters ``own`` that differs between paths, if the
     axis' path is unknown.
 
-    No file gives the path of the axis (parameter 981).
-
-    Inches (1001#0) decide lengths and detection unit of a linear axis, the increment system (1004)
-    that of an axis without 1013; 1800#4 decides whether 1852 is active, if that is in the files.
+    Parameter 981 states the path of an axis; here no file contains it. These parameters are
+    checked: inches (1001#0), which decides lengths and detection unit of a linear axis; the
+    increment system (1004) of an axis without 1013; and 1800#4, which decides whether 1852 is
+    active, if 1852 is in the files.
     """
     for number, bits in {**_deciding_bits(own, kind), known.TOTALS: tuple(range(8))}.items():
         rivals = own.rivals(number, bits)

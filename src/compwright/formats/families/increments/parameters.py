@@ -1,8 +1,9 @@
 """Parameters of a FANUC control that are read but never written.
 
-A backup holds thousands of parameters. Those listed here correct an axis, refer to the point
-numbers that all axes share, or decide a unit, a kind or a direction. Values belong to an axis (A),
-to a path (L) or to the machine. Meaning and evidence of each: docs/controllers/fanuc.md.
+A backup holds thousands of parameters. The parameters listed here correct an axis, refer to the
+point numbers that all axes share, or decide a unit, the kind of an axis or a direction. Values
+belong to an axis (A), to a path (L) or to the machine. Meaning and evidence of each:
+docs/controllers/fanuc.md.
 """
 
 from __future__ import annotations
@@ -105,8 +106,8 @@ _BITS = re.compile("[01]{8}")
 class ParameterValue:
     """One parameter value with its owner: axis (A), path (L) or machine (empty).
 
-    ``index`` its number; ``key`` P, M (metric) or I (inch). Its bytes in the file begin at
-    ``start``.
+    ``index``: the number of the axis or path. ``key``: the letter before the value, P, M (metric)
+    or I (inch). ``start``: the byte at which the value begins in the file.
     """
 
     number: int
@@ -172,9 +173,10 @@ class Parameters:
     """The parameters in all files of a control, by the meaning that their numbers have on its
     series.
 
-    ``rules``: the definition's rule for each group. ``another``, ``unknown``: values that are not
-    zero, of numbers that are other parameters on this series, or whose meaning is unknown;
-    ``unread``: faults of lines that hold other words.
+    ``rules``: the definition's rule for each group of parameters. ``another``: values that are not
+    zero, of numbers that have another meaning on this series. ``unknown``: values that are not
+    zero, of numbers whose meaning on this series is unknown. ``unread``: faults of lines that
+    cannot be read completely.
     """
 
     def __init__(self, files: Sequence[ControlFile], rules: Mapping[str, ParameterRule]) -> None:
@@ -297,9 +299,9 @@ class AxisParameters:
         """Return a parameter's value for the axis, else for its path, else for the machine; else
         None.
 
-        Without 981 the axis is assumed to be in the first path, as in a control that has only one.
-        If the paths differ in a parameter that an axis' table depends on, `rivals` reports it and
-        the axis is refused.
+        If parameter 981 is in no file, the axis is assumed to be in the first path, as on a control
+        with one path. If the paths then differ in a parameter on which an axis' table depends,
+        `rivals` reports it and the axis is refused.
         """
         values = self.all.by_owner(number)
         return next((values[whose] for whose in self._owners if whose in values), None)
@@ -337,7 +339,8 @@ class AxisParameters:
         """Return whether the axis number that is the value of a parameter means this axis, counted
         over the machine or within a path.
 
-        Only 981 states the path of further axes: without it a number of a path may mean any axis.
+        Only parameter 981 states which axes belong to a path. Without it, a number in a parameter
+        of a path above 1 may mean any axis, and True is returned.
         """
         paths = self.all.of([PATH_OF_AXIS])
         further = value.owner == "L" and value.index > 1 and not paths
@@ -360,7 +363,8 @@ def _values(number: int, rest: str, where: tuple[str, int, int]) -> list[Paramet
     ``rest``: the line after the number; ``where``: file, line, and the byte at which ``rest``
     begins.
 
-    Pitch data (Q0, or a large number with neither Q1 nor owner) and spindles have none here.
+    Two kinds of values are left out: pitch data (marked Q0, or a large number with neither Q1 nor
+    an owner), and values of spindles.
     """
     file, line, begin = where
     owner, index = "", 0

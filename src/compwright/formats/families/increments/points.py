@@ -24,10 +24,11 @@ def point_rows(
 ) -> list[FoundValue]:
     """Return the lines with pitch error data, in the order of the files.
 
-    Q0 marks pitch data, Q1 parameters, of which a control has some above 10000 too. Records without
-    Q are pitch data if the whole file is a pitch file. In a file with parameters and pitch data
-    they are only if every line from 10000 on has the form of a record and they hold all numbers
-    that some axis claims.
+    Q0 marks pitch data and Q1 marks parameters; a control also has some parameters with numbers
+    above 10000. In a file of pitch data alone, lines without Q are pitch data. In a file with
+    parameters and pitch data, lines without Q are used only if no other line is pitch data, and
+    under two conditions. Every line from number 10000 on must have the form of pitch data. These
+    lines must also contain all point numbers of the table of some axis.
     """
     forms = definition.statements["point"]
     marks = [
@@ -86,7 +87,7 @@ def points_by_number(
 ) -> dict[int, FoundValue]:
     """Return the pitch error data by point number, from 0.
 
-    Repetitions of a number must agree, and the control must have the number.
+    If a number is repeated with another value, or does not exist on the control, a fault is added.
     """
     highest = definition.limit_number("max_number") or 0
     points: dict[int, FoundValue] = {}

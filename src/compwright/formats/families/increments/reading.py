@@ -1,10 +1,10 @@
 """Read the files of a FANUC control as compensation.
 
-Every axis claims a range of numbers in one array that all axes share. Number n owns the section ((n
-- r - 1) b, (n - r) b), r the number of the reference position, b the interval; the total at a node
-is the sum of the increments from the reference, positive to the right and with the opposite sign to
-the left (FANUC 0i-PB parameter manual B-63980EN/01 p100; numbering inferred from its listing). The
-definition lists what is unconfirmed.
+All axes share one array of point numbers, and every axis has a range of it. With r the number of
+the reference position and b the interval, number n belongs to the section ((n - r - 1) b, (n - r)
+b). The correction at a table point is the sum of the increments from the reference to it: their own
+sign to the right, the opposite sign to the left (FANUC 0i-PB parameter manual B-63980EN/01 p100;
+numbering inferred from its listing). The definition lists what is unconfirmed.
 """
 
 from __future__ import annotations
@@ -254,7 +254,8 @@ class StateReader:
     def _unknown(self) -> frozenset[int]:
         """Return the point numbers below the user's ``first_point`` that are in no file.
 
-        A pitch file that was cut, or not given, does not make numbers free.
+        These numbers do not count as free, because the pitch file may have been cut short or not
+        given.
         """
         options = [axis.options for axis in self.axes] + [self.family.options]
         stated = [each.get("first_point") for each in options]

@@ -21,7 +21,8 @@ class IncrementSections:
     """The sections of an axis' table: point numbers of the reference, the first and the last
     section; the interval and the magnification.
 
-    ``negative``: first number of the set for travel towards -; None: one set for both directions.
+    ``negative``: the first point number of the data set for travel towards -; None if one set is
+    used for both directions.
     """
 
     reference: int
@@ -116,7 +117,7 @@ def order(values: IncrementAxisValues) -> str:
 def repeats(values: IncrementAxisValues, kind: AxisKind, sections: IncrementSections) -> bool:
     """Return whether the table repeats: the job has an endless axis, or the sections span a turn.
 
-    Not if the files state that it has ends (1006#1): there a turn need not close.
+    A table of a rotary axis with ends (1006#1) never repeats, nor does one with two data sets.
     """
     ends = values.wraps() is False or sections.negative is not None
     if kind is not AxisKind.ROTARY or ends:
@@ -130,7 +131,8 @@ def repeats(values: IncrementAxisValues, kind: AxisKind, sections: IncrementSect
 def idle_nodes(values: IncrementAxisValues, kind: AxisKind) -> tuple[float, ...]:
     """Return the section ends (mm or deg) of an inactive table (3623 = 0); empty if unknown.
 
-    Its parameters are no table, or no job states where the reference is.
+    They are unknown if the parameters do not describe a table, or if there is no job that states
+    the reference position.
     """
     values = replace(values, notes=Notes())
     numbers = [values.integer(name) for name in GRID[:-1]]
@@ -183,9 +185,8 @@ def _next_to_reference(
     """Return sections whose first point number is one above the reference's, with a warning, if
     they cover exactly one turn.
 
-    Real controls accept it, the manual has 3621 = 3620.
-
-    Any other order of the numbers is a fault, and None.
+    Real controls use such numbers, although the manual requires 3621 = 3620. Any other order of the
+    numbers is a fault, and None is returned.
     """
     first, reference, last = sections.first, sections.reference, sections.last
     turn = values.turn(kind)

@@ -13,7 +13,7 @@ from compwright.records.correction import ControlFile
 def parameter_lines(file: ControlFile, format_id: str, faults: list[Fault]) -> bytes:
     """Return an entry sheet as lines of a parameter file. Errors are added to ``faults``.
 
-    Line k of the result is line k of the sheet, so that messages name the right place.
+    A value keeps its line number, so messages name the right line of the sheet.
     """
     sheet = read_sheet(file, faults)
     if sheet is None:

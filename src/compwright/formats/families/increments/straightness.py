@@ -1,10 +1,11 @@
 """Straightness compensation, in which the position of one axis corrects another axis; it is read
 only if options include it.
 
-Three pairs of axes (5711 to 5713 moving, 5721 to 5723 compensated), each with four numbers of the
-moving axis' points (5731, 5741, 5751 and on) and four amounts in detection units of the compensated
-axis (5761, 5771, 5781 and on); straight lines between them, zero at the reference, put out at the
-points (FANUC B-63522EN/02 page 222). Unconfirmed: the numbers, and that a positive amount moves the
+There are three pairs of axes: 5711 to 5713 state the moving axes, 5721 to 5723 the compensated
+axes. Each pair has four point numbers of the moving axis (5731, 5741, 5751 and on) and four amounts
+in detection units of the compensated axis (5761, 5771, 5781 and on). The correction is a straight
+line between two points, is zero at the reference position, and is put out at the points (FANUC
+B-63522EN/02 page 222). Unconfirmed: the parameter numbers, and that a positive amount moves the
 compensated axis towards +.
 """
 
@@ -44,7 +45,7 @@ _UNKNOWN = (
 class Pair:
     """A moving axis, the axis that it corrects, and the correction ``amounts`` at four points.
 
-    ``place``: its parameter for messages.
+    ``bent``: the corrected axis. ``place``: the parameter that messages name.
     """
 
     moving: str
@@ -120,8 +121,8 @@ def unused_pairs(
     """Yield each axis pair of straightness compensation whose parameters are all zero or in no
     file: its ten parameter numbers, and by index (0 to 9) those of them that are in the files.
 
-    Indices: 0 moving, 1 compensated, 2 to 5 points, 6 to 9 amounts. Parameters of the path of the
-    axis ``moving`` count.
+    Index 0 is the moving axis, 1 the compensated axis, 2 to 5 the points, 6 to 9 the amounts. If
+    the parameters differ by path, those of the path of the axis ``moving`` are used.
     """
     own = AxisParameters(parameters, moving)
     for pair in range(known.STRAIGHTNESS_PAIRS):
@@ -137,7 +138,8 @@ def free_pair(parameters: Parameters, moving: str) -> dict[int, ParameterValue] 
     """Return, by index (0 to 9), the parameters of the first axis pair of straightness compensation
     that is complete in the files and at zero. ``moving``: the moving axis, whose path counts.
 
-    None if there is none, or if an axis number may be counted within the path.
+    None if there is no such pair. None also if the axis is in a path other than the first: it is
+    not known whether its number is then counted within the path.
     """
     if (AxisParameters(parameters, moving).path or 1) != 1:
         return None

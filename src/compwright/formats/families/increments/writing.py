@@ -1,7 +1,7 @@
 """Write compensations as FANUC pitch error data, into the user's backup or into new small files.
 
-Only what belongs to the axis under work is written: its groups in lines that axes share, single
-bits, its own point numbers. Every other byte of a backup stays.
+Only values of the axes of the job are changed: their values in lines that axes share, single bits,
+and their own point numbers. All other bytes of a backup stay the same.
 """
 
 from __future__ import annotations
@@ -37,9 +37,8 @@ def write_increments(
 ) -> tuple[ControlFile, ...]:
     """Return the files that load ``tables`` into the control.
 
-    ``files``: the control's own files, to be changed.
-
-    Raises CapacityError with everything that the control cannot hold.
+    ``files``: the control's own files, in which values are changed. Raises CapacityError with every
+    value that the control cannot hold.
     """
     entries = all_entries(family, tables)
     faults: list[Fault] = []
@@ -58,7 +57,7 @@ def _homeless(definition: Definition, left: Entries) -> Iterator[Fault]:
     """Yield a fault for each of the values ``left`` that must be in the control's own files, but
     has no line there.
 
-    Only if nothing else proves that the control has such a parameter.
+    On such a control only the own files prove that it has the parameter.
     """
     numbers = [name_of(definition, name) for name in left.parameters]
     numbers += [f"N{POINTS_FROM + number}" for number in left.points]
@@ -318,7 +317,7 @@ def increment_sheets(family: Family, own: Sequence[AxisTable]) -> tuple[ControlF
     """Return an entry sheet for each axis and, if an option requires them, the G10 programs that
     enter the values. ``own``: the tables, without those of gantry slaves.
 
-    The slaves' tables are derived from those of their masters.
+    The sheets of gantry slaves are made from the tables of their masters.
     """
     definition = family.definition
     names = {address: axis.name for address, axis, _ in own}
