@@ -270,8 +270,8 @@ def _rough_reversal(part: ObservedCells) -> float:
 class _Sizes:
     """Typical sizes, mm or deg: of the mean readings minus the straight line, and of the scatter.
 
-    ``roughness``: rms of means minus the line; ``spread``: standard deviation of the readings, with
-    its degrees of freedom; ``floor``: lower bound of both.
+    ``roughness``: rms of the means minus the line. ``spread``: standard deviation of a reading.
+    ``dof``: degrees of freedom of ``spread``. ``floor``: lower bound of both sizes.
     """
 
     roughness: float
@@ -387,7 +387,7 @@ def _neighbour_spread(parts: Sequence[ObservedCells], left: Sequence[FloatArray]
     """Return the scatter of single readings from differences between neighbouring targets of
     ``left``, the mean readings minus the straight line.
 
-    Used where no reading is repeated (Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986).
+    It is used if no reading is repeated (Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986).
     """
     rows = [
         np.diff(row[part.signs == sign], 2)

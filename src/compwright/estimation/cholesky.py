@@ -17,11 +17,11 @@ _SMALL: Final = 48
 def cholesky_factor(matrix: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return a symmetric ``matrix`` (n, n), made positive definite, and its lower Cholesky factor.
 
-    Where rounding has left it indefinite (readings without any scatter), a jitter as large as is
-    needed is added to its diagonal first (Rasmussen and Williams, Gaussian Processes for Machine
-    Learning, 2006, section 3.4.3: numerical stability).
+    Rounding can make the matrix indefinite, for example with readings without any scatter. Then a
+    jitter is added to its diagonal, and increased until the factor exists (Rasmussen and Williams,
+    Gaussian Processes for Machine Learning, 2006, section 3.4.3: numerical stability).
 
-    Raises LinAlgError where that is not enough.
+    Raises LinAlgError if the largest jitter is not enough.
     """
     for exponent in range(-15, -3):
         try:
@@ -35,12 +35,13 @@ def cholesky_factor(matrix: FloatArray) -> tuple[FloatArray, FloatArray]:
 def factor_and_solve(
     matrix: FloatArray, values: FloatArray, largest: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the Cholesky factor L (n, n) of a symmetric ``matrix`` (n, n), and inverse(L)
-    ``values`` (n,). ``largest``: an upper bound of values' inverse(matrix) values.
+    """Return the Cholesky factor L (n, n) of a symmetric ``matrix`` (n, n), and the vector
+    inverse(L) ``values`` (n,).
 
-    Both come from one factorisation: ``values`` are appended to the matrix as its last row and
-    column (Golub and Van Loan 2013, section 4.2.5). A matrix that is singular by rounding is
-    treated as in `cholesky_factor`.
+    ``largest``: an upper bound of the number ``values``' inverse(``matrix``) ``values``. Both
+    results come from one factorisation: ``values`` are appended to the matrix as its last row and
+    column (Golub and Van Loan 2013, section 4.2.5). If rounding makes the matrix singular,
+    `cholesky_factor` is used.
     """
     size = values.size
     bordered = np.empty((size + 1, size + 1))
@@ -59,8 +60,10 @@ def inverse_triangle(factor: FloatArray) -> FloatArray:
     """Return the inverse (n, n) of a lower triangular matrix ``factor`` (n, n). Raises LinAlgError
     for a zero on the diagonal.
 
-    The halves are inverted, and what couples them is -inverse(second) coupling inverse(first)
-    (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 3.1).
+    The matrix is split into two diagonal blocks ``first`` and ``second`` and the block ``coupling``
+    below the diagonal. The diagonal blocks are inverted; the block below the diagonal of the
+    inverse is -inverse(second) coupling inverse(first) (Golub and Van Loan, Matrix Computations,
+    4th ed. 2013, section 3.1).
     """
     size = factor.shape[0]
     if size <= _SMALL:

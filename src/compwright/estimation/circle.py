@@ -1,10 +1,10 @@
 """Find the causes of the deviations of a circular test, each with its standard error.
 
-Squareness and scale do not depend on the direction, lost motion and lag change sign with it, and
-the harmonics of lost motion are those of squareness. The causes are separated by fitting all of
-them at once, at the exact distance, with the correlation of the residuals in the standard errors
-(``circle_noise``). Signs and units are those of ``circle_model``. What each cause does to a circle:
-ISO 230-4:1996, annex B.
+Squareness and scale do not depend on the direction. Lost motion and lag change sign with the
+direction. Lost motion contains the same harmonics as squareness. Therefore all causes are fitted at
+once, with the exact distance between ball and tool. The standard errors take the correlation of the
+residuals into account (``circle_noise``). Signs and units are those of ``circle_model``. The effect
+of each cause on a circle is described in ISO 230-4:1996, annex B.
 """
 
 from __future__ import annotations
@@ -73,11 +73,12 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
     """Return the causes of the deviations of a circular test (ISO 230-4:1996, annex B), with
     standard errors. Findings name the causes that cannot be separated.
 
-    Runs with more than `MOST_SAMPLES` samples are averaged over neighbours first.
+    ``periods``: known pitch of a cyclic error, mm, by axis name. Axes without a known pitch are
+    searched for one. If a run has more than `MOST_SAMPLES` samples, neighbouring samples are
+    averaged first. The same test always gives the same result.
 
-    ``periods``: pitch of a cyclic error, mm, by axis name; axes without one are searched. The same
-    test gives the same answer. Raises InputError for a test too short or with too few samples;
-    UsageError for a wrong period.
+    Raises InputError for an arc that is too short or a run with too few samples, and UsageError for
+    a wrong period.
     """
     _refuse(test, periods or {})
     test = replace(test, runs=tuple(map(_average_neighbours, test.runs)))
@@ -110,9 +111,9 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
 def _fresh_runs(test: CircularTest, solution: Solution) -> tuple[FreshRun, ...]:
     """Return a prediction for each run of a repeated circular test.
 
-    Samples exactly at a reversal point have no model and are put between their neighbours. The
-    noise has the spectra of the residuals: normal ordinates, and in both directions the sum and the
-    difference of the halves.
+    The model contains no samples exactly at a reversal point. Their deviations are interpolated
+    between neighbouring samples. The noise is drawn with the spectra of the residuals. For a test
+    in both directions, the sum and the difference of the directions are drawn separately.
     """
     problem = solution.problem
     readings = problem.samples.deviations - problem.target + solution.draws.paths
@@ -312,8 +313,9 @@ def _start_fit(samples: CircleSamples, grid: AngleGrid) -> tuple[_CircleStart, L
     """Return the first fit of a circular test. It includes a common lag of both axes if a lag
     explains the samples better.
 
-    Lost motion that is taken up while an axis stands still looks like a lag next to the reversal
-    points: the evidence of the whole model decides.
+    Next to the reversal points, lost motion that is taken up while an axis stands still looks like
+    a lag. Therefore the model is fitted with and without the lag, and the evidence of the whole
+    model decides.
     """
     without = _likeliest(circle_problem(with_undetected_lag(samples), grid))
     lag = common_lag(samples)
@@ -327,8 +329,8 @@ def _likeliest(problem: CircleProblem, *starts: _CircleStart) -> _CircleStart:
     """Return the most probable fit of a circular test. Several fits are tried: from assumed levels
     of white noise, and from the spike shapes and the noise of each of the given fits ``starts``.
 
-    Shapes that are changed one at a time end in the nearest optimum. Noise may take the place of a
-    spike, or a spike the place of noise.
+    Several starts are needed because spike shapes are changed one at a time, which leads to the
+    nearest optimum only. Noise can be fitted as a spike, or a spike as noise.
     """
     every = [(s.shapes, weighted_problem(problem, s.fitted.spectra)) for s in starts]
     every += [(SpikeShapes(problem), weighted) for weighted in white_problems(problem)]
@@ -381,7 +383,8 @@ def _fit_with_noise(weighted: WeightedProblem, shapes: SpikeShapes) -> CircleFit
     """Return the fit whose weights agree with the noise spectra of its own residuals. The iteration
     starts with the noise of ``weighted``.
 
-    Iterated two-stage least squares (Seber and Wild, Nonlinear Regression, 1989, chapter 6).
+    The method is iterated two-stage least squares (Seber and Wild, Nonlinear Regression, 1989,
+    chapter 6).
     """
     shapes.adopt(weighted.problem)
     spectra = weighted.spectra
@@ -406,7 +409,8 @@ def _fit_cyclic(
     """Return the equations with a cyclic error of an axis added, and its frequency, 1/mm. The
     ``frequency`` is a start value unless it is ``known``.
 
-    It is fitted together with the delay of the axis (Gauss-Newton: Seber and Wild 1989, chapter 2).
+    The cyclic error is fitted together with the delay of the axis (Gauss-Newton: Seber and Wild
+    1989, chapter 2).
     """
     problem, shapes, spectra = start.problem, start.shapes, start.fitted.spectra
     samples, amplitudes, late = problem.samples, (0.0, 0.0), 0.0

@@ -1,10 +1,11 @@
 """The position of the ball at the centre of a circular test, from the geometry of the path.
 
-The angle of a circular test is the commanded one, so that with the ball off the centre of the path
-the distance is r(θ) = |(R + m) u(θ) + c| with u = (cosθ, sinθ): c is the centre of the path seen
-from the ball. Its second order, (c_x sinθ - c_y cosθ)² / 2R, looks like scale mismatch and
-squareness; a linear centre term leaves it in the data. The least-squares circle is that of ISO
-230-4:1996, 3.3; the angle here is commanded, not measured.
+The angle of a circular test is the commanded angle θ. If the ball is not at the centre of the path,
+the distance is r(θ) = |(R + m) u(θ) + c|. Here u = (cosθ, sinθ), c is the centre of the path seen
+from the ball, R the nominal radius and m the mean deviation of the radius. The second-order part of
+this distance, (c_x sinθ - c_y cosθ)² / 2R, looks like scale mismatch and squareness. A model that
+is linear in c would leave this part in the data. The least-squares circle is that of ISO
+230-4:1996, 3.3, but with commanded instead of measured angles.
 """
 
 from __future__ import annotations
@@ -25,12 +26,10 @@ def recentre(
 ) -> tuple[float, float, float]:
     """Return (c_x, c_y, m), mm: the centre of the path and the mean deviation of its radius.
 
-    By least squares (Gauss-Newton: Nocedal and Wright, Numerical Optimization, 2nd ed. 2006,
-    section 10.3).
-
-    ``theta`` (n,) rad, commanded; ``deviations`` (n,) mm, measured distance minus ``radius`` mm. On
-    an arc without curvature enough to tell the three apart the smallest of the equally good answers
-    comes back.
+    ``theta`` (n,): commanded angles, rad. ``deviations`` (n,): measured distance minus ``radius``,
+    mm. ``radius``: nominal radius, mm. The solution is by least squares (Gauss-Newton: Nocedal and
+    Wright, Numerical Optimization, 2nd ed. 2006, section 10.3). A short arc cannot separate the
+    three values. Then the smallest of the equally good solutions is returned.
     """
     cos, sin = np.cos(theta), np.sin(theta)
     measured = radius + deviations
@@ -49,8 +48,9 @@ def recentre(
 def second_order(theta: FloatArray, centre: tuple[float, float], radius: float) -> FloatArray:
     """Return the second-order effect of an offset centre on the measured distance, mm (n,).
 
-    |R u + c| - R - c.u, by the cosine rule exactly; ``theta`` (n,) rad, ``centre`` and ``radius``
-    mm.
+    ``theta`` (n,): commanded angles, rad. ``centre``: centre c of the path, mm. ``radius``: radius
+    R, mm. The effect is |R u + c| - R - c.u with u = (cosθ, sinθ). It is computed exactly, by the
+    cosine rule.
     """
     cos, sin = np.cos(theta), np.sin(theta)
     x, y = centre

@@ -1,10 +1,10 @@
 """Search for a cyclic error of unknown pitch in the residuals of a fitted circular test.
 
-A cyclic error of an axis (ISO 230-4:1996, B.2.3) repeats with its position x = R cosθ, not with the
-angle: its frequency along the trace changes, so that it is sought as a chirp. All frequencies at
-once come from one Fourier transform of the weighted residuals over x, laid on an even grid (Press
-and Rybicki, Astrophysical Journal 338, 1989); the best are then weighed exactly against everything
-else in the model.
+A cyclic error of an axis (ISO 230-4:1996, B.2.3) repeats with the position x = R cosθ of the axis,
+not with the angle. Its frequency therefore changes along the path (a chirp). One Fourier transform
+of the weighted residuals over x, on an even grid, tests all frequencies approximately (Press and
+Rybicki, Astrophysical Journal 338, 1989). The best frequencies are then tested exactly, together
+with all other causes in the model.
 """
 
 from __future__ import annotations
@@ -46,10 +46,11 @@ def search_cyclic(problem: CircleProblem, fitted: CircleFit, axes: Sequence[str]
     """Return the strongest cyclic error of the two ``axes``, if the residuals of ``fitted`` clearly
     show a cyclic error.
 
-    One at a time, because a strong one of one axis has side lobes among the frequencies of the
-    other. The threshold is the gain in weighted squares, a chi-square of two degrees of freedom,
-    that noise exceeds at any of the frequencies once in a thousand searches (Scargle, Astrophysical
-    Journal 263, 1982).
+    Only one axis is reported at a time. A strong cyclic error of one axis has side lobes among the
+    frequencies of the other. A cyclic error is reported if it reduces the weighted sum of squares
+    by more than a threshold. Noise alone exceeds this threshold, at any of the frequencies, once in
+    a thousand searches (chi-square of two degrees of freedom: Scargle, Astrophysical Journal 263,
+    1982).
     """
     clearest, found = 1.0, {}
     hidden = {}
@@ -75,8 +76,8 @@ def search_cyclic(problem: CircleProblem, fitted: CircleFit, axes: Sequence[str]
 def shortest_pitch(samples: CircleSamples) -> float:
     """Return the shortest pitch, mm, of a cyclic error that the samples of a run can show.
 
-    `_STEEPEST` half turns of phase per sample where the axis moves along the path (1 would be
-    Nyquist's limit).
+    At this pitch the phase of the error changes by `_STEEPEST` half turns from sample to sample
+    where the axis is fastest. One half turn is Nyquist's limit.
     """
     per_run = samples.theta.size / max(np.unique(samples.run).size, 1)
     return float(2.0 * samples.radius * samples.arc[1] / per_run / _STEEPEST)
@@ -143,8 +144,8 @@ def _peaks(gains: FloatArray) -> FloatArray:
 def _gain(problem: CircleProblem, fitted: CircleFit, axis: str, frequency: float) -> float:
     """Return how much a cyclic error of this frequency, 1/mm, reduces the weighted sum of squares.
 
-    A column added to a least-squares fit (Seber and Lee, Linear Regression Analysis, 2nd ed. 2003,
-    section 3.7).
+    The formula is the one for columns added to a least-squares fit (Seber and Lee, Linear
+    Regression Analysis, 2nd ed. 2003, section 3.7).
     """
     right, left = _weighed(problem, fitted, axis, frequency)
     return float(right @ np.linalg.solve(left, right))

@@ -1,10 +1,9 @@
 """The linear model of a circular test. Each column of its matrix is one cause of deviations.
 
-Each column is weighted by the spectrum of the residuals, with a normal prior for each cause
-(Tarantola, Inverse Problem Theory, 2005, chapter 3).
-
-The distance is exact at the centre and the causes of a first least-squares fit; what a second one
-would change is below a nanometre.
+The equations are weighted by the noise spectrum of the residuals. Each cause has a normal prior
+(Tarantola, Inverse Problem Theory, 2005, chapter 3). The measured distance is linearised about the
+centre and the causes of a first least-squares fit. A second fit would change it by less than a
+nanometre.
 """
 
 from __future__ import annotations
@@ -59,10 +58,10 @@ _NEGLIGIBLE: Final = 1e-14
 class Reversal:
     """The reversal point of an axis at one end of its travel, and the model columns of its spikes.
 
-    ``inside``: the arc contains the point; else only the tail of its spike is in the arc.
-    ``shapes`` (m,): the possible spike shapes, spikes before take-ups. ``alike``, ``unlike`` (m,):
-    indices of the columns with the same sign in both directions, and of those that change sign
-    (none with one direction).
+    ``inside``: the arc contains the point. If not, only the end of its spike is in the arc.
+    ``shapes`` (m,): possible shapes; spikes first, then gradual take-ups of lost motion. ``alike``
+    (m,): indices of the columns with equal sign in both directions. ``unlike`` (m,): indices of the
+    columns that change sign with the direction; empty for a test in one direction.
     """
 
     axis: str
@@ -77,13 +76,14 @@ class Reversal:
 class CircleProblem:
     """The equations of a circular test: transformed sum and difference of both directions' samples.
 
-    n samples, p columns that are always in the model, r ``reversals`` with m spike shapes each.
-    ``slopes`` (n, p): mm per unit of each of the ``names`` (p,). ``widths`` (k,): prior standard
-    deviations of all k = p + r m columns (two directions: p + 2 r m). A spike shape is a mixture
-    ``mixture`` (q, m) of q curves; ``spikes`` (n, r q) are these curves. By half: ``rows`` (size, p
-    + r q), with two directions (size, p + 2 r q); ``aims`` (size,), the linearised readings, mm.
-    ``target`` (n,): the linearised readings, mm. ``towards_x``, ``towards_y`` (n,): direction of
-    the bar.
+    There are n samples, p columns that are always in the model, and r ``reversals`` with m possible
+    spike shapes each. ``slopes`` (n, p): change of the distance, mm, per unit of each cause in
+    ``names`` (p,). ``widths`` (k,): prior standard deviations of all columns; k = p + r * m, with
+    two directions p + 2 * r * m. ``spikes`` (n, r * q): q curves per reversal, whose sums with the
+    weights ``mixture`` (q, m) are the spike shapes. ``target`` (n,): linearised readings, mm.
+    ``towards_x``, ``towards_y`` (n,): direction of the bar. ``rows`` and ``aims`` have one array
+    each for the sum and the difference: columns (size, p + r * q), with two directions (size, p + 2
+    * r * q), and linearised readings (size,), mm.
     """
 
     samples: CircleSamples
@@ -197,11 +197,11 @@ def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
 
 
 def _common_curves(shapes: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return q curves (n, r q) whose sums, weighted by (q, m), give all spike ``shapes`` (r, m, n).
+    """Return q common curves (n, r * q) and weights (q, m). The weighted sums of the curves are all
+    spike ``shapes`` (r, m, n) of r reversals.
 
-    Decays of similar lengths are nearly dependent, so that their principal components above the
-    rounding error are about half as many (Golub and Van Loan, Matrix Computations, 4th ed. 2013,
-    section 2.4).
+    Decays of similar lengths are nearly dependent. Only about half as many principal components
+    exceed the rounding error (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 2.4).
     """
     if not shapes.size:
         return np.zeros((shapes.shape[2], 0)), np.zeros((0, shapes.shape[1]))
@@ -215,8 +215,8 @@ def _linear(
     samples: CircleSamples, fixed: Sequence[CauseColumn]
 ) -> tuple[tuple[FloatArray, FloatArray], FloatArray, dict[str, float]]:
     """Return the equations of a circular test, linearised about a first fit of ``fixed`` causes.
-
-    Direction of the bar (x and y, each (n,)), linearised readings (n,) mm, and values of that fit.
+    The results are the direction of the bar (x and y, each (n,)), the linearised readings (n,) in
+    mm, and the sizes of the causes in the first fit by name.
     """
     x, y = (np.column_stack([getattr(c, side) for c in fixed]) for side in ("x", "y"))
     cos, sin = np.cos(samples.theta), np.sin(samples.theta)
@@ -323,9 +323,8 @@ def sample_spacing(samples: CircleSamples) -> float:
 
 @dataclass(frozen=True, slots=True)
 class WeightedProblem:
-    """The normal equations of a circular test, weighted by the noise spectra of its residuals.
-
-    ``gram`` (k, k) without priors, ``right`` (k,).
+    """The normal equations of a circular test, weighted by the noise spectra of its residuals:
+    matrix ``gram`` (k, k), without the priors of the causes, and right side ``right`` (k,).
     """
 
     problem: CircleProblem
@@ -368,9 +367,10 @@ class MarginalEquations:
 class CircleFit:
     """The least-squares solution of a circular test for one choice of spike shapes.
 
-    ``values`` (k,) of the ``active`` columns with ``covariance`` (k, k). By half: ``rows`` (size,
-    k) and residuals ``rest`` (size,), mm, with the ``spectra`` that weight them. ``information``
-    (k,): information about each column alone.
+    ``values`` (a,): sizes of the ``active`` columns (a,), with ``covariance`` (a, a).
+    ``information`` (a,): information about each column alone. The others have one entry each for
+    the sum and the difference of the directions. ``rows`` (size, a): columns; ``rest`` (size,):
+    residuals, mm; ``spectra``: their noise spectra.
     """
 
     active: IndexArray
@@ -454,8 +454,8 @@ def _of_halves(
 
 def white_problems(problem: CircleProblem) -> Iterator[WeightedProblem]:
     """Yield the equations for several levels of white noise in the samples: the starts of the fit.
-
-    Standard deviations: 1 µm, that of the upper half of the orders, and the geometric mean of both.
+    The standard deviations are 1 µm, that of the upper half of the transform's orders, and the
+    geometric mean of both.
     """
     loud = np.full(len(problem.aims), 1e-6)
     upper = [aim[aim.size // 2 :] ** 2 for aim in problem.aims]
@@ -469,10 +469,9 @@ def white_problems(problem: CircleProblem) -> Iterator[WeightedProblem]:
 
 
 def residual_spectra(found: CircleFit) -> tuple[ResidualSpectrum, ...]:
-    """Return the noise spectra from the residuals of a fit.
-
-    The leverage of an ordinate is its diagonal of the hat matrix (Belsley, Kuh and Welsch,
-    Regression Diagnostics, 1980, chapter 2).
+    """Return the noise spectra from the residuals of a fit. The leverage of each order of the
+    transform is its diagonal element of the hat matrix (Belsley, Kuh and Welsch, Regression
+    Diagnostics, 1980, chapter 2).
     """
     spectra = []
     for rows, rest, spectrum in zip(found.rows, found.rest, found.spectra, strict=True):
@@ -498,9 +497,8 @@ def fitted_path(problem: CircleProblem, active: IndexArray, values: FloatArray) 
 
 
 def scaled_inverse(normal: FloatArray) -> FloatArray:
-    """Return the inverse of a normal matrix (k, k), scaled to a unit diagonal for accuracy.
-
-    Nearly the best scaling (van der Sluis, Numerische Mathematik 14, 1969).
+    """Return the inverse of a normal matrix (k, k), scaled to a unit diagonal for accuracy. This
+    scaling is nearly the best (van der Sluis, Numerische Mathematik 14, 1969).
     """
     unit = 1.0 / np.sqrt(np.diag(normal))
     scale = np.outer(unit, unit)

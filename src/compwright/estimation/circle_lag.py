@@ -1,12 +1,14 @@
 """The delay with which both axes reverse, from the angles at which lost motion and spikes begin.
 
-The angles of a test are commanded ones, and axes that follow their commands T late reverse at v T /
-R after the commanded reversal point: 0.8° at 2 000 mm/min on R = 150 mm with a loop of Kv = 16.7/s.
-Steps fitted at the wrong angle spoil lost motion and spikes, and half of what is then left of scale
-and squareness looks like a lag difference. A lag that all axes share moves nothing else to first
-order, so that it is found here and the angles are corrected by it. Lag and circle: ISO
-230-4:1996, B.3.2 and B.3.3; the point where a trace breaks is found by the least squares of all
-points tried (Seber and Wild, Nonlinear Regression, 1989, chapter 9).
+The angles of a test are commanded angles. Axes that follow their commands with a delay T reverse at
+the angle v T / R after the commanded reversal point. With a position loop of Kv = 16.7/s, at 2 000
+mm/min on R = 150 mm, this is 0.8°. If steps are fitted at the wrong angle, lost motion and spikes
+are wrong. Half of the remaining scale and squareness then looks like a lag difference.
+
+To first order, a lag common to both axes changes nothing else. It is therefore found here, and the
+angles are corrected by it. Lag and circle: ISO 230-4:1996, B.3.2 and B.3.3. The angle at which the
+path has a step is the one with the least sum of squares (Seber and Wild, Nonlinear Regression,
+1989, chapter 9).
 """
 
 from __future__ import annotations
@@ -46,8 +48,9 @@ def common_lag(samples: CircleSamples) -> Lag | None:
     """Return the common delay of both axes, rad, or None if the samples near the reversal points do
     not clearly show a delay.
 
-    Angles whose weighted squares differ by less than 9 (three standard errors) count as equal
-    (Seber and Wild 1989, chapter 9).
+    The delay is the middle of the angles that fit equally well. Angles fit equally well if their
+    weighted sums of squares exceed the least one by at most 9 (three standard errors; Seber and
+    Wild 1989, chapter 9).
     """
     spacing, windows, angles, none = _profile(samples)
     if not len(windows):
@@ -82,9 +85,10 @@ def with_undetected_lag(samples: CircleSamples) -> CircleSamples:
     """Return the samples with an uncertainty of the delay, ``lag_std``, for a delay that is too
     small to be found.
 
-    Uniform up to the largest angle that fits the samples next to the reversal points as well as
-    zero does, plus half the angle between samples (JCGM 100:2008, eq. 7); at least half the angle
-    between samples, within which a step cannot be located.
+    The delay is assumed to be uniformly distributed up to a largest angle (JCGM 100:2008, eq. 7).
+    This is the largest angle that fits the samples near the reversal points as well as zero, plus
+    half the angle between samples. ``lag_std`` is at least half the angle between samples, because
+    a step cannot be located within it.
     """
     spacing, windows, angles, none = _profile(samples)
     if not len(windows):
@@ -100,9 +104,9 @@ def with_undetected_lag(samples: CircleSamples) -> CircleSamples:
 def shrink_uncertainty(samples: CircleSamples) -> float:
     """Return the standard uncertainty, mm, of the radius from an unknown equal lag of both axes.
 
-    The circle shrinks with the acceleration (ISO 230-4:1996, B.3.2) by at most v² / (2 Kv² R) = a
-    for the softest usual position loop. Uniform over the range ±a: a / sqrt(3) (JCGM 100:2008, eq.
-    7).
+    The acceleration makes the circle smaller (ISO 230-4:1996, B.3.2). With the softest usual
+    position loop Kv, the radius shrinks by at most a = v² / (2 Kv² R). The shrinkage is assumed to
+    be uniform over the range ±a, which gives a / sqrt(3) (JCGM 100:2008, eq. 7).
     """
     most = samples.speed**2 / (2.0 * SOFTEST_LOOP**2 * samples.radius)
     return float(most / np.sqrt(3.0))
@@ -112,8 +116,8 @@ def _profile(samples: CircleSamples) -> tuple[float, FloatArray, FloatArray, int
     """Return the samples near the reversal points, and the reversal angles to try, from which a
     delay of the axes is estimated.
 
-    Angle between samples, windows at the reversal points, angles (a,) to try in rad, index of the
-    angle zero.
+    The four results are the angle between samples, rad; the windows of samples at the reversal
+    points (`_windows`); the angles (a,) to try, rad; and the index of the angle zero.
     """
     per_run = samples.theta.size / np.unique(samples.run).size
     spacing = samples.arc[1] / per_run
@@ -147,7 +151,8 @@ def _squares(windows: FloatArray, angles: FloatArray) -> tuple[FloatArray, float
     """Return the residual sum of squares (a,) for each assumed angle of the reversal, and the
     degrees of freedom of this sum.
 
-    In each window: a parabola, and from the reversal on a step, a bend and two decays.
+    The model of each window is a parabola. From the assumed reversal on, a step, a bend and two
+    decays are added.
     """
     travelled, values = windows[:, 0, :], windows[:, 1, :]
     size = float(np.max(np.abs(travelled)))

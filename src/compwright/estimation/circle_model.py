@@ -1,12 +1,15 @@
 """The tool displacement that each cause of circular deviations produces along the commanded circle.
 
-Displacements, not radial deviations, because the bar measures |R u(θ) + displacement - ball|: with
-the ball 0.5 mm off the centre a displacement across the radius counts too. Each column is the
-displacement (x, y) in mm per unit of its parameter, in the units and signs of the output; to
-first order at the centre they are these radial deviations (d = +1 ccw, -1 cw; v path speed), whose
-shapes and signs ISO 230-4:1996, annex B draws (B.2.1 scale, B.2.2 squareness, B.2.3 cyclic, B.3.1
-lost motion and spikes, B.3.2 acceleration, B.3.3 unequal lag; see also Kakino, Ihara and Shinohara,
-Accuracy Inspection of NC Machine Tools by Double Ball Bar Method, 1993):
+The model contains displacements instead of radial deviations, because the bar measures |R u(θ) +
+displacement - ball|. If the ball is 0.5 mm off the centre, a displacement across the radius changes
+the distance too. Each column is the displacement (x, y) in mm per unit of its parameter. Units and
+signs are those of the output.
+
+To first order, with the ball at the centre, the displacements are the radial deviations of the
+table. In the table, d is +1 for ccw and -1 for cw, and v is the path speed. Shapes and signs are
+drawn in ISO 230-4:1996, annex B: B.2.1 scale, B.2.2 squareness, B.2.3 cyclic, B.3.1 lost motion and
+spikes, B.3.2 acceleration, B.3.3 unequal lag. See also Kakino, Ihara and Shinohara, Accuracy
+Inspection of NC Machine Tools by Double Ball Bar Method, 1993.
 
     scale_mismatch D (um)     D/4 cos2θ                     squareness β (um/m)    -(βR/2) sin2θ
     servo_mismatch τ (ms)     d (vτ/2) sin2θ                radius_change ρ (um)   d ρ
@@ -83,10 +86,11 @@ REVERSAL_MARGIN: Final = np.radians(2.0)
 class CircleSamples:
     """All samples of a circular test, in mm and rad.
 
-    ``theta`` (n,) rad, commanded; ``sense`` (n,) +1 ccw, -1 cw; ``deviations`` (n,) mm; ``run``
-    (n,) index of the traverse. ``radius`` mm, ``speed`` mm/s, ``arc`` start and extent in rad.
-    ``lag`` rad: common lag already taken off ``theta``, 0 where none was found; ``lag_std`` how far
-    it may be wrong.
+    ``theta`` (n,): commanded angle, rad. ``sense`` (n,): +1 ccw, -1 cw. ``deviations`` (n,): mm.
+    ``run`` (n,): index of the traverse. ``radius``: nominal radius, mm. ``speed``: path speed,
+    mm/s. ``arc``: start and extent, rad. ``lag``: common lag of the axes, rad, that is already
+    subtracted from ``theta``; 0 if none was found. ``lag_std``: standard uncertainty of the lag,
+    rad.
     """
 
     theta: FloatArray
@@ -249,9 +253,10 @@ def _lost_motion(samples: CircleSamples, axis: str) -> Iterator[_Named]:
     """Yield a model column for the lost motion at each reversal point, or only one column if the
     arc has only one reversal point.
 
-    Each end's value holds over its half of the travel, so that the deviation stays continuous where
-    the axis is fastest. A nuisance allows for a change in proportion to the position instead. With
-    one reversal point half the difference of the ends is an unknown, in proportion to the position.
+    The lost motion at each end applies to the half of the travel on its side. The deviation thus
+    stays continuous where the axis is fastest. An additional unknown allows lost motion to change
+    in proportion to the position. If the arc has only one reversal point, a further unknown is half
+    the difference of the lost motion at the two ends. It changes in proportion to the position too.
     """
     cos, sin, zero = np.cos(samples.theta), np.sin(samples.theta), np.zeros_like(samples.theta)
     own, lag = (
@@ -295,7 +300,7 @@ class SpikeShape:
     """A reversal spike that decays over ``length`` mm of arc. It starts at its peak, or is
     ``rising`` to a peak of 1 at that length.
 
-    exp(-s), or s exp(1 - s), with s = arc / length.
+    With s = arc / length, the spike is exp(-s); a rising spike is s exp(1 - s).
     """
 
     length: float
@@ -313,7 +318,8 @@ class TakeUp:
     """Lost motion that an axis takes up gradually over ``length`` mm of arc after a reversal, as a
     share of the lost motion at the reversal.
 
-    The axis stands still until the command has passed it, travelled = arc² / 2R.
+    The axis stands still until its command has moved by the lost motion. After a reversal the
+    command moves by arc² / 2R.
     """
 
     length: float
@@ -349,11 +355,11 @@ def lag_column(samples: CircleSamples, known: Mapping[str, float]) -> CauseColum
     """Return the effect (n,), mm, that an uncertainty ``lag_std`` of the delay has on the
     deviations. ``known``: sizes of causes from a first fit, by name.
 
-    It is the slope of the ``known`` smooth causes against the motion (derivatives by θ of the table
-    in the module; ISO 230-4:1996, annex B), without the effect on the centre. Straightness counts
-    only by its third harmonic, k cos²θ sinθ = k/4 (sinθ + sin3θ), because the first is an offset of
-    the centre. A servo mismatch, large at a high feed, changes the scale mismatch by 4 v τ per
-    radian.
+    The effect is the slope of the ``known`` smooth causes along the motion (derivatives by θ of the
+    table in the module docstring; ISO 230-4:1996, annex B). The part that shifts the centre is left
+    out. Of straightness, k cos²θ sinθ = k/4 (sinθ + sin3θ), only the third harmonic counts, because
+    the first harmonic is an offset of the centre. A servo mismatch τ, large at a high feed, changes
+    the scale mismatch by 4 v τ per radian.
     """
     double, triple = 2.0 * samples.theta, 3.0 * samples.theta
     slope = (
@@ -380,11 +386,11 @@ def cyclic_columns(
     (µm, of cosine and sine): its cosine, its sine, and columns for small changes of its frequency,
     delay and attenuation. ``late``: delay of the axis, mm.
 
-    ISO 230-4:1996, B.2.3. Cosine and sine: a cos(2πfx) - b sin(2πfx) at ``amplitudes`` (a, b) µm.
-    Changes: of the frequency, per 1/mm; of a delay of the axis, per mm at full speed (``late``: in
-    mm); and of the part that an instrument of limited bandwidth loses. A first-order filter T loses
-    (2π f v T)² / 2, which falls with the square of the speed of the axis, so that the circle shows
-    it near the reversals.
+    The cyclic error (ISO 230-4:1996, B.2.3) is a cos(2πfx) - b sin(2πfx) for ``amplitudes`` (a, b).
+    The column of the frequency is per 1/mm. The column of the delay is per mm of delay at full
+    speed. The column of the attenuation is for the loss in an instrument of limited bandwidth. A
+    first-order filter with time constant T loses the share (2π f v T)² / 2. This share falls with
+    the square of the axis speed, so that the error is largest near the reversals.
     """
     cos, sin = np.cos(samples.theta), np.sin(samples.theta)
     zero = np.zeros_like(samples.theta)

@@ -1,15 +1,16 @@
 """The noise spectrum of a circular test, from the residuals of the fit. Weights by this spectrum
 make the samples statistically independent.
 
-Neighbouring samples are correlated, and what the model leaves out comes back in every run at the
-same angle: there are neither n independent samples nor two independent runs. The samples are
-therefore split into the half that both directions share and the half that changes sign with the
-direction (each cause belongs to one of them), each with a spectrum of its own: white plus
-first-order autoregressive, in the cosine transform, which makes such noise independent to good
-approximation (Ahmed, Natarajan and Rao, IEEE Trans. Computers C-23, 1974) and needs no closed
-circle. The spectrum is not taken at its peak but averaged over its likelihood, that of independent
-ordinates (Whittle, Arkiv för Matematik 2, 1953), so that what the data leave open about it widens
-the intervals.
+Neighbouring samples are correlated. Deviations that the model does not contain return in every run
+at the same angle. Thus neither the n samples nor two runs are independent. The samples are
+therefore split into two halves: the part common to both directions, and the part that changes sign
+with the direction. Each cause belongs to one of them.
+
+Each half has a spectrum of its own: white noise plus first-order autoregressive noise. The cosine
+transform makes such noise independent to good approximation, and needs no closed circle (Ahmed,
+Natarajan and Rao, IEEE Trans. Computers C-23, 1974). The spectrum is an average over possible
+spectra, weighted by their likelihood for independent ordinates (Whittle, Arkiv för Matematik 2,
+1953). Its uncertainty thus widens the intervals.
 """
 
 from __future__ import annotations
@@ -56,7 +57,8 @@ class ResidualSpectrum:
     """The noise variance (size,), mm², at each order of the cosine transform, for the sum or the
     difference of both directions.
 
-    ``length``: correlation length in samples, as density at order zero divided by the mean density.
+    ``density`` (size,): this variance. ``length``: correlation length in samples, the density at
+    order zero divided by the mean density.
     """
 
     density: FloatArray
@@ -100,8 +102,9 @@ def sum_and_difference(grid: AngleGrid, values: FloatArray) -> tuple[FloatArray,
     """Return the cosine transforms (size, ...) of two arrays: the sum and the difference of the
     ``values`` in both directions.
 
-    ``values`` (n, ...) by sample: residuals or rows of the model. Runs of one direction are
-    averaged and count by their number; one direction alone gives one half.
+    ``values`` (n, ...): residuals or rows of the model, one for each sample. Runs of one direction
+    are averaged, and the mean is weighted by the number of runs. A test in one direction gives only
+    one array.
     """
     parts = [
         (
@@ -119,8 +122,8 @@ def sum_and_difference(grid: AngleGrid, values: FloatArray) -> tuple[FloatArray,
 def cosine_transform(values: FloatArray) -> FloatArray:
     """Return the orthonormal cosine transform (type II) of values (size, ...) along the first axis.
 
-    By one Fourier transform of the same length: the even samples, then the odd ones backwards
-    (Makhoul, IEEE Trans. Acoustics, Speech, and Signal Processing 28, 1980).
+    It is computed by one Fourier transform of the same length, with the even samples first and the
+    odd ones backwards (Makhoul, IEEE Trans. Acoustics, Speech, and Signal Processing 28, 1980).
     """
     size = values.shape[0]
     folded = np.fft.rfft(np.concatenate([values[::2], values[1::2][::-1]]), axis=0)
@@ -153,8 +156,8 @@ def estimate_spectrum(residual: FloatArray, leverage: FloatArray) -> ResidualSpe
     """Return the noise spectrum from the transformed residuals (size,), mm. ``leverage`` (size,):
     part of each degree of freedom that the fit uses.
 
-    The average of spectra with all tried lengths and ratios, weighted by their likelihood (Whittle
-    1953).
+    It is the average of spectra with all tried correlation lengths and noise ratios, weighted by
+    their likelihood (Whittle 1953).
     """
     size = residual.size
     power, freedom = residual**2, np.clip(1.0 - leverage, 1e-9, 1.0)
@@ -177,8 +180,9 @@ def estimate_spectrum(residual: FloatArray, leverage: FloatArray) -> ResidualSpe
 def _tried(size: int) -> tuple[IndexArray, FloatArray, FloatArray, FloatArray]:
     """Return the noise spectra to compare with residuals of ``size`` cosine-transform orders.
 
-    First order of each pool (p,), the inverse and the logarithm (m, p) of the spectra at the middle
-    of each pool, and the correlated densities (2 l, size).
+    Neighbouring orders are pooled. The results are the first order of each pool (p,); the inverse
+    and the logarithm, each (m, p), of the m tried spectra at the middle of each pool; and the
+    densities of correlated noise (2 * l, size) for l correlation lengths.
     """
     lengths = np.geomspace(1.0, max(size / _SHORTEST_WAVE, 2.0), _LENGTHS)
     pools = _pools(size)
@@ -189,12 +193,13 @@ def _tried(size: int) -> tuple[IndexArray, FloatArray, FloatArray, FloatArray]:
 
 @cache
 def _mixtures(lengths: int) -> tuple[FloatArray, FloatArray]:
-    """Return the m mixtures of white noise and correlated noises to try, from 2 l correlated noises
-    (l = ``lengths``). For each mixture: the ratio of each correlated noise to white noise (m, 2 l),
-    and the log prior probability (m,).
+    """Return the m mixtures of white noise and correlated noises to try. There are 2 * ``lengths``
+    correlated noises. For each mixture: the ratio of each correlated noise to white noise (m, 2 *
+    ``lengths``), and the log prior probability (m,).
 
-    Two noises: a part of the path that no cause explains has a spectrum of its own, and one noise
-    fitted to both would be too weak at the low orders, which the causes leave hardly any residual.
+    Some mixtures have two correlated noises. A part of the path that no cause explains has a
+    spectrum of its own. One correlated noise fitted to both would be too weak at the low orders,
+    where the causes leave hardly any residual.
     """
     each = np.eye(2 * lengths)
     one = np.concatenate([ratio * each for ratio in _RATIOS])
@@ -210,12 +215,12 @@ def _mixtures(lengths: int) -> tuple[FloatArray, FloatArray]:
 
 
 def _correlated(frequency: FloatArray, lengths: FloatArray) -> FloatArray:
-    """Return the spectral densities (2 l, f) of correlated noise, relative to zero frequency.
+    """Return the spectral densities (2 * l, f) of correlated noise, relative to zero frequency.
 
-    Autoregressive noise of first order, proportional to 1 / (1 - 2 ρ cos w + ρ²) (Box and Jenkins,
-    Time Series Analysis, 1970, chapter 3), and the same passed through once more.
-
-    ``lengths`` in samples to 1/e; ``frequency`` 1 is half a turn per sample.
+    ``lengths`` (l,): samples in which the correlation falls to 1/e. ``frequency`` (f,): 1 is half a
+    turn per sample. The first l densities are those of first-order autoregressive noise,
+    proportional to 1 / (1 - 2 ρ cos w + ρ²) (Box and Jenkins, Time Series Analysis, 1970, chapter
+    3). The others are the squares of these: the noise after the same filter is applied twice.
     """
     root = np.exp(-1.0 / lengths)[:, np.newaxis]
     density = (1.0 - root) ** 2 / (1.0 - 2.0 * root * np.cos(np.pi * frequency) + root**2)

@@ -1,7 +1,8 @@
 """A simple regression of a circular test, as other software does it, for comparison with the full
 model.
 
-Harmonics and reversal terms of ISO 230-4:1996, annex B, at the centre, by ordinary least squares.
+It fits harmonics and reversal terms of ISO 230-4:1996, annex B, with the ball at the centre, by
+ordinary least squares.
 """
 
 from __future__ import annotations
@@ -18,10 +19,11 @@ def harmonic_regression(samples: CircleSamples) -> dict[str, float]:
     """Return the causes of circular deviations, in units of the JSON output, from a simple
     regression of harmonics and reversal terms.
 
-    On a full circle in both directions: squareness, scale mismatch, servo mismatch, radius change,
-    and for each axis lost motion (mean and both ends), lateral play and straightness. On an arc
-    lateral play, straightness and the two ends are left out, with one direction everything that
-    needs two. Formulas: the table of ``circle_model`` (ISO 230-4:1996, annex B).
+    A full circle in both directions gives squareness, scale mismatch, servo mismatch and radius
+    change. For each axis it gives lost motion (mean and both ends), lateral play and straightness.
+    On an arc, lateral play, straightness and the lost motion at each end are left out. With one
+    direction, all causes that need two directions are left out. The formulas are in the table of
+    ``circle_model`` (ISO 230-4:1996, annex B).
     """
     names, rows = _plain_rows(samples)
     x, y, _ = recentre(samples.theta, samples.deviations, samples.radius)

@@ -62,8 +62,9 @@ class _ReportedCause:
     """One cause as reported: its value, random draws of the value, and its radial deviations.
 
     ``drawn`` (d,): random draws of the value from its posterior. ``curve`` (n,): its radial
-    deviation, mm. ``variance``: variance of the value that the draws do not contain; ``of_shape``
-    the part that the shape of a spike makes. ``reason``: why it is not reported.
+    deviation, mm. ``variance``: variance of the value that the draws do not contain. ``of_shape``:
+    the part of this variance from the unknown shape of a spike. ``reason``: why the cause is not
+    reported.
     """
 
     name: str
@@ -88,10 +89,9 @@ def report_effects(
     """Return the effect of each cause by name, the correlation of the effects, the reasons for
     missing effects (from ``undetermined``, by cause), and the findings.
 
-    Details (each end of a lost motion or spike, scale errors in addition to the mismatch, lobes)
-    are parts of causes that count already. Shares are over the sum of the causes, each counted
-    once; causes that are not given have no share. ``low`` is the lower end of a one-sided 95 %
-    interval.
+    Some effects are details of another cause: each end of a lost motion or spike, scale errors,
+    lobes. They are left out of the sum of the causes. The share of a cause is relative to this sum;
+    causes with a reason have share 0. ``low`` is the lower end of a one-sided 95 % interval.
     """
     samples = solution.problem.samples
     causes = tuple(_causes(test, solution))
@@ -211,10 +211,9 @@ def _lost_motion_parts(samples: CircleSamples, axis: str) -> dict[str, float]:
 def _lost_motion_ends(
     solution: Solution, axis: str, parts: Mapping[str, float]
 ) -> Iterator[_ReportedCause]:
-    """Yield the lost motion at each reversal point of an axis in the arc.
-
-    What the shape of the spike there may be wrong by goes into the lost motion by the slope of its
-    draws over the drawn heights (Seber and Lee, Linear Regression Analysis, 2nd ed. 2003, ch. 6).
+    """Yield the lost motion at each reversal point of an axis in the arc. Its variance includes the
+    uncertainty of the spike shape, times the squared slope of the drawn lost motion over the drawn
+    heights (Seber and Lee, Linear Regression Analysis, 2nd ed. 2003, ch. 6).
     """
     spikes = {(s.reversal.axis, s.reversal.end): s for s in solution.draws.spikes}
     for end, inside in zip(ENDS, solution.problem.samples.reversals(axis), strict=True):
@@ -235,11 +234,12 @@ def _lost_motion_ends(
 def _scale_mismatch(solution: Solution) -> _ReportedCause:
     """Return the scale mismatch after the effect of unequal servo lags is subtracted.
 
-    A first-order lag T reduces the radius of its axis by (ωT)² / 2, so that a mean lag of angle a
-    and a servo mismatch τ change the mismatch by -2 a v τ over the diameter; a dead time changes
-    nothing. Which of both is unknown: half of the effect is subtracted, and half is a standard
-    uncertainty (two values of equal probability: JCGM 100:2008, 4.3.1). ``lag_taken_off`` and
-    ``lag_error``, um: both, for circles at several feeds, which can determine it.
+    A first-order lag T reduces the radius of its axis by (ωT)² / 2. A mean lag of angle a and a
+    servo mismatch τ thus change the mismatch by -2 a v τ over the diameter. A dead time changes
+    nothing. It is unknown which kind of lag the axes have. Therefore half of the effect is
+    subtracted, and the other half is a standard uncertainty (two values of equal probability: JCGM
+    100:2008, 4.3.1). ``lag_taken_off`` and ``lag_error`` are these halves, um. Circles at several
+    feeds can determine the effect.
     """
     samples = solution.problem.samples
     cause = _linear(solution, "scale_mismatch", {"scale_mismatch": 1.0})
@@ -321,9 +321,9 @@ def _spike(
     """Return the spike at one reversal point, positive outward. ``index`` selects a direction
     (None: mean of both); ``suffix``: end of the name of the result.
 
-    Its variance includes what the samples cannot determine: how long before the first sample the
-    axis reversed (lag), whether the rise belongs to the spike or to the bandwidth of the
-    instrument, and a spike too small to be found.
+    Its variance includes three things that the samples cannot determine. The axis may have reversed
+    earlier before the first sample (lag). The rise may come from the bandwidth of the instrument. A
+    spike may be too small to be found.
     """
     samples = solution.problem.samples
     pick = slice(None) if index is None else slice(index, index + 1)
@@ -382,8 +382,8 @@ def _cyclic(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
     """Yield the amplitude of the cyclic error of an axis. If none was found, the amplitude is 0,
     and its standard error is half of the largest amplitude that the search can miss.
 
-    The amplitude is sqrt(a² + b² - σ²), because the root of two squares is too large by the noise
-    in them (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995).
+    The amplitude is sqrt(a² + b² - σ²), because noise makes sqrt(a² + b²) too large (Gudbjartsson
+    and Patz, Magnetic Resonance in Medicine 34, 1995).
     """
     name = f"cyclic_{axis}"
     if axis not in solution.frequencies:

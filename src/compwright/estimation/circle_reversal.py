@@ -1,11 +1,11 @@
 """The shapes of the spikes after the reversals of a circular test. Several possible decays are
 averaged by their probability.
 
-After a reversal the axis is off by its lost motion and by a spike of unknown height, rise and decay
-(ISO 230-4:1996, B.3.1). The spike is a sum of up to `SLOTS` decays from a dictionary: one decay is
-a sharp spike, a slow one less a fast one has a rise. Every reversal point has a shape of its own,
-in both directions alike or not. All these are hypotheses with prior probabilities; they are drawn
-in proportion to their evidence, one decay at a time with all others and the causes integrated
+After a reversal the axis deviates by its lost motion and by a spike of unknown height, rise and
+decay (ISO 230-4:1996, B.3.1). The spike is a sum of up to `SLOTS` decays. One decay is a sharp
+spike; a slow decay minus a fast one is a spike with a rise. Each reversal point has its own shape,
+which may differ between the directions. All these shapes are hypotheses with prior probabilities.
+They are drawn in proportion to their evidence, one decay at a time, with all sizes integrated out
 (Gibbs sampling of collapsed models: Liu, Journal of the American Statistical Association 89, 1994;
 George and McCulloch, Statistica Sinica 7, 1997).
 """
@@ -211,11 +211,9 @@ class _Tried:
     ) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Return the normal equations of the tried columns after a fit with the ``chosen`` columns.
 
-        Right side (t,), weight (t,) without their priors, and the inner products (c, t) with the
-        chosen ones.
-
-        Columns added to a regression with normal priors: Seber and Lee, Linear Regression Analysis,
-        2nd ed. 2003, section 3.7.
+        The results are the right side (t,), the weight (t,) without the priors of the columns, and
+        the inner products (c, t) with the chosen columns (columns added to a regression with normal
+        priors: Seber and Lee, Linear Regression Analysis, 2nd ed. 2003, section 3.7).
         """
         if not chosen.size:
             return self.right, self.weight, np.zeros((0, self.right.size))
@@ -259,8 +257,9 @@ class _Options:
         """Return the log probability of each possibility: no shape, a shape that is equal in both
         directions, or a shape that differs between the directions.
 
-        Nothing, each size and shape alike in both directions, each with a difference (1 + 2 s m,);
-        with one direction (1 + s m,).
+        For s sizes and m shapes, the order is: no shape; each size and shape equal in both
+        directions; each size and shape with a difference: (1 + 2 * s * m,). With one direction: (1
+        + s * m,).
         """
         count = self.options.size
         if not count:
@@ -293,9 +292,9 @@ class _Options:
 class CircleDraws:
     """Random draws of the causes and the spikes of a circular test from their posterior.
 
-    ``values`` (d, p): the columns without spikes. ``spikes``: one for each reversal point.
-    ``paths`` (s, n): linearised readings, mm, one for each choice of shapes. ``least_error``:
-    standard error of rare causes by name, given that they exist.
+    ``values`` (d, p): sizes of the causes other than spikes. ``spikes``: one for each reversal
+    point. ``paths`` (s, n): fitted deviations, mm, for each drawn choice of spike shapes.
+    ``least_error``: standard error of each rare cause by name, if the cause exists.
     """
 
     values: FloatArray
@@ -308,14 +307,14 @@ class CircleDraws:
 class SpikeDraws:
     """Random draws (d,) of the spikes at one reversal point: peak heights, depths and lengths.
 
-    Per direction (s = 2: ccw, cw; s = 1: both alike), µm: ``heights`` (d, s), outward peak above
-    the lost motion; ``depths`` (d, s), largest inward deviation; ``extrapolated`` (d, s), the
-    slowest decay at the reversal; ``unseen`` (d, s), range of the heights that no sample decides;
-    ``deeper`` (d, s), additional inward deviation while the lost motion is taken up.
+    The arrays (d, s) are in µm; s = 2 for ccw and cw, s = 1 if both are equal. ``heights``: outward
+    peak above the lost motion. ``depths``: largest inward deviation. ``extrapolated``: slowest
+    decay at the reversal. ``unseen``: range of the heights that no sample decides. ``deeper``:
+    additional inward deviation while the lost motion is taken up.
 
-    ``decay`` (d,) mm: from the peak (of the depth for an `INWARD` spike) to 1/e of it; ``rise``
-    (d,) mm: to the peak; 0 without. ``there``, ``unlike``: probability of a spike, and of different
-    directions. ``curve`` (s, m): mean amplitude, µm, of each shape by direction.
+    ``decay`` (d,), mm: arc from the peak (of the depth for an `INWARD` spike) to 1/e of it.
+    ``rise`` (d,), mm: arc to the peak, or 0. ``there``: probability of a spike; ``unlike``: of
+    different directions. ``curve`` (s, m): mean amplitude, µm, of each shape.
     """
 
     reversal: Reversal
@@ -336,9 +335,8 @@ def draw_shapes(
     weighted: WeightedProblem, shapes: SpikeShapes, rng: np.random.Generator
 ) -> CircleDraws:
     """Return random draws of the spike shapes and of the causes under each draw, starting from
-    ``shapes``.
-
-    They come in pairs about their mean (antithetic variates: Hammersley and Morton, 1956).
+    ``shapes``. The draws of the causes are pairs, symmetric about their mean (antithetic variates:
+    Hammersley and Morton, 1956).
     """
     marginal = weighted.without(shapes.always)
     every = {place: _Options(marginal, shapes, *place) for place in shapes.slots()}
@@ -393,10 +391,9 @@ def _coefficients(
 def _least_error(
     weighted: WeightedProblem, marginal: MarginalEquations, reversal: Reversal
 ) -> float:
-    """Return the standard error, um, of the spike at a reversal point where no spike was found.
-
-    A single spike that decays within one of the equally likely times of `_USUAL`. A spike that ends
-    before the next sample is limited only by its prior.
+    """Return the standard error, um, of the spike at a reversal point where no spike was found. It
+    assumes a single spike that decays within one of the equally likely times of `_USUAL`. A spike
+    that ends before the next sample is limited only by its prior.
     """
     samples = weighted.problem.samples
     sharp = [
@@ -418,9 +415,9 @@ def of_the_spike(taken: FloatArray, spike: FloatArray, lost: FloatArray) -> Floa
     """Return the part of the gradual take-up ``taken`` (d, s), um, that counts as reversal spike
     and not as lost motion. ``spike``, ``lost``: sizes of reversal spike and lost motion.
 
-    Inward, an axis stands still until it has passed its lost motion (size of ``lost``, no step
-    then) or until its drive overcomes the friction (size of ``spike`` at the reversal, whose edge
-    rises with the command). The nearer size decides; outward, it always belongs to the spike.
+    An outward take-up always belongs to the spike. An inward one has two possible causes: the axis
+    stands still until it has passed its lost motion (size ``lost``), or until its drive overcomes
+    the friction (size ``spike`` at the reversal). The cause with the nearer size is taken.
     """
     friction = np.abs(taken + spike) < np.abs(taken + lost)
     return np.where((taken > 0.0) | friction, taken, 0.0)

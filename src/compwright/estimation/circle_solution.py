@@ -18,8 +18,9 @@ class Solution:
     """The causes fitted to a circular test: ``fitted`` for the most probable spike shapes,
     ``draws`` as random samples over all spike shapes.
 
-    ``frequencies`` 1/mm of cyclic errors by axis, ``given`` those that were not sought, ``hidden``
-    um that may have been missed, by axis.
+    ``frequencies``: frequency of the cyclic error, 1/mm, by axis. ``given``: axes whose frequency
+    was known and not searched. ``hidden``: amplitude, um, of a cyclic error that may have been
+    missed, by axis.
     """
 
     problem: CircleProblem

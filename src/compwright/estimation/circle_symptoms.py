@@ -42,14 +42,15 @@ def raw_peak(solution: Solution, axis: str, end: str, sense: float | None) -> fl
 
 def stick_slip(solution: Solution, axis: str) -> tuple[float, float] | None:
     """Return the amplitude of irregular motion of an axis near its reversals, um, and its standard
-    error. None where the arc has no reversal of the axis.
+    error. None where the arc has no reversal of the axis, or too few independent samples near or
+    away from the reversals.
 
-    Near: within 12° of its reversals. The amplitude is the root of twice the variance of the
-    residuals there less that of the other samples.
+    Near a reversal means within 12° of it. The amplitude is the root of twice a difference of
+    variances: that of the residuals near the reversals minus that of the other samples.
 
-    Standard errors by the chi-square law of a variance, with as many independent samples as the
-    squared correlations of the residuals leave, whose sum is n Σ f² / (Σ f)² of their spectrum f
-    (Bartlett, J. Royal Statistical Society Suppl. 8, 1946).
+    The standard errors follow from the chi-square law of a variance. The number of independent
+    samples is n divided by the sum of the squared correlations of the residuals. This sum is n Σ f²
+    / (Σ f)² of their spectrum f (Bartlett, J. Royal Statistical Society Suppl. 8, 1946).
     """
     problem = solution.problem
     samples, residual = problem.samples, solution.residual / UM
@@ -78,10 +79,10 @@ def lobes(solution: Solution, order: int) -> tuple[float, float]:
     """Return the amplitude, um, of the harmonic of ``order`` in the mean of both directions, with
     its standard error.
 
-    It is sqrt(a² + b² - σ²) of the harmonic a cos nθ + b sin nθ of the readings (Gudbjartsson and
-    Patz, Magnetic Resonance in Medicine 34, 1995), σ from the spectrum of the residuals at that
-    order. Lobes of order 2: scale and squareness, of order 3: straightness (ISO 230-4:1996, annex
-    B).
+    For the harmonic a cos nθ + b sin nθ of the readings, the amplitude is sqrt(a² + b² - σ²)
+    (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995). σ comes from the spectrum of
+    the residuals at that order. Lobes of order 2 are caused by scale and squareness, lobes of order
+    3 by straightness (ISO 230-4:1996, annex B).
     """
     problem = solution.problem
     samples = problem.samples
@@ -103,12 +104,11 @@ def positional_tolerance(solution: Solution, *, calibrated: bool) -> tuple[float
     the position errors of two points in the square around the circle. ``calibrated``: the length of
     the bar is known, so that the mean scale error counts.
 
-    It contains errors that do not depend on the feed (scale, squareness, straightness, lost motion,
-    lateral play, cyclic errors). Points: corners, centres of the sides and of the square,
-    approached from either side by both axes.
-
-    With a bar of unknown length only the mismatch of the scales counts. A definition of this
-    project: the formula of instrument makers is not published.
+    It contains the errors that do not depend on the feed: scale, squareness, straightness, lost
+    motion, lateral play, cyclic errors. The points are the corners of the square, the middles of
+    its sides and its centre, approached from both sides by both axes. If the length of the bar is
+    unknown, only the mismatch of the scales counts. This definition is of this project, because the
+    formula of instrument makers is not published.
     """
     draws = solution.draws.values[:: max(solution.draws.values.shape[0] // _MOST_DRAWS, 1)]
     spread = np.array([_spread(solution, draw, calibrated=calibrated) for draw in draws])

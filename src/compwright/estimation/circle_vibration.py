@@ -1,9 +1,9 @@
 """Search for a vibration of constant frequency in a circular test.
 
-A vibration repeats in time, a cyclic error with the position of an axis: the feed along the path
-turns the commanded angles into time, and each run is searched by its periodogram (Scargle,
-Astrophysical Journal 263, 1982), relative to the mean power of the frequencies around. A vibration
-faster than half the sample rate shows at a lower frequency.
+A vibration repeats in time; a cyclic error repeats with the position of an axis. The feed along the
+path turns the commanded angles into times. Each run is searched by its periodogram (Scargle,
+Astrophysical Journal 263, 1982), relative to the mean power of the neighbouring frequencies. A
+vibration faster than half the sample rate appears at a lower frequency.
 """
 
 from __future__ import annotations
@@ -34,8 +34,9 @@ class Vibration:
     """The strongest vibration in a circular test: its frequency, and the largest amplitude that the
     search can miss.
 
-    ``frequency`` Hz; None: no clear vibration. ``hidden``: amplitude, um, that may be undetected.
-    ``least``: sum of squares, in standard errors, that an amplitude must exceed to be reported.
+    ``frequency``: Hz; None without a clear vibration. ``hidden``: amplitude, um, that may be
+    undetected. ``least``: a vibration is reported if its sum of squared amplitudes, in units of
+    their variances, reaches this value.
     """
 
     frequency: float | None
@@ -52,8 +53,9 @@ def times(samples: CircleSamples) -> FloatArray:
 def search_vibration(problem: CircleProblem, residual: FloatArray) -> Vibration:
     """Return the strongest vibration in the residuals (n,), mm, of a fit.
 
-    The threshold is the power that independent ordinates of an exponential distribution exceed once
-    in a thousand searches (Scargle 1982); of several runs the powers are added.
+    The powers of several runs are added. The threshold is the power that noise exceeds once in a
+    thousand searches, if the ordinates are independent and exponentially distributed (Scargle
+    1982).
     """
     samples = problem.samples
     seconds = times(samples)
@@ -98,7 +100,8 @@ def _threshold(count: float, runs: int) -> float:
     """Return the power, as a multiple of the mean power of noise, that noise exceeds at any
     frequency with probability `_FALSE_ALARM`.
 
-    Noise: ``count`` sums of ``runs`` exponentials (Erlang distribution, solved by iteration).
+    The power at each of ``count`` independent frequencies is a sum of ``runs`` exponentially
+    distributed terms (Erlang distribution). The equation is solved by iteration.
     """
     chance = np.log(count / _FALSE_ALARM)
     value = chance
