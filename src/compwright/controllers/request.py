@@ -18,14 +18,19 @@ Entry = TypeVar("Entry")
 class Request:
     """What the job states about the axes of a control, by address in any letter case.
 
-    ``reference_return``: direction in which the reference is approached; ``encoder``: active
-    measuring system, 1 or 2; ``kinds``: linear or rotary; ``modulo``: the turn of an endless axis,
-    deg; ``reference``: machine coordinate of the reference position, mm or deg; ``active``: whether
-    tables were active that the files switch off or do not mention (None: unknown); ``carried_out``:
-    every assignment of a program was executed; ``options``: the controller's options by name, as in
-    the job; ``axis_options`` override them for one axis. ``axes_under_work``: empty for all; faults
-    of other axes stop nothing. ``axis_number``: the control's number of an axis, from 1, where the
-    job states it.
+    - ``reference_return``: direction in which the reference is approached.
+    - ``encoder``: active measuring system, 1 or 2.
+    - ``kinds``: linear or rotary.
+    - ``modulo``: travel per turn of an endless axis, deg.
+    - ``reference``: machine coordinate of the reference position, mm or deg.
+    - ``active``: whether tables were active that the files switch off or do not mention; None:
+      unknown.
+    - ``carried_out``: every assignment of a program was executed.
+    - ``options``: the options of the control by name, as in the job. ``axis_options`` override them
+      for one axis.
+    - ``axes_under_work``: the axes of the job; empty for all axes. Faults of other axes are not
+      errors.
+    - ``axis_number``: the control's number of an axis, from 1, if the job states it.
     """
 
     reference_return: Mapping[str, Direction] = field(default_factory=dict)
@@ -51,7 +56,7 @@ class Request:
         activate it (None: not in the files). If one is 0 or None, the job's ``active`` decides, if
         the job states it.
 
-        Without ``active`` a table is active unless a value is 0.
+        If the job does not state ``active``, the table is active unless one of the values is 0.
         """
         if self.active is not None and any(switch is None or switch == 0.0 for switch in switches):
             return self.active
@@ -65,7 +70,7 @@ class Request:
         """Return the direction of an axis' reference return (default ``+``), with an assumption if
         an option or the default states it.
 
-        Raises UsageError when the option ``reference_return`` is neither ``+`` nor ``-``.
+        Raises UsageError if the option ``reference_return`` is neither ``+`` nor ``-``.
         """
         given = by_address(self.reference_return, address)
         if given is not None:
@@ -82,7 +87,7 @@ class Request:
         """Return an axis' reference position, mm or deg (default 0), with an assumption if an
         option or the default states it.
 
-        Raises UsageError when it is not a finite number.
+        Raises UsageError if the given position is not a finite number.
         """
         known = by_address(self.reference, address)
         options = self.options_of(address)

@@ -23,9 +23,9 @@ from compwright.records.correction import Assumption, ControlFile
 class VirtualControl(Protocol):
     """The interface of a virtual control: its files are loaded, and its corrections can be read.
 
-    ``assumed``: facts that the files do not hold. ``notes``: what the control ignores or changes
-    without a message, one sentence each with file and line (a caller that needs exactly what was
-    written refuses relevant ones).
+    ``assumed``: facts that are not in the files. ``notes``: parts of the files that the control
+    ignores or changes without a message, one sentence each with file and line. A caller that needs
+    exactly the written values must check the notes.
     """
 
     @property
@@ -50,7 +50,8 @@ class VirtualControl(Protocol):
         """Return the correction at ``positions`` (any shape, mm or deg), approached in
         ``direction``; mm or deg.
 
-        Table and backlash together. Raises UsageError for an axis that is not in the files.
+        The correction is the sum of table and backlash. Raises UsageError for an axis that is not
+        in the files.
         """
         ...
 
@@ -113,19 +114,27 @@ def virtual_control(
     """Return the virtual control named ``format_id`` with ``files`` loaded. The other arguments are
     facts from the job that the files may lack, such as which tables were active.
 
-    By axis address: ``reference_return`` is the direction in which the reference is approached,
-    ``encoder`` the active measuring system (1 or 2), ``kinds`` linear or rotary where no file
-    states it, ``modulo`` the turn of an endless axis (deg), ``reference`` the machine coordinate of
-    the reference position (mm or deg), ``axis_number`` the control's number of an axis, from 1.
+    Arguments by axis address:
 
-    ``active``: whether tables were active that the files switch off or do not mention (None: not
-    active if switched off, else active). ``carried_out``: every assignment of the programs among
-    the files was executed. ``options``: the controller's options; ``axis_options`` override them
-    for one axis. ``axes_under_work``: empty for all; faults of other axes refuse nothing where the
-    control tolerates them. Assumptions made are listed in ``assumed``.
+    - ``reference_return``: direction in which the reference is approached.
+    - ``encoder``: active measuring system, 1 or 2.
+    - ``kinds``: linear or rotary, if no file states it.
+    - ``modulo``: travel per turn of an endless axis, deg.
+    - ``reference``: machine coordinate of the reference position, mm or deg.
+    - ``axis_number``: the control's number of an axis, from 1.
+    - ``axis_options``: options of one axis, which override ``options``.
 
-    Raises UsageError for an unknown format, InputError for files that the control would refuse or
-    that contradict themselves.
+    Other arguments:
+
+    - ``options``: the options of the control.
+    - ``active``: whether tables were active that the files switch off or do not mention. None:
+      those switched off were not active, the others were.
+    - ``carried_out``: every assignment of the programs among the files was executed.
+    - ``axes_under_work``: the axes of the job; empty for all axes. Faults of other axes are not
+      errors, if the control tolerates them.
+
+    Assumptions are listed in ``assumed`` of the result. Raises UsageError for an unknown format.
+    Raises InputError for files that the control would refuse or that contradict themselves.
     """
     maker = _MAKERS.get(format_id)
     if maker is None:

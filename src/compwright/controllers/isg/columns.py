@@ -28,7 +28,8 @@ def table_entries(
     """Return the entries of a table in an ISG list (the statements ``PREFIX[i].column``), by column
     and index.
 
-    Any other entry that is not 0 is refused by name: it may be an active compensation.
+    ``keys``: names of the other statements that the table may have. Any further statement whose
+    value is not 0 is a fault, because it may be an active compensation.
     """
     entries: Entries = {column: {} for column in columns}
     for name, statement in axis.section(prefix).items():
@@ -47,7 +48,8 @@ def column(
     """Return the ``count`` values of the table column ``name``, in the unit of the ISG list. A
     value above ``largest``, the most that the control can store, is a fault.
 
-    None, with faults, where an entry is missing, not a number, too large, or beyond the last index.
+    ``entries``: the statements of the column by index. Returns None, with faults, if an entry is
+    missing, is no number, is too large, or has an index above the last one.
     """
     before = len(axis.faults)
     inside = {index: entries[index] for index in sorted(entries) if index < count}
@@ -75,8 +77,8 @@ def largest_value(request: Request, address: str, axis: AxisLists, section: str)
     """Return the largest value that the table in ``section`` of an axis list can store, by the
     option ``value_type`` (default: SGN32).
 
-    SGN16 and SGN32 hold whole numbers only; others are faults. Raises UsageError for an unknown
-    type.
+    The types SGN16 and SGN32 store whole numbers only, so any other number is a fault. Raises
+    UsageError for an unknown type.
     """
     chosen = request.options_of(address).get("value_type")
     if chosen is None:
@@ -96,8 +98,8 @@ def unit_of(axis: AxisLists, name: str, request: Request, addresses: Sequence[st
     statement ``name`` states the unit; if it is missing or invalid, the result is empty, with a
     fault.
 
-    Raises UsageError where the list counts encoder increments and the option ``encoder_increment``
-    of an axis is missing, or is not a positive number.
+    If the list counts encoder increments, the option ``encoder_increment`` of each axis states its
+    size. Raises UsageError if it is missing or not a positive number.
     """
     metric = axis.switch(name)
     if metric is None:

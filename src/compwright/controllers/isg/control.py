@@ -1,12 +1,14 @@
 """ISG kernel (Beckhoff TwinCAT 3 CNC and others): compensation value lists, one per axis.
 
-Stated from the vendors' pages, independently of the definition that writes the files:
+The rules are taken from the vendors' pages, independently of the definition that writes the files:
 
-- ``kw.ssfk``: values by position for one or both directions, linear, ends held; unit 0.1 µm or
-  0.0001 deg, or encoder increments. The values are errors (inferred): correction = -value.
+- ``kw.ssfk``: values by position for one or both directions, linear in between; outside, the end
+  values apply. Their unit is 0.1 µm or 0.0001 deg, or encoder increments. The values are errors
+  (inferred): correction = -value.
 - ``getriebe[0].lose`` with ``lr_param.anwahl_losekomp``: backlash, 0.1 µm or 0.0001 deg.
 - ``kw.crosscomp``: in the list of the corrected axis; the sign is not known.
-- Axes are named by their logical number; positions are axis coordinates, which are the machine's.
+- An axis is named by its logical number. Positions are axis coordinates, which are equal to machine
+  coordinates.
 """
 
 from __future__ import annotations
@@ -34,7 +36,7 @@ from compwright.records.correction import Assumption, ControlFile
 class _ListAxis:
     """One axis of a virtual ISG kernel.
 
-    ``backlash`` > 0, mm or deg; ``home``: the direction in which it adds nothing.
+    ``backlash``: 0 or more, mm or deg. ``home``: the direction in which backlash adds nothing.
     """
 
     table: LeadscrewTable | None
@@ -47,7 +49,7 @@ class IsgControl:
     """An ISG kernel with loaded lists and all axes referenced; interface
     ``controllers.virtual.VirtualControl``.
 
-    Addresses are logical axis numbers as text.
+    The address of an axis is its logical axis number as text.
     """
 
     axes: Mapping[str, _ListAxis]
@@ -110,12 +112,12 @@ class IsgControl:
 def isg_control(files: Sequence[ControlFile], request: Request) -> IsgControl:
     """Return the control with ``files`` loaded. Each file is recognised by its contents.
 
-    Compensation value lists, axis parameter lists and a start-up list.
+    The files are compensation value lists, axis parameter lists and a start-up list.
 
-    Raises InputError where lists contradict each other or themselves, name a table without its
-    values, or hold an active compensation of an axis under work that cannot be read; UsageError for
-    missing or wrong options (``encoder_increment``, ``table_values``, ``cross_values``,
-    ``value_type``).
+    Raises InputError if lists contradict each other or themselves, or if a table lacks values.
+    Raises InputError also if an active compensation of an axis of the job cannot be evaluated.
+    Raises UsageError for missing or wrong options (``encoder_increment``, ``table_values``,
+    ``cross_values``, ``value_type``).
     """
     lists = read_lists(files)
     raise_all(InputError, lists.faults)
@@ -164,7 +166,8 @@ def _loaded(
 def _check_type(axis: AxisLists, request: Request) -> None:
     """Add a fault if the axis type is unknown or contradicts the requested kind.
 
-    P-AXIS-00018: 0x0001 linear, 0x0002 rotary, 0x0004 spindle, or their names.
+    The axis type is the statement ``kenngr.achs_typ``, P-AXIS-00018: 0x0001 linear, 0x0002 rotary,
+    0x0004 spindle, or the names of these types.
     """
     statement = axis.statements.get("kenngr.achs_typ")
     if statement is None:

@@ -1,8 +1,9 @@
 """Tables by which one axis corrects another (``kw.crosscomp``), or two axes a third
 (``kw.crosscomp2``).
 
-The table is in the list of the corrected axis, the slave; both directions, linear. Its values are
-named "correction" without a rule of sign, so the option ``cross_values`` must state the sign.
+The table is in the list of the corrected axis, the slave. It applies to both directions and is
+linear between its entries. The vendor names the values "correction" without a rule for the sign, so
+the option ``cross_values`` must state the sign.
 """
 
 from __future__ import annotations
@@ -86,7 +87,7 @@ def _entries(axis: AxisLists, request: Request) -> tuple[str, FloatArray, FloatA
     """Return the master axis, its positions (k,) and the slave's corrections (k,), both in the unit
     of the list.
 
-    None without a valid table.
+    Returns None if the list has no table or, with faults, if the table is invalid.
     """
     if not axis.section(SECTION):
         return None
@@ -139,7 +140,8 @@ def cross_sign(request: Request, slave: str) -> float | None:
     """Return the sign (1 or -1) of the slave's table values; None if the job does not state the
     sign.
 
-    Raises UsageError when the option ``cross_values`` is neither ``error`` nor ``correction``.
+    ``slave``: address of the corrected axis. Raises UsageError if the option ``cross_values`` is
+    neither ``error`` nor ``correction``.
     """
     chosen = request.options_of(slave).get("cross_values")
     if chosen is not None and chosen not in SIGNS:

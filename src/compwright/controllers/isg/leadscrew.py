@@ -1,8 +1,9 @@
 """Leadscrew error compensation of one axis (``kw.ssfk``) and backlash (``getriebe[0].lose``).
 
-Vendor pages: values are "absolute position errors" in the unit of the list; linear between entries,
-the value of the nearest end kept outside; one column for each direction with ``bilateral`` 1, else
-``pos`` alone. The sign is an option, because the vendor's own example contradicts itself.
+By the vendor's pages, the values are "absolute position errors" in the unit of the list. They are
+linear between entries; outside, the value of the nearest end applies. With ``bilateral`` 1 there is
+one column for each direction, else the column ``pos`` alone. The sign is an option, because the
+vendor's own example contradicts itself.
 """
 
 from __future__ import annotations
@@ -41,8 +42,10 @@ SIGNS = {"error": -1.0, "correction": 1.0}
 class LeadscrewTable:
     """Corrections by position, one curve for each direction of approach, mm or deg.
 
-    ``positions`` (k,) ascending; ``positive``, ``negative`` (k,). ``period``: of a table that
-    repeats. ``active``: it is switched on.
+    ``positions`` (k,): ascending. ``positive``, ``negative`` (k,): corrections for an approach
+    towards + and −. ``period``: travel after which the table repeats; None if it does not repeat.
+    ``bilateral``: the list has a column for each direction. ``active``: the compensation is
+    switched on.
     """
 
     positions: FloatArray
@@ -204,7 +207,7 @@ def _negative(
     """Return the ``count`` corrections (at most ``largest``) for an approach towards −: from the
     column ``neg`` if the table is ``bilateral``, else from the common column ``pos``.
 
-    A second column is a contradiction if one column holds for both directions and they differ.
+    If the table is not ``bilateral``, values of ``neg`` that differ from ``pos`` are a fault.
     """
     name = f"{SECTION}table[i].neg"
     if bilateral:
@@ -265,7 +268,8 @@ def switched(
     """Return whether a compensation is active, by its switch ``parameter`` in the axis parameter
     list, and by ``manual_activation`` in ``section``, the part of the list with its table.
 
-    With ``manual_activation`` set, an NC program has to call it.
+    With ``manual_activation`` 1, the compensation is active only after an NC program has called it.
+    It then counts as switched off, unless the job states that it was active.
     """
     on = axis.switch(parameter)
     switches = [None if on is None else float(on)]
@@ -287,8 +291,9 @@ def read_backlash(
     """Return the backlash compensation of an axis, 0 or more, mm or deg. ``table``: the axis'
     leadscrew table, which must not have a column for each direction if backlash is active.
 
-    The vendor does not state its direction: assumed 0 in the direction of referencing. A negative
-    value (play before the measuring system) is refused where it is active.
+    The vendor does not state the direction of backlash. It is assumed to add nothing in the
+    direction of referencing. A negative value (play before the measuring system) is a fault if it
+    is active.
     """
     own = "getriebe[0].lose"
     value = axis.whole(own, -(2**15))

@@ -1,10 +1,12 @@
 """The lists of an ISG kernel (compensation values, axis parameters, start-up) as statements by
 axis.
 
-A statement is ``name value``, one per line; ``#`` starts a remark to the end of the line, ``/* */``
-stands around one; blanks inside the brackets of an index mean nothing. A list belongs to the axis
-that its header names (``kopf.achs_nr``, in other editions ``kopf.log_achs_nr``); a start-up list
-names axis and file once more. The names are taken whatever their case.
+Each line has one statement ``name value``. ``#`` starts a comment that reaches to the end of the
+line; ``/* */`` encloses a comment. Blanks inside the brackets of an index have no meaning. Names
+are the same in upper and lower case.
+
+A list belongs to the axis in its header (``kopf.achs_nr``, in other editions ``kopf.log_achs_nr``).
+A start-up list also states the axis of each list file.
 """
 
 from __future__ import annotations
@@ -57,8 +59,8 @@ class ListStatement(OfLine):
 class AxisLists:
     """The statements of one axis, by name.
 
-    ``files``: the lists they come from; ``faults``: of this axis, which stop only an axis under
-    work.
+    ``files``: the lists that contain the statements. ``faults``: faults in the statements of this
+    axis. They are errors only if the axis is part of the job.
     """
 
     address: str

@@ -1,14 +1,14 @@
 """LinuxCNC virtual control: screw compensation (``COMP_FILE``) and ``BACKLASH`` of each joint.
 
-Stated from the control's source and from runs of LinuxCNC 2.9.0~pre1, independently of the
-definition that writes the files:
+The rules are taken from the control's source and from runs of LinuxCNC 2.9.0~pre1, independently of
+the definition that writes the files:
 
-- While the joint moves towards + the table's second column counts, towards - the third; the
-  correction is added to the command. COMP_FILE_TYPE 0 (the default): the columns are actual
-  positions, correction = nominal - actual. Any other type: the columns are the corrections.
-- Looked up at the commanded joint position, linear between rows, the end row's value held outside;
-  no modulo, rotary joints included.
-- BACKLASH (the full gap) is active only where the table holds no row: +BACKLASH/2 going +,
+- While the joint moves towards +, the second column of the table applies; towards -, the third. The
+  correction is added to the command. With COMP_FILE_TYPE 0 (the default) the columns are actual
+  positions, and correction = nominal - actual. With any other type the columns are the corrections.
+- The correction is looked up at the commanded joint position, linear between rows. Outside, the
+  value of the end row applies. No table repeats, not even that of a rotary joint.
+- BACKLASH (the full gap) is active only if the table contains no row: +BACKLASH/2 going +,
   -BACKLASH/2 going -.
 - Everything is in machine units ([TRAJ] LINEAR_UNITS, ANGULAR_UNITS). The direction of referencing
   has no effect.
@@ -75,7 +75,8 @@ class LinuxCncControl:
     """LinuxCNC with loaded files and all joints homed; interface
     ``controllers.virtual.VirtualControl``.
 
-    Addresses are joint numbers as text. The correction is NaN if a number in a table is not finite.
+    The address of an axis is its joint number as text. The correction is NaN if a number in the
+    joint's table is not finite.
     """
 
     joints: dict[str, _Joint]
@@ -133,7 +134,7 @@ class LinuxCncControl:
 def _looked_up(table: CompTable, x: FloatArray, direction: Direction) -> FloatArray:
     """Return the correction at ``x`` (machine units), calculated as the control does.
 
-    As in the servo loop: the row below plus its slope times the distance.
+    As in the servo loop of the control, it is the value of the row below plus slope times distance.
     """
     if not table.defined:
         return np.full(x.shape, np.nan)
@@ -152,10 +153,10 @@ def _looked_up(table: CompTable, x: FloatArray, direction: Direction) -> FloatAr
 def linuxcnc_control(files: Sequence[ControlFile], request: Request) -> LinuxCncControl:
     """Return the control with ``files`` loaded: INI files and the tables that they name.
 
-    A table without an INI belongs to the joint of its name ``joint_N...``, else to the option
-    ``axis``. What the control would leave out silently is left out here too and listed in
-    ``notes``. Raises InputError where the control would not start (a missing table, a key without a
-    number) and where the files do not state which joint loads a table.
+    If no INI is given, the name ``joint_N...`` of a table states its joint, else the option
+    ``axis``. Lines that the control would ignore without a message are ignored here too and listed
+    in ``notes``. Raises InputError if the control would not start (a missing table, a key without a
+    number). Raises InputError also if the files do not state which joint loads a table.
     """
     names = [file.name for file in files]
     if len(set(names)) != len(names):
@@ -444,7 +445,9 @@ class _JointLoader:
     def _named_unit(self, key: str, units: dict[str, float]) -> float | None:
         """Return mm or deg per machine unit by a key of the section [TRAJ].
 
-        A number there is the machine units per mm or degree.
+        ``units``: size of each unit by its name, mm or deg. If the value of the key is a number
+        instead of a name, it is the machine units per mm or degree. Returns None if no INI contains
+        the key.
         """
         found = [value for ini in self.inis if (value := ini.find("TRAJ", key)) is not None]
         sizes: list[float] = []

@@ -1,10 +1,11 @@
 """LinuxCNC: settings in HAL files that correct an axis in addition to its table, or change a
 joint's backlash while the control runs.
 
-Words of halcmd(1): ``setp PIN VALUE``, ``net SIGNAL PIN ..``, ``linkps``, ``linksp``, ``linkpp``;
-an INI holds such lines as ``HALCMD = ..``. Pins of motion(9): ``axis.L.eoffset-counts`` times
-``axis.L.eoffset-scale`` is added to the position of axis L while ``axis.L.eoffset-enable`` is on;
-``ini.N.backlash`` (milltask(1)) takes the place of BACKLASH while the control runs.
+Commands of halcmd(1): ``setp PIN VALUE``, ``net SIGNAL PIN ..``, ``linkps``, ``linksp``,
+``linkpp``. An INI contains such lines as ``HALCMD = ..``. Pins of motion(9):
+``axis.L.eoffset-counts`` times ``axis.L.eoffset-scale`` is added to the position of axis L while
+``axis.L.eoffset-enable`` is on. ``ini.N.backlash`` (milltask(1)) replaces BACKLASH while the
+control runs.
 """
 
 from __future__ import annotations
@@ -25,8 +26,8 @@ def run_time_pins(
     its table, or replaces a joint's BACKLASH. ``concerns``, ``joint``: whether an axis or a joint
     is part of the job.
 
-    ``concerns`` is called with the axis letter in capitals, ``joint`` with the joint number as
-    text.
+    The argument of ``concerns`` is the axis letter in capitals. The argument of ``joint`` is the
+    joint number as text.
     """
     for file in files:
         lines = file.content.decode("latin-1").replace("\r", "\n").split("\n")

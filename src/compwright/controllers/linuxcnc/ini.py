@@ -1,12 +1,12 @@
 """Read LinuxCNC INI files by the rules of the control.
 
-Only the first section of a name is searched, the first matching key counts, a value runs to the end
-of its line (a remark behind it belongs to the value), a key without a value counts as absent, a
-line ending in a backslash goes on in the next. ``#INCLUDE name`` inserts another file. Source:
-LinuxCNC 2.9 (``inifile.cc``, the start script).
+Only the first section of a name is searched, and the first matching key applies. A value reaches to
+the end of its line, so a comment after it belongs to the value. A key without a value counts as
+missing. A line that ends in a backslash continues in the next line. ``#INCLUDE name`` inserts
+another file. Source: LinuxCNC 2.9 (``inifile.cc``, the start script).
 
-Also which joint is which axis, and kinematics in which no joint is an axis: from the control's own
-kinematics modules and example configurations.
+The module also finds which joint is which axis, and the kinematics in which no joint is an axis.
+Source: the control's kinematics modules and example configurations.
 """
 
 from __future__ import annotations
@@ -211,8 +211,9 @@ def letters_of_joints(ini: IniFile) -> str:
     """Return the axis letters in the order of the joints as one word; ``XYYZ``: joints 1 and 2 both
     move Y.
 
-    Those given to the kinematics; for kinematics other than trivkins the machine's axes, if each
-    has one joint; else all letters in order.
+    The letters are ``coordinates=`` of the kinematics, if stated. For kinematics other than
+    trivkins they are [TRAJ] COORDINATES, if each axis has one joint. Else they are all possible
+    letters in order.
     """
     values = {
         key: "" if (value := ini.find(section, key)) is None else value.text

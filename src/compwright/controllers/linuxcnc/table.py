@@ -1,10 +1,12 @@
 """Load a LinuxCNC compensation file (``COMP_FILE``) as the control does, up to the first bad line.
 
-The control reads pieces of up to 254 bytes, takes the first three numbers of each the way C's
-``scanf`` does, and stops at the first piece without three numbers; the rest of the file is never
-read and nothing is reported. A row that does not ascend, and every row after 256, is dropped with
-an operator error and the control runs on. Observed on LinuxCNC 2.9.0~pre1 (Debian 12) and read in
-its source (``usrmotLoadComp``, ``EMCMOT_SET_JOINT_COMP``); unchanged up to 2.9.9.
+The control reads pieces of up to 254 bytes and takes the first three numbers of each, as ``scanf``
+of the language C does. It stops at the first piece without three numbers; the rest of the file is
+never read and nothing is reported. It drops a row that does not ascend, and every row after 256,
+with an operator error, and continues to run.
+
+Observed on LinuxCNC 2.9.0~pre1 (Debian 12) and read in its source (``usrmotLoadComp``,
+``EMCMOT_SET_JOINT_COMP``); unchanged up to 2.9.9.
 """
 
 from __future__ import annotations
@@ -41,9 +43,10 @@ _NUMBER = re.compile(
 class CompTable:
     """The table rows as the control stores them (positions double, corrections single precision).
 
-    ``nominal`` (k,); trims (what is added going + and -) and slopes (k,).
-
-    Unit: the machine's own. ``notes``: what was not loaded, one sentence each with its line.
+    ``nominal`` (k,): positions, machine units. ``forward``, ``reverse`` (k,): corrections going +
+    and -, machine units. ``forward_slope``, ``reverse_slope`` (k,): slopes of the corrections to
+    the next row. ``notes``: one sentence, with its line, for each part of the file that is not
+    loaded.
     """
 
     nominal: FloatArray
@@ -64,8 +67,9 @@ def load_table(content: bytes, file: str, comp_type: int) -> CompTable:
     """Return the table that the control has after loading ``content``. Lines that it cannot read
     give notes; nothing is raised. ``comp_type``: the value of COMP_FILE_TYPE.
 
-    With 0 the columns are nominal, actual position going +, going -; trim = nominal - actual. With
-    any other value the columns are the trims themselves, added to the command.
+    With type 0 the columns are nominal position, actual position going + and actual position going
+    -; correction = nominal - actual. With any other type the second and third column are the
+    corrections, which are added to the command.
     """
     rows: list[tuple[float, float, float]] = []
     notes: list[str] = []

@@ -1,15 +1,16 @@
 """PMAC and Turbo PMAC virtual control: leadscrew and backlash tables, constant backlash.
 
-Stated from the manuals (PMAC and Turbo PMAC, software reference and user manual), independently of
-the definition that writes the scripts:
+The rules are taken from the manuals (PMAC and Turbo PMAC, software reference and user manual),
+independently of the definition that writes the scripts:
 
-- ``DEFINE COMP``: corrections, added; 1/16 count of the target motor by position of the source
-  motor, entry i at i * length / entries counts from motor zero, 0 at motor zero, linear, repeating
-  after the length. ``I51`` enables all tables.
-- ``DEFINE BLCOMP`` and ``Ixx86``: subtracted while the last commanded direction is negative;
-  ``Ixx85`` 0 switches them off.
-- Axes are motors, named by their number. Counts per unit are an option; motor zero is the reference
-  position.
+- ``DEFINE COMP``: a table of corrections, which are added. Their unit is 1/16 count of the target
+  motor. Entry i is at i * length / entries counts of the source motor from motor zero, where the
+  correction is 0. It is linear between entries and repeats after the length. ``I51`` enables all
+  tables.
+- ``DEFINE BLCOMP`` and ``Ixx86``: backlash, subtracted while the last commanded direction is
+  negative. ``Ixx85`` = 0 switches both off.
+- An axis is a motor, named by its number. The encoder counts per mm or deg are an option. Motor
+  zero is the reference position.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ class PmacControl:
     """A PMAC after executing its scripts, all motors homed; interface
     ``controllers.virtual.VirtualControl``.
 
-    Addresses are motor numbers as text.
+    The address of an axis is its motor number as text.
     """
 
     motors: Mapping[int, Motor]
@@ -79,7 +80,8 @@ class PmacControl:
         """Return the correction of ``output`` with ``input`` at ``positions`` (any shape), mm or
         deg.
 
-        It is the same in both directions.
+        The correction is the same in both directions. Raises UsageError for a pair of motors
+        without a table.
         """
         pair = next(
             (one for one in self.tables if (str(one[0]), str(one[1])) == (input, output)), None
@@ -118,9 +120,10 @@ class PmacControl:
 def pmac_control(files: Sequence[ControlFile], request: Request) -> PmacControl:
     """Return the control after executing the scripts ``files`` in their order.
 
-    Raises InputError for what the card would refuse, contradictions, unknown commands that may
-    compensate, and active compensation of an axis under work that cannot be read; UsageError where
-    the option ``counts_per_unit`` of a corrected motor is missing or 0.
+    Raises InputError for commands that the card would refuse, for contradictions, and for unknown
+    commands that may compensate. Raises InputError also if an active compensation of an axis of the
+    job cannot be evaluated. Raises UsageError if the option ``counts_per_unit`` of a corrected
+    motor is missing or 0.
     """
     card = run_scripts(files)
     raise_all(InputError, [*card.faults, *_not_sent(card, request)])
@@ -148,7 +151,8 @@ def pmac_control(files: Sequence[ControlFile], request: Request) -> PmacControl:
 def _not_sent(card: Card, request: Request) -> list[Fault]:
     """Return a fault for each command on the job's motors that may not have been sent to the card.
 
-    If all were sent: those that cannot have been sent together.
+    If the job states that every command was sent, return a fault for each command that cannot have
+    been sent together with another one.
     """
     if request.carried_out:
         return [
@@ -202,7 +206,8 @@ def _scales(
 def _agrees(number: int, counts: float, card: Card) -> None:
     """Raise InputError if a script's axis definition states different counts per unit.
 
-    1 means that the axis counts in counts, and an axis may count in inches.
+    ``counts``: the option ``counts_per_unit``, counts per mm or deg. A definition of 1 count per
+    unit is accepted, because the axis then counts in counts. So is one that agrees in inches.
     """
     for defined, place in card.axis_scales.get(number, ()):
         quotients = (defined / counts, defined / counts / MILLIMETRES_PER_INCH)

@@ -1,9 +1,9 @@
 """Corrections of a motor by its tables and its backlash, in counts of the motor.
 
-The control looks up the uncorrected position of the source motor, rolled over into 0 to length,
-interpolates between two entries and adds the result to the target in both directions. Backlash
-(Ixx86 and the backlash table) is subtracted while the last commanded direction of the motor is
-negative, and only with a take-up rate Ixx85 above 0.
+The control takes the uncorrected position of the source motor modulo the length of the table. It
+interpolates linearly between two entries and adds the result to the target motor, in both
+directions of motion. Backlash (Ixx86 and the backlash table) is subtracted while the last commanded
+direction of the motor is negative. It is active only with a take-up rate Ixx85 above 0.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class MotorScale:
     def nodes(self, tables: Sequence[CardTable]) -> FloatArray:
         """Return the machine coordinates of all entries of ``tables`` and of motor zero, ascending.
 
-        Over one length of each table.
+        Each table contributes the entries of one length; its repetitions are left out.
         """
         places = [
             table.length * np.arange(table.announced + 1) / table.announced for table in tables
@@ -62,8 +62,10 @@ class MotorScale:
 class Motor:
     """One motor with its tables and its backlash.
 
-    ``own``: tables over the motor itself; ``varying``: its backlash table; ``constant``: Ixx86,
-    1/16 count; ``tables_active``, ``backlash_active``: whether they are switched on.
+    - ``own``: tables that correct the motor by its own position.
+    - ``varying``: its backlash table, None without one.
+    - ``constant``: backlash Ixx86, 1/16 count.
+    - ``tables_active``, ``backlash_active``: whether tables and backlash are switched on.
     """
 
     own: tuple[CardTable, ...]

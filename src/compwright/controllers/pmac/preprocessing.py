@@ -1,6 +1,6 @@
 """Preprocess a script for the virtual control: remove comments, expand macros, mark conditions.
 
-Independent of the room that writes scripts: Python's own grammar evaluates expressions.
+It shares no code with the package that writes scripts: Python's own grammar evaluates expressions.
 """
 
 from __future__ import annotations
@@ -47,12 +47,17 @@ def apart(here: Sequence[Block], there: Sequence[Block]) -> bool:
 class Preprocessor:
     """The macros and the open conditional blocks at a line of a script.
 
-    ``macros``: name -> text; ``uncertain``: those that a block has defined or removed; ``blocks``:
-    the line and the branch of every block that is open, with its question and the answer for which
-    the branch is sent; ``counts``: how often a macro was defined or removed, and (empty name) all
-    of them. ``guards``: the lines of blocks that are include guards: ``#IFNDEF NAME``, then
-    ``#DEFINE NAME``, which no line before has; ``expected``: that name, between the two;
-    ``in_guards``: macros that a guard has defined.
+    - ``macros``: text of each macro by name.
+    - ``uncertain``: macros that a conditional block has defined or removed.
+    - ``blocks``: for every open conditional block, the line where it begins, the number of its
+      branch, its condition, and the result of the condition for which the branch is sent to the
+      card.
+    - ``counts``: how often each macro was defined or removed; under the empty name, the count for
+      all macros.
+    - ``guards``: lines of the include guards. These are blocks ``#IFNDEF NAME`` directly followed
+      by ``#DEFINE NAME``, for a name that no earlier line defines.
+    - ``expected``: the name of a possible include guard, between these two lines.
+    - ``in_guards``: macros that are defined inside an include guard.
     """
 
     macros: dict[str, str] = field(default_factory=dict)
@@ -64,9 +69,11 @@ class Preprocessor:
     in_guards: set[str] = field(default_factory=set)
 
     def takes(self, line: str, number: int) -> str | None:
-        """Process a preprocessor line; return its fault or an empty text, None for a command line.
+        """Process a preprocessor line; return its fault as text, empty if it has none. Return None
+        for any other line.
 
-        None if the line is for the card.
+        ``line``: the line without comments. ``number``: its line number. A line that is not for the
+        preprocessor is a command for the card.
         """
         match = _DIRECTIVE.fullmatch(line.strip())
         if match is None:
@@ -146,7 +153,7 @@ def without_remarks(line: str) -> str:
 def expression(text: str) -> str:
     """Return the expression at the beginning of a text.
 
-    It ends before a blank that a command may follow (``&1``, ``%100``).
+    The expression ends before a blank that is followed by a command such as ``&1`` or ``%100``.
     """
     place = good = depth = 0
     wanted = True

@@ -1,10 +1,12 @@
 """Execute a PMAC's download script command by command, and return the state of the card.
 
-``;`` starts a remark. A table is announced (``DEFINE COMP``, ``DEFINE BLCOMP``) for the motor
-addressed last (``#n``); its entries follow as decimal whole numbers. The card refuses a table
-(ERR003) while one of its kind exists for a lower motor, or a buffer that has to come later; what it
-would refuse is a fault here. Commands that do not concern compensation are ignored; an unknown one
-is a fault, because it may change the compensation.
+``;`` starts a comment. ``DEFINE COMP`` or ``DEFINE BLCOMP`` announces a table for the motor that
+was addressed last (``#n``). The entries of the table follow as decimal whole numbers.
+
+The card refuses a table (ERR003) while a table of its kind exists for a lower motor, or while a
+buffer exists that must be defined later. A command that the card would refuse is a fault here.
+Commands that do not concern compensation are ignored. An unknown command is a fault, because it may
+change the compensation.
 """
 
 from __future__ import annotations
@@ -79,8 +81,9 @@ class ScriptPlace(OfLine):
 class CardTable:
     """A table as the card stores it, with entries in 1/16 count of the motor ``target``.
 
-    Entry i (from 1) is at i * ``length`` / n counts of ``source`` from its motor zero. ``plane``:
-    over two motors; ``desired``: looked up by the commanded position.
+    Entry i (1 to n) is at i * ``length`` / n counts of the motor ``source`` from its motor zero.
+    ``announced``: the number n of entries that the command states. ``plane``: the table depends on
+    two motors. ``desired``: it is looked up by the commanded position, else by the actual position.
     """
 
     kind: str
@@ -108,11 +111,13 @@ class VariableSetting:
 class Card:
     """The state of the PMAC card after all scripts.
 
-    ``later``: assignments that programs make when they run; ``left_out``: commands that may not
-    have been sent, by motor (0: all motors); ``not_both``: commands that were certainly not sent
-    together, and why. ``axis_scales``: counts per unit of the axis that a motor alone moves
-    (`#1->10000X`; PMAC 2 software reference p. 179); several where a block of the sending program
-    decides.
+    - ``later``: I-variables that programs set when they run, with the place of the assignment.
+    - ``left_out``: commands that may not have been sent, each with its motor (0: all motors).
+    - ``not_both``: commands that cannot have been sent together, each with its motor and the
+      reason.
+    - ``axis_scales``: counts per unit of an axis that one motor alone moves, by motor
+      (`#1->10000X`; PMAC 2 software reference p. 179). A motor has several if a conditional block
+      decides which one is sent.
     """
 
     tables: dict[tuple[str, int], CardTable] = field(default_factory=dict)
