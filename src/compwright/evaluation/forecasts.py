@@ -1,15 +1,16 @@
 """The time at which a parameter will reach its limit, from trends of the parameter or of slope and
-reversal.
+reversal error.
 
-A, E, M, R and B are no linear functions of time where slope and reversal are: they follow from the
-mean curve by the standard's formulas F (ISO 230-2:2014, clause 3), in µm or arcsec,
+A, E, M, R and B are not linear in time, even if slope and reversal error are. They follow from the
+mean curve by the standard's formulas F (ISO 230-2:2014, clause 3), in µm or arcsec:
 
     P(t) = F(shape + slope(t) x, mean B(t)) + rest(t)
 
-``shape``: the mean curve of both directions less its slope and its mean reversal value, averaged
-over the tests; ``rest``: what F of shape, slope and mean B of a test leaves of its parameter
-(scatter, wear at one place). Slope, mean B and rest have their own trends. Any other parameter is
-all rest. F is convex, so that each draw of level and rates passes the limit upward once.
+``shape``: the mean curve of both directions without its slope and mean reversal error, averaged
+over the tests. ``rest``: the parameter of a test minus F of shape, slope and mean B of this test
+(scatter, wear at one place). Slope, mean B and rest have separate trends. Any other parameter
+consists of the rest alone. F is convex. Each draw of levels and rates therefore exceeds the limit
+upward once only.
 """
 
 from __future__ import annotations
@@ -39,9 +40,11 @@ Ahead = tuple[float | None, float | None, float | None]
 
 @dataclass(frozen=True, slots=True)
 class ErrorCurve:
-    """The mean deviation in each direction over position, less its slope and mean reversal error.
+    """The mean deviation in each direction over position, without its slope and mean reversal
+    error.
 
-    ``along`` (m,): distance of the targets from their middle in m; ``shape`` (2, m).
+    ``along`` (m,): distance of each target from the mean of all targets, m. ``shape`` (2, m): the
+    deviations in + and in −.
     """
 
     parameter: str
@@ -89,12 +92,13 @@ def reached(
     slope: FloatArray | None = None,
     reversal: FloatArray | None = None,
 ) -> Ahead:
-    """Return the years until a parameter exceeds ``limit`` (early, median, late), from draws of
-    slope and reversal error, and of the part ``rest`` that follows from neither; scatter of single
-    tests is ignored. None: the parameter does not grow, or the time is too long to state.
+    """Return the years until a parameter exceeds ``limit``: early, median, late (5, 50 and 95 % of
+    the draws). All are None if the parameter does not grow; one is None if it is beyond 30 years.
 
-    ``rest``, ``slope``, ``reversal`` (2, n): draws of level now and rate per year; a limit that is
-    exceeded is reached now.
+    ``rest``, ``slope``, ``reversal`` (2, n): random draws of the present level and of the rate per
+    year. ``slope`` and ``reversal`` are slope and mean reversal error; ``rest`` is the part of the
+    parameter that follows from neither. The scatter of single tests is ignored. A limit that is
+    exceeded already is reached after 0 years.
     """
     nothing = np.zeros_like(rest)
     parts = [nothing if part is None else part for part in (slope, reversal)]

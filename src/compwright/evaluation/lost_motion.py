@@ -1,9 +1,9 @@
 """Test whether lost motion is constant, as backlash compensation assumes, or depends on the
 distance or speed of a move.
 
-Where moves are repeated: between the groups against within them (F law). Else the rank test for a
-trend by Mann (Econometrica 13 (1945) 245) and Kendall (Rank Correlation Methods, 1975), with the
-variance for ties.
+If moves are repeated, an F test compares the differences between moves with the scatter of equal
+moves. Otherwise the test is the rank test for a trend by Mann (Econometrica 13 (1945) 245) and
+Kendall (Rank Correlation Methods, 1975), with the variance for ties.
 """
 
 from __future__ import annotations
@@ -46,7 +46,8 @@ def lost_motion_result(test: LostMotionTest) -> LostMotionResult:
     """Return the best constant for the lost motion, from the mean of each move, and whether the
     lost motion is constant.
 
-    CW-T040: it depends on the move; CW-T041: it does not, as far as the readings show.
+    The finding CW-T040 reports that the lost motion depends on the move. The finding CW-T041
+    reports that the readings show no such dependence.
     """
     moves, group = np.unique(test.moves, return_inverse=True)
     values = 1000.0 * test.lost_motion

@@ -1,17 +1,17 @@
 """The minimum zone: the narrowest ring between two concentric circles that contains all points
 (Chebyshev; ISO 230-4:1996, 3.4).
 
-The width w(c) = max|p - c| - min|p - c| has a minimum only where two points lie on the outer and
-two on the inner circle and the two pairs alternate around the centre: there the directions to the
-outer pair and to the inner pair span crossing chords of the unit circle, so that w rises in every
-direction to first order. (Three on one circle and one on the other is a stationary point only if
-two of them lie on one ray, where w is largest, not least, across the ray.) Such a centre is the
-crossing of two perpendicular bisectors.
+The width w(c) = max|p - c| - min|p - c| has a minimum only at a certain kind of centre c. There,
+two points lie on the outer circle and two on the inner circle, and the two pairs alternate around
+c. The directions to the outer pair and to the inner pair then span crossing chords of the unit
+circle. Therefore w rises in every direction to first order. With three points on one circle and one
+on the other, w is stationary only if two of them lie on one ray. Across this ray w is largest, not
+least. So the centre is the crossing of two perpendicular bisectors.
 
-Working-set method: all crossings of the bisectors of a few points are tried, which gives the least
-width of these few exactly, a lower bound for all points; points outside that zone join them, and
-the points that do not touch it leave when the width has grown. When no point is outside, the bound
-is reached.
+A working-set method finds it. All crossings of the bisectors of a few points are tried. This gives
+the least width for these few points exactly, which is a lower bound for all points. Points outside
+this ring join the few points. Points that do not touch the ring leave when the width has grown.
+When no point is outside, the lower bound is reached.
 """
 
 from __future__ import annotations
@@ -50,15 +50,15 @@ def minimum_zone(
     """Return centre, inner and outer radius of the narrowest ring that contains ``points`` (n, 2).
     ``least_squares``: centre and radius of the points' least-squares circle, if already known.
 
-    The least width over all centres in the region around the least-squares centre that the reach
-    bounds; a centre far away, about which a short piece of arc looks like a strip, is not what
-    roundness means. Every point counts, and each lies in the annulus. The width is the least one to
-    within rounding (some 1e-14 of the radius). Where two points on one ray alone set it, many
-    centres give it, to 1e-9 of itself; one of them is returned.
+    The ring has the least width of all centres within a limited distance (`_reach`) of the
+    least-squares centre. Seen from a centre far away, a short piece of arc looks like a strip;
+    roundness does not mean this. Every point counts and lies in the ring. The width is the least
+    one to within rounding (about 1e-14 of the radius). If two points on one ray alone determine the
+    width, many centres give it, to within 1e-9 of the width. One of them is returned.
 
     Raises InputError for fewer than three different points, for points on a straight line, and for
-    points whose distances from the least-squares centre spread over more than a quarter of the
-    radius; CapacityError if the iteration does not converge.
+    points whose distances from the least-squares centre differ by more than a quarter of the
+    radius. Raises CapacityError if the iteration does not converge.
     """
     start, radius = least_squares or least_squares_circle(points)
     x, y = _around(points[:, 0] - start[0], points[:, 1] - start[1])
@@ -118,10 +118,11 @@ def _around(x: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
 def _reach(x: FloatArray, y: FloatArray, distance: FloatArray) -> float:
     """Return an upper bound of the distance from least-squares centre to minimum-zone centre.
 
-    Moving the centre by s along a unit vector e changes the distances by about s u·e, u the
-    directions of the points. Let k be the smallest range of u·e over all e. The width is then at
-    least k s minus the present one, so that a better centre has s <= 2 width / k. This is doubled
-    for terms of second order, and at most the distance of the points themselves.
+    Moving the centre by s along a unit vector e changes the distances by about s u·e. Here u are
+    the unit vectors towards the points. Let k be the smallest range of u·e over all e. The width
+    after the move is at least k s minus the present width. A better centre therefore has s <= 2
+    width / k. The result is twice this bound, to allow for terms of second order. It is at most the
+    largest distance of a point.
     """
     thin = max(1, x.size // 256)
     some = np.where(distance > 0.0, distance, 1.0)[::thin]
@@ -157,9 +158,10 @@ def _pairs(n: int) -> tuple[Indices, Indices]:
 def _narrowest(x: FloatArray, y: FloatArray, reach: float, tolerance: float) -> FloatArray:
     """Return the centre (2,) of the narrowest ring that contains a few points.
 
-    Candidates: the origin and the intersections of the points' bisectors, no farther from the
-    origin than ``reach``. If several are equally good (two points on a ray determine the width),
-    the middle one: it leaves the fewest points outside.
+    The candidates are the origin and the crossings of the points' perpendicular bisectors within
+    ``reach`` of the origin. Widths that differ by at most ``tolerance`` are equal. Several centres
+    are equally good if two points on one ray determine the width. Then their mean is returned,
+    because it leaves the fewest points outside.
     """
     first, second = _pairs(x.size)
     nx, ny = x[second] - x[first], y[second] - y[first]

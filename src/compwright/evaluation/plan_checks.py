@@ -1,7 +1,7 @@
-"""Checks of the test plan against the edition: targets, runs, principal positions, spacing, long
-axes, cycle.
+"""Checks of the test plan against the edition of the standard: targets, runs, principal positions,
+spacing, long axes, cycle.
 
-Findings, never refusals.
+A fault of the plan is reported as a finding. It never refuses the test.
 """
 
 from __future__ import annotations
@@ -39,9 +39,9 @@ def plan_findings(
 ) -> list[Finding]:
     """Return the findings about targets, cycle, travel and number of runs of a test.
 
-    ``standard``: its edition (an id such as ``iso230-2:2014``); VDI 3441 is checked by the rules of
-    ISO 230-2. ``travel`` of the axis and ``periods`` of known periodic errors in mm or deg;
-    ``other_tests``: other tests of the axis.
+    ``standard``: id of the edition, such as ``iso230-2:2014``. VDI 3441 is checked by the rules of
+    ISO 230-2. ``travel``: both ends of the axis' travel, mm or deg. ``periods``: periods of known
+    periodic errors, mm or deg. ``other_tests``: other tests of the same axis.
     """
     findings = [*_runs(test)]
     if test.kind is AxisKind.LINEAR:
@@ -166,7 +166,8 @@ def _long_axis(
     """Return the finding CW-T005 if an axis over 2 000 mm or 360° lacks one of its two tests: one
     approach over the whole length, or five over 2 000 mm or 360°.
 
-    No finding where the second test is among ``other_tests``.
+    The second test may be among ``other_tests``; then it is not missing. For a test with one
+    approach, CW-T006 about its interval is returned too.
     """
     if not _is_long(test, travel) or (test.kind is AxisKind.ROTARY and standard == _FIRST_EDITION):
         return []
@@ -216,7 +217,7 @@ def _travel_covered(test: PositioningTest, travel: tuple[float, float] | None) -
     """Return the finding CW-T007 if targets lie outside the travel, or more than one mean interval
     at an end of the travel has no target.
 
-    An axis of a full turn may be counted from anywhere.
+    A rotary axis of a full turn is not checked, because its angles may be counted from anywhere.
     """
     if travel is None:
         return []
@@ -286,7 +287,8 @@ def _targets_text(test: PositioningTest) -> Sentence:
 def _phases_seen(targets: FloatArray, period: float) -> float:
     """Return how evenly targets sample the phases of a wave of ``period``: 0 (hidden) to 0.5.
 
-    The smaller eigenvalue of the covariance matrix of cosine and sine at the targets.
+    It is the smaller eigenvalue of the covariance matrix of the cosine and sine of the phase at the
+    targets.
     """
     phase = 2.0 * np.pi * targets / period
     covariance = np.cov(np.vstack([np.cos(phase), np.sin(phase)]), bias=True)

@@ -1,8 +1,8 @@
 """Checks of the readings of a single test for a wrong unit, wrong directions, or copies.
 
-`certain_fault` returns what is certain (a caller refuses the test), `plausibility_findings` what is
-possible (doubts, shown first). The reason of each number is at its constant; lengths in mm, angles
-in deg.
+`certain_fault` returns a fault that is certain; its caller refuses the test.
+`plausibility_findings` returns possible faults, which are shown first, as doubts. The comment at
+each constant gives the reason for its value. Lengths are in mm, angles in deg.
 """
 
 from __future__ import annotations
@@ -61,11 +61,16 @@ FEWEST_TARGETS: Final = {AxisKind.LINEAR: 5, AxisKind.ROTARY: 3}
 def certain_fault(test: PositioningTest) -> str:
     """Return why the readings cannot be deviations in the stated unit, or an empty text.
 
-    Certain are: every reading the same (nothing was measured); all readings within 0.1 µm per metre
-    (0.01 arcsec); repeated readings that scatter by less than 2 nm (0.0005 arcsec) while all lie
-    within 2 µm (0.2 arcsec), the mark of mm read as µm or deg read as arcsec; and deviations that
-    grow one to one with the targets, which are measured positions. An excellent machine shows none
-    of them: its repeated readings scatter at least by the air in the beam.
+    These faults are certain:
+
+    - All readings are the same: nothing was measured.
+    - All readings lie within 0.1 µm per metre (0.01 arcsec).
+    - Repeated readings scatter by less than 2 nm (0.0005 arcsec), and all readings lie within 2 µm
+      (0.2 arcsec). This is typical of mm read as µm, or of deg read as arcsec.
+    - The deviations grow one to one with the targets: they are measured positions.
+
+    An excellent machine shows none of them. Its repeated readings scatter at least by the effect of
+    the air on the beam.
     """
     noticed = {finding.code for finding in test.findings}
     if "CW-R011" in noticed:
@@ -227,10 +232,10 @@ _COVERS: Final = (0.5, 1.05)
 def wrong_target_unit(test: PositioningTest, travel: tuple[float, float]) -> str:
     """Return the unit in which the targets fit the ``travel`` (mm), or an empty text if mm fits.
 
-    Certain, because nothing else brings it about: the targets span less than a tenth of the travel
-    (or more than ten times of it), and times 25.4 or 1000 (or divided by it) they span at least
-    half of it and not more than all of it. Only spans are compared: an offset may have been added
-    in mm.
+    The unit is certain, because nothing else has this effect. In inches or metres the targets span
+    far less than the travel, in micrometres far more. Converted to mm, they span at least half of
+    the travel and at most 1.05 times the travel. Only the spans are compared, because an offset may
+    have been added in mm.
     """
     if test.kind is not AxisKind.LINEAR or test.targets.size < 3:
         return ""

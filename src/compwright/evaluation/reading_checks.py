@@ -1,9 +1,9 @@
 """Checks of the readings: missing, traverses of zeros, drift from run to run, deviating runs, and
 outliers.
 
-With n = 5 no reading can lie further than 1.789 s from its own mean, so a 3 s rule never fires;
-what is suspect is judged by medians pooled over the targets. Nothing is dropped: each finding shows
-the result with and without.
+With n = 5 no reading can be further than 1.789 s from its own mean. A limit of 3 s would therefore
+never be exceeded. Suspect readings are found by medians that are pooled over the targets. No
+reading is removed: each finding shows the result with and without the suspect readings.
 """
 
 from __future__ import annotations
@@ -95,12 +95,12 @@ def _run_number(test: PositioningTest, direction: Direction, column: int) -> int
 def reading_findings(
     test: PositioningTest, compare: Compare, reported: Collection[str] = ()
 ) -> list[Finding]:
-    """Return all findings about the readings of ``test``. ``compare`` returns the parameters with
-    and without some readings as text; ``reported``: codes of findings that the noise estimate
-    reports.
+    """Return all findings about the readings of ``test``. ``compare``: a function that returns the
+    parameters with and without some readings as text. ``reported``: codes of findings that the
+    noise estimate reports.
 
-    With CW-T012 in ``reported``, drift is not reported again; with CW-T014, only the result with
-    and without the suspect readings is.
+    If ``reported`` contains CW-T012, drift is not reported again. If it contains CW-T014, the
+    suspect readings are not listed again; only the result with and without them is reported.
     """
     return [
         *missing_reading_findings(test),
@@ -142,7 +142,7 @@ def zero_traverse_findings(test: PositioningTest) -> list[Finding]:
     """Return the finding CW-T011 for each traverse of two targets or more whose readings are all
     exactly zero, and one finding for all other traverses that contain too many zeros in a row.
 
-    A file that was read with this finding of its own (CW-R010) does not get the first one twice.
+    If reading the file has already given CW-R010, the traverses of zeros are not reported again.
     """
     reported = any(finding.code == "CW-R010" for finding in test.findings)
     findings, filled = [], []
@@ -198,16 +198,17 @@ def _longest_row_of_zeros(values: FloatArray) -> int:
 def drift_findings(test: PositioningTest) -> list[Finding]:
     """Return the finding CW-T012 if the deviations at the targets drift from run to run.
 
-    That is a drift between successive approaches to any particular target position (ISO 230-2:1997,
-    3.3), pooled over the targets.
+    This is a drift between successive approaches to any particular target position (ISO 230-2:1997,
+    3.3), pooled over the targets. At least five runs are needed. A drift smaller than the robust
+    standard deviation of a reading is not reported.
 
-    Pooled per direction in two ways: all targets alike (the zero point moves), and in proportion to
-    the place along the travel (expansion, which may cancel in the mean). Readings count by their
-    distance from the target's median, clipped at three robust standard deviations so that one bad
-    reading cannot decide. Statistic: sum of the squares of the four progressions; its significance
-    from all orders of the runs (common to both directions), so shifts of whole runs in random order
-    raise no alarm beyond `DRIFT_CHANCE`. At least five runs; a drift smaller than the robust s is
-    not mentioned.
+    Two drifts are computed for each direction. One is the same at all targets: the zero point
+    moves. The other is proportional to the place along the travel: expansion, which may cancel in
+    the mean. Each reading counts by its distance from the median of its target. Distances are
+    clipped at three robust standard deviations, so that one bad reading cannot decide. The
+    statistic is the sum of the squares of these four progressions. Its significance follows from
+    all orders of the runs; both directions always have the same order. Shifts of whole runs in
+    random order therefore raise an alarm no more often than `DRIFT_CHANCE`.
     """
     residuals, scale = pooled_residuals(test)
     along = _along(test.targets)
@@ -279,8 +280,9 @@ def _chance(table: FloatArray, centred: FloatArray) -> float:
     """Return the probability that runs in random order show at least the measured drift. ``table``:
     drift scores (rows) of each run (column); ``centred``: numbers of the runs minus their mean.
 
-    In random order, the progressions of many runs are normal with the covariance of their scores
-    times the square sum of the places, and the statistic a sum of squares of normals.
+    Up to 100 runs, orders of the runs are tried. With more runs, the progressions in random order
+    are normal. Their covariance is the covariance of the scores times the sum of squares of
+    ``centred``. The statistic is then a sum of squares of normal values.
     """
     runs = centred.size
     if runs > _MOST_ORDERED:
@@ -351,7 +353,7 @@ def _shifts(test: PositioningTest) -> dict[Traverse, float]:
     """Return the offset of each traverse from the other traverses of its direction (median over
     targets; mm or deg).
 
-    Directions with three runs or more.
+    Only directions with three runs or more are included.
     """
     shifts: dict[Traverse, float] = {}
     for direction, residual in zip(_BOTH, pooled_residuals(test)[0], strict=True):
@@ -363,10 +365,10 @@ def _shifts(test: PositioningTest) -> dict[Traverse, float]:
 
 def _suspect(test: PositioningTest, shifts: Mapping[Traverse, float]) -> dict[int, list[Traverse]]:
     """Return, by number of the run, the traverses of each run whose offset from the other traverses
-    is too large.
+    is too large. ``shifts``: these offsets (`_shifts`).
 
-    Each run is compared with the scatter of the readings in the other runs, because an outlying run
-    would otherwise increase the scatter that it is compared with.
+    Each run is compared with the scatter of the readings in the other runs. Otherwise an outlying
+    run would increase the scatter that it is compared with.
     """
     residuals, scale = pooled_residuals(test)
     within = robust_scale([each - run_medians(each) for each in residuals], test)
@@ -435,9 +437,10 @@ def suspect_reading_findings(
 
 def _run_scores(residual: FloatArray, along: FloatArray, scale: float) -> FloatArray:
     """Return two drift scores of each run, (2, n): the mean residual, and the mean of residual
-    times the place ``along`` (m,) the travel. Residuals are clipped at three times ``scale``.
+    times ``along``. Both are 0 for a run without readings.
 
-    0 for a run without readings.
+    ``residual`` (m, n): readings minus the median of their target. ``along`` (m,): scaled place of
+    the targets along the travel. Residuals are clipped at three times ``scale``.
     """
     clipped = np.clip(np.nan_to_num(residual), -3.0 * scale, 3.0 * scale)
     number = np.maximum(np.isfinite(residual).sum(axis=0), 1)

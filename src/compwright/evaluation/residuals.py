@@ -54,9 +54,11 @@ def run_medians(residual: FloatArray) -> FloatArray:
 def robust_scale(residuals: list[FloatArray], test: PositioningTest) -> float:
     """Return the robust standard deviation of a reading, mm or deg.
 
-    The mean over targets of the unbiased median absolute residual. Not smaller than the resolution
-    (smallest difference between two readings): otherwise coarse readings that mostly repeat exactly
-    would make each last digit an outlier. Targets with fewer than three readings do not count.
+    It is the mean over targets of the unbiased median absolute residual. ``residuals``: for each
+    direction, readings (m, n) minus the median of their target. Targets with fewer than three
+    readings do not count. The result is at least the resolution (smallest difference between two
+    readings). Otherwise coarse readings that mostly repeat exactly would make each last digit an
+    outlier.
     """
     estimates = [_unbiased_medians(residual) for residual in residuals]
     found = np.concatenate(estimates) if estimates else np.empty(0)

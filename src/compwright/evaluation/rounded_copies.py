@@ -1,7 +1,7 @@
 """Check whether a test is a second record of the same measurement as another test.
 
-It may have fewer digits, another zero of the instrument, its runs in another order, or only some of
-the runs and targets.
+The second record may have fewer digits, another zero of the instrument, or its runs in another
+order. It may contain only some of the runs and targets.
 """
 
 from __future__ import annotations
@@ -41,8 +41,9 @@ def last_digit(test: PositioningTest) -> float:
 def is_rounded_copy(test: PositioningTest, original: PositioningTest) -> bool:
     """Return whether ``test`` is a copy of ``original`` with rounded readings.
 
-    Nearly every reading then agrees with one at the same target but for its last digit and a
-    constant for each run. A run that does not agree counts as a whole.
+    In a copy, nearly every reading agrees with a reading of ``original`` at the same target. The
+    two may differ by the last digit and by a constant for each run. If a run agrees with no run of
+    ``original``, none of its readings agree.
     """
     if test.kind is not original.kind:
         return False
@@ -66,8 +67,8 @@ def is_rounded_copy(test: PositioningTest, original: PositioningTest) -> bool:
 def is_coarse(test: PositioningTest, original: PositioningTest) -> bool:
     """Return whether readings are so coarse that ``test`` and ``original`` can agree by chance.
 
-    Coarse: the runs, apart from a constant, scatter by less than a resolution step of ``test``, or
-    no target was approached twice.
+    This is so if the runs of ``original``, apart from a constant, scatter by less than a resolution
+    step of ``test``. It is also so if no target was approached twice.
     """
     blocks = (original.deviations(direction) for direction in Direction)
     scatter = np.concatenate(

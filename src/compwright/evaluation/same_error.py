@@ -1,9 +1,10 @@
 """Search for two axes that show the same error, because possibly one axis was measured twice.
 
-Compared are the mean readings at common targets. Those of one axis differ only by noise; those of
-two axes differ also by a smooth curve of the size of their errors. Marginal likelihoods (Rasmussen
-and Williams, Gaussian Processes for Machine Learning, 2006, eq. 5.8); the zero of each instrument
-is free.
+The mean readings at common targets are compared. Means of one axis differ only by noise. Means of
+two axes differ also by a smooth curve that is as large as their errors. The two explanations are
+compared by their marginal likelihoods (Rasmussen and Williams, Gaussian Processes for Machine
+Learning, 2006, eq. 5.8). The zero of each instrument is unknown, so a constant difference does not
+count.
 """
 
 from __future__ import annotations
@@ -85,8 +86,9 @@ def _common(one: PositioningTest, other: PositioningTest) -> tuple[FloatArray, .
     """Return the means of two tests at their common targets and directions, with further data to
     compare these means.
 
-    Difference of the means, both means, variance of the difference, position and direction (+1,
-    -1).
+    Six arrays (k,) of equal length: difference of the means, both means, variance of the
+    difference, position, and direction (+1, -1). They are empty if no direction was measured in
+    both tests.
     """
     _, first, second = np.intersect1d(
         np.round(one.targets / SAME_READING),

@@ -1,11 +1,11 @@
 """Random draws of the readings that a test would have shown without environmental variation.
 
-A reading is the position of the axis plus environmental variation of known size, which increases
-the scatter and, because a maximum over many targets picks the largest variation, also the
-parameters. Empirical Bayes (Efron, Large-Scale Inference, 2010, chapter 1) removes it: the scatter
-about the mean of a target is divided between axis and environment. The means are drawn towards a
-smooth curve as far as the environment explains their roughness. The repeatability of the axis
-remains. Draws cover all scatters of the axis that are compatible with the readings.
+A reading is the position of the axis plus environmental variation of known size. The variation
+increases the scatter. It also increases the parameters, because a maximum over many targets picks
+the largest variation. Empirical Bayes (Efron, Large-Scale Inference, 2010, chapter 1) removes it.
+The scatter about the mean of a target is divided between axis and environment. The means are moved
+towards a smooth curve as far as the environment explains their roughness. The repeatability of the
+axis remains. The draws cover all scatters of the axis that are compatible with the readings.
 """
 
 from __future__ import annotations
@@ -34,10 +34,11 @@ _POWERS: Final = (2.0, 4.0)
 def without_environment(
     test: PositioningTest, sigma: float, count: int, rng: np.random.Generator
 ) -> tuple[FloatArray, FloatArray]:
-    """Return ``count`` random draws of the readings without the environmental variation, whose
-    standard deviation is ``sigma``, in + (count, m, n) and in −; mm or deg.
+    """Return ``count`` random draws of the readings without the environmental variation, in +
+    (count, m, n) and in −; mm or deg.
 
-    One draw per reading; NaN where no reading was made.
+    ``sigma``: standard deviation of the environmental variation, mm or deg. It is drawn anew for
+    each reading. Missing readings are NaN.
     """
     blocks = (test.positive, test.negative)
     if sigma <= 0.0:
@@ -69,12 +70,13 @@ def _squares(block: FloatArray) -> FloatArray:
 def _own_variance(
     squares: FloatArray, number: FloatArray, sigma: float, count: int, rng: np.random.Generator
 ) -> FloatArray:
-    """Return random draws (count, k) of the variance of the axis' own scatter at each target and
-    direction, from the sum of squares ``squares`` (k,) of ``number`` (k,) readings and the standard
-    deviation ``sigma`` of environmental variation.
+    """Return random draws (count, k) of the variance of the axis' own scatter in each of k cells. A
+    cell is one target in one direction.
 
-    The cells share a level and a spread about it, both drawn by their likelihood; within a cell the
-    squares are chi-square times own variance plus sigma².
+    ``squares`` (k,): sum of squares of the readings about their mean. ``number`` (k,): number of
+    readings. ``sigma``: standard deviation of the environmental variation. All cells share a level
+    of the variance and a spread about this level. Both are drawn by their likelihood. In each cell,
+    the sum of squares is chi-square times (own variance + sigma²).
     """
     tried = _TRIED * sigma**2
     total = tried + sigma**2
@@ -112,12 +114,13 @@ def _drawn(evidence: FloatArray, count: int, rng: np.random.Generator) -> NDArra
 def _scatter(
     block: FloatArray, own: FloatArray, sigma: float, rng: np.random.Generator
 ) -> FloatArray:
-    """Return random draws (count, m, n) of the scatter of the axis alone (variance ``own``), from
-    readings ``block`` (m, n) that also contain environmental variation of standard deviation
-    ``sigma``.
+    """Return random draws (count, m, n) of the scatter of the axis alone.
 
-    The share own / (own + sigma²) of a residual belongs to the axis; the uncertainty of this part
-    has the variance sigma² times that share (both normal).
+    ``block`` (m, n): readings, which also contain the environmental variation. ``own`` (count, m):
+    draws of the variance of the axis' own scatter. ``sigma``: standard deviation of the
+    environmental variation. Both scatters are taken as normal. The share own / (own + sigma²) of a
+    residual then belongs to the axis. The uncertainty of this part has the variance sigma² times
+    that share.
     """
     share = (own / (own + sigma**2))[:, :, np.newaxis]
     fresh = np.where(np.isfinite(block), rng.standard_normal((own.shape[0], *block.shape)), np.nan)
@@ -155,12 +158,14 @@ def _curve(
     count: int,
     rng: np.random.Generator,
 ) -> FloatArray:
-    """Return random draws (count, m) of a mean curve ``values`` (m,) without its environmental
-    variation of variance ``noise``. ``own``: variance of the axis' own scatter, which always
-    remains.
+    """Return random draws (count, m) of a mean curve without its environmental variation.
 
-    Without its straight line a curve is smooth plus rough: the variance of its cosine coefficients
-    in the order of the targets is a / frequency^p + w. a, p and w are weighted by their evidence.
+    ``values`` (m,): the mean at each of ``targets`` (m,). ``noise``: variance of the environmental
+    variation of a mean. ``own``: variance of the axis' own scatter, which always remains; None if
+    unknown. A straight line is subtracted first. The rest is the sum of a smooth and a rough part.
+    The variance of its cosine coefficients, in the order of the targets, is a / frequency^p + w.
+    The values of a, p and w are weighted by their evidence. Fewer than four values are returned
+    unchanged.
     """
     drawn = np.repeat(values[np.newaxis], count, axis=0)
     known = np.isfinite(values)
@@ -181,12 +186,14 @@ def _curve(
 
 
 def _curves_tried(m: int, *, own_known: bool) -> tuple[FloatArray, FloatArray]:
-    """Return possible variances (h, m - 1) of the cosine coefficients of a curve, relative to the
-    noise, and their log prior weights.
+    """Return h possible variances (h, m - 1) of the cosine coefficients of a curve, relative to the
+    noise, and their log prior weights (h,).
 
-    The model without a smooth part has the same prior weight as all models with one. A model
-    without a rough part has the same weight as all with one if the scatter of the axis is counted
-    already (``own_known``), else as a single one.
+    Each of the h models adds a smooth and a rough part (`_curve`); either part may be zero. Models
+    without a smooth part weigh as much together as all models with one. ``own_known``: the scatter
+    of the axis is counted already. Then models without a rough part weigh as much together as all
+    models with one. Otherwise they weigh as much as the models with one certain size of the rough
+    part.
     """
     frequency = 2.0 * np.sin(0.5 * np.pi * np.arange(1, m) / m)
     shapes = [frequency**-power for power in _POWERS]

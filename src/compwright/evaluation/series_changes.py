@@ -46,12 +46,13 @@ def noted_changes(
     entries: Sequence[HistoryEntry], trends: Sequence[NotedTrend]
 ) -> list[NotedChange]:
     """Return the changes between the tests of one axis or plane that exceed the uncertainty.
-    ``trends`` of the same tests: a change at one of their jumps needs less evidence.
+    ``entries``: the tests, in order of time. ``trends``: trends of the same tests by
+    `noted_trends`.
 
-    Each test is compared with the last comparable test before it. ``entries``: in order of time;
-    ``trends``: by `noted_trends`. Differences between the other comparisons beyond their
-    standard errors are scatter from test to test. The threshold allows for the number of
-    comparisons, except between the tests of a jump.
+    Each test is compared with the last comparable test before it. The other comparisons of the same
+    parameter show the scatter from test to test: their excess over the standard errors. The
+    threshold allows for the number of comparisons. It does not between the tests of a jump in
+    ``trends``, where a change needs less evidence.
     """
     jumped = {
         (trend.parameter, jump.before, jump.after) for trend in trends for jump in trend.jumps
@@ -100,8 +101,8 @@ def _between_tests(others: Sequence[Change]) -> tuple[float, float]:
     """Return the variance between tests in excess of their standard errors, from the changes
     ``others`` of the same parameter, and the degrees of freedom of this variance.
 
-    0 with fewer than four. Neighbouring differences share a test, so that two thirds of
-    their number count.
+    With fewer than four changes the variance is 0. Neighbouring changes share a test. The degrees
+    of freedom are therefore two thirds of the number of changes.
     """
     if len(others) < _LEAST_COMPARISONS:
         return 0.0, math.inf
@@ -129,10 +130,11 @@ _DAYS: Final = 365.25
 
 def noted_trends(entries: Sequence[HistoryEntry]) -> Iterator[NotedTrend]:
     """Yield the rate per year of each parameter, from the dated tests that can be compared with the
-    last one. ``entries`` are in order of time.
+    last one. ``entries``: the tests, in order of time.
 
-    A jump of one parameter makes jumps of the others between the same tests likely: else a
-    collision that tilts the error curve within the temperature uncertainty looks like growth.
+    A jump of one parameter makes jumps of the other parameters between the same tests likely.
+    Otherwise a collision could look like growth: it may tilt the error curve by less than the
+    temperature uncertainty.
     """
     found: dict[str, _Course] = {}
     for parameter in (*_FIRST, *(name for name in _TRENDS if name not in _FIRST)):
@@ -150,7 +152,8 @@ def noted_trends(entries: Sequence[HistoryEntry]) -> Iterator[NotedTrend]:
 class _ComparedTests:
     """The tests of one parameter that were made in the same way as its last test.
 
-    ``places``: their indices in the series; ``odds``: of a jump after each test.
+    ``places``: indices of these tests in the whole series. ``odds``: prior probability of a jump
+    after each test.
     """
 
     parameter: str
@@ -232,10 +235,10 @@ def _years(one: datetime, other: datetime) -> float:
 
 def _forecast(limit: float, found: Mapping[str, _Course], parameter: str) -> Ahead:
     """Return when a parameter reaches its limit, from the trends of the parameter, of the slope and
-    of the mean reversal error.
+    of the mean reversal error. ``found``: comparable tests and trend of each parameter.
 
-    Its curve is that of the tests since the last event (another table, a jump). No date where none
-    of these trends is clear.
+    The error curve is averaged over the tests since the last event (another table, a jump). All
+    dates are None if none of the three trends is clear.
     """
     tests, own = found[parameter]
     if not any(found[name][1].clear for name in (parameter, "slope", "B_mean") if name in found):
@@ -357,10 +360,11 @@ def _compared(
     scatter: tuple[float, float] = (0.0, math.inf),
 ) -> tuple[Change, bool]:
     """Return the change of a parameter between two tests, and whether the uncertainty of this
-    change includes an assumed slope. ``scatter``: variance from test to test, with its degrees of
-    freedom.
+    change includes an assumed slope.
 
-    A slope is assumed if no uncertainty is declared.
+    ``scatter``: variance from test to test, with its degrees of freedom; by default there is none.
+    The slope is the expansion of steel for 1 K. It is assumed for A of a linear axis if one of the
+    tests declares no uncertainty.
     """
     before, after = _parameter_value(one, parameter), _parameter_value(other, parameter)
     if parameter == "s":

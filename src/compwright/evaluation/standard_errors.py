@@ -29,16 +29,15 @@ class StandardError:
 def standard_errors(
     positive: FloatArray, negative: FloatArray, coverage: float
 ) -> dict[str, StandardError]:
-    """Return the standard errors of A, B and B_mean (ISO 230-2:2014), and of ``s``, the pooled
-    standard deviation, from the readings (m, n) in + and −; an empty result without repeated
-    readings.
+    """Return the standard errors of A, B and B_mean (ISO 230-2:2014) and of ``s``, the pooled
+    standard deviation. The result is empty without repeated readings.
 
-    ``positive``, ``negative`` (m, n): readings of each direction in one unit, NaN if missing, width
-    0 for a direction not measured; columns are runs. ``coverage``: k of A. Shifts of whole
-    traverses are common to all their targets: where runs differ more than the scatter of single
-    readings explains, the differences between runs count. A: from the two targets that determine
-    it, each a mean and k standard deviations (variance of s: s²/2ν). Combination and degrees of
-    freedom: GUM (JCGM 100:2008) 5.1.2 and G.4.1 (Welch-Satterthwaite).
+    ``positive``, ``negative`` (m, n): readings in + and − in one unit, a column per run. Missing
+    readings are NaN; a direction that was not measured has width 0. ``coverage``: the factor k of
+    A. Shifts of whole traverses are common to all their targets. If runs differ more than the
+    scatter of single readings explains, the differences between runs count. A follows from the two
+    targets that determine it, each with its mean and k standard deviations (variance of s: s²/2ν).
+    Combination and degrees of freedom: GUM (JCGM 100:2008) 5.1.2 and G.4.1 (Welch-Satterthwaite).
     """
     blocks = [block for block in (positive, negative) if block.size and np.isfinite(block).any()]
     scatter = _scatter(blocks)
@@ -60,10 +59,10 @@ def slope_error(
     positions: FloatArray, positive: FloatArray, negative: FloatArray
 ) -> StandardError | None:
     """Return the standard error of the slope of the mean deviation over ``positions`` (m,), per
-    unit of position. None without two complete runs.
+    unit of position. None if no target has repeated readings that scatter.
 
-    It comes from the scatter of single readings, or of the slopes of the runs where these differ
-    more.
+    It is computed from the scatter of single readings, or from the slopes of the runs if these
+    differ more.
     """
     blocks = [block for block in (positive, negative) if block.size and np.isfinite(block).any()]
     scatter = _scatter(blocks)
@@ -111,7 +110,8 @@ def _between_runs(blocks: list[FloatArray]) -> list[float]:
     """Return estimates of the relative variance of s²: one from the differences between traverses,
     one from the differences between runs. ``blocks``: the readings (m, n) of each direction.
 
-    Each needs three of them; each row of n readings loses one degree of freedom to its mean.
+    An estimate needs at least three traverses or runs. The mean of n readings at a target takes one
+    degree of freedom from them. The estimates allow for this.
     """
     residuals = [
         block - np.nanmean(block, axis=1, keepdims=True)

@@ -1,10 +1,10 @@
 """Evaluation of a positioning test to a standard: the parameters that each edition defines, for
 which tests, and with which coverage factor.
 
-The texts of 1988 and 1997 and of GOST 27843-2006 were at hand, of 2006 clauses 1 to 7. The text of
-2014 was not: it is evaluated with the definitions of 2006, whose formulas it keeps under other
-words ("error" for "deviation"); that one approach per direction leaves out s, R and A is its clause
-6.2 (as quoted by GOST ISO 230-2-2016). VDI/DGQ 3441 rests on the formulas in common use.
+The texts of 1988, 1997 and GOST 27843-2006 were available, and clauses 1 to 7 of 2006. The text of
+2014 was not. It keeps the formulas of 2006 under other words ("error" for "deviation"), so the
+definitions of 2006 are used. Its clause 6.2 (as quoted by GOST ISO 230-2-2016) leaves out s, R and
+A for one approach per direction. VDI/DGQ 3441 is evaluated with the formulas in common use.
 """
 
 from __future__ import annotations
@@ -50,11 +50,11 @@ DEFAULT_STANDARD: Final = "iso230-2:2014"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Standard:
-    """One edition of a standard. ``coverage`` is its factor k on s; ``undefined`` gives the reason
-    for each parameter that it does not define.
+    """One edition of a standard. ``coverage``: its factor k on s. ``undefined``: the reason for
+    each parameter that it does not define.
 
-    ``single_approach`` is the clause that leaves out s, R and A for n = 1; ``range_factors`` those
-    of s = W * factor(n), or None.
+    ``single_approach``: the clause that leaves out s, R and A for n = 1. ``range_factors``: by n,
+    the factor of s = W * factor(n); None: it has no range method.
     """
 
     id: str
@@ -181,21 +181,20 @@ def evaluate(
     other_tests: Sequence[PositioningTest] = (),
     checked: bool = True,
 ) -> PositioningResult:
-    """Evaluate ``test`` (mm or deg) to ``standard``; the result is in mm or deg. ``reported``:
-    codes of findings that are reported elsewhere; ``checked``: with findings.
+    """Evaluate ``test`` (mm or deg) to ``standard``; the result is in mm or deg.
 
-    ``spread`` "range" takes s from the range of the readings (1988 and GOST only). ``travel``,
+    ``spread``: "range" computes s from the range of the readings (1988 and GOST only). ``travel``,
     ``periods`` (mm or deg, machine coordinates) and ``other_tests`` of the axis are used by the
-    test checks, ``budget`` and ``thermal`` by the uncertainty; ``reported``: codes of reading
-    checks that the noise estimate reports already (`reading_findings`).
+    test checks, ``budget`` and ``thermal`` by the uncertainty. ``reported``: codes of reading
+    checks that the noise estimate reports already (`reading_findings`). ``checked``: make findings.
 
-    A parameter is None where the standard does not define it, the approach direction was not
-    measured, or a target lacks the two readings that s needs; ``not_applicable`` gives the reason.
-    A parameter is never formed over fewer targets than were measured; a finding gives R and A of
-    the other targets instead.
+    A parameter is None if the standard does not define it, the approach direction was not measured,
+    or a target lacks the two readings that s needs. ``not_applicable`` gives the reason. No
+    parameter is formed over fewer targets than were measured. A finding then gives R and A of the
+    other targets.
 
     Raises UsageError for an unknown standard or a range method that does not exist for it or this
-    n, InputError when the test holds no reading or its arrays do not fit together.
+    n, InputError if the test holds no reading or its arrays do not fit together.
     """
     chosen = standard_by_id(standard, spread)
     _require_sound(test)

@@ -1,8 +1,8 @@
 """The formulas of ISO 230-2 clause 2 on plain arrays: means, standard deviations, parameters.
 
-Targets run along the last axis of means and s; readings along the last axis of deviations; leading
-batch dimensions are free. Units: whatever the input has (mm or deg inside compwright). A missing
-reading is NaN; NaN goes through to every parameter that would need the missing number.
+The last dimension is the target in means and s, and the reading in deviations. Any leading
+dimensions are allowed. Results have the unit of the input (mm or deg inside compwright). A missing
+reading is NaN, and so is every parameter that needs it.
 """
 
 from __future__ import annotations
@@ -133,8 +133,8 @@ def standard_deviation_from_range(
     """Return s = W * factor(n) (..., m), W the range of the readings (ISO 230-2:1988, 2.9 b; GOST
     27843-2006, 3.15).
 
-    NaN where n < 2. Raises UsageError when ``factors`` (n -> factor) has no entry for some other
-    number of readings.
+    ``factors``: the factor by number of readings n. The result is NaN where n < 2. Raises
+    UsageError if ``factors`` lacks any other n that occurs.
     """
     finite = np.isfinite(deviations)
     number = finite.sum(axis=-1)
@@ -182,10 +182,11 @@ def parameters(
     only: str | None = None,
 ) -> dict[str, FloatArray]:
     """Return the axis parameters of ISO 230-2:2006, 2.13 to 2.24, each (...), from means and s
-    (..., m); with ``only`` the one of this name. The coverage factor k is 2 or 3.
+    (..., m). ``coverage``: the factor k, 2 or 3. ``only``: the single parameter to return; None:
+    all.
 
-    B_i = mean+ - mean-, so lost motion gives a negative ``B_mean``; ``R`` is max R_i, not the
-    larger of R+ and R-. The unit is that of the input. NaN in means or s goes through to the
+    B_i = mean+ - mean-, so lost motion gives a negative ``B_mean``. ``R`` is the largest R_i, not
+    the larger of R+ and R-. The unit is that of the input. NaN in means or s goes through to the
     parameters that depend on them and to no others. The copy of the 1997 text prints A+ with max(x
     + 2s) - min(x + 2s); Corrigendum 1:1999 and 2006 have min(x - 2s).
     """

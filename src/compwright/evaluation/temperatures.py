@@ -1,7 +1,8 @@
 """The temperatures stated in a measurement file, at start and end of a test (ISO 230-2:2006, 7.1).
 
-Keys of the header, °C: ``T_m`` of the machine's scale or workpiece, ``T_d`` of the measuring
-device; or ``T_m_start`` and ``T_m_end``, ``T_d_start`` and ``T_d_end``.
+Keys of the header, °C: ``T_m`` is the temperature of the machine's scale or workpiece, ``T_d`` of
+the measuring device. Instead of ``T_m`` a file may state ``T_m_start`` and ``T_m_end``, and instead
+of ``T_d`` it may state ``T_d_start`` and ``T_d_end``.
 """
 
 from __future__ import annotations
@@ -24,10 +25,9 @@ def stated_temperatures(header: Mapping[str, str], file: str) -> Temperatures:
     """Return the temperatures ``T_m`` and ``T_d`` (°C) at start and end of a test from the header
     of ``file``.
 
-    Case, blanks and hyphens of the keys do not count.
-
-    Raises InputError with a fault for each value that is no temperature, a start without an end,
-    and a key given twice.
+    Upper and lower case of the keys are equal; blanks and hyphens count as underscores. Raises
+    InputError with a fault for each value that is no plausible temperature, for a start without an
+    end, and for a temperature that is given in both forms.
     """
     keys = {re.sub(r"[ -]+", "_", key).lower(): (key, value) for key, value in header.items()}
     faults: list[Fault] = []
@@ -61,7 +61,8 @@ def stated_temperatures(header: Mapping[str, str], file: str) -> Temperatures:
 def temperatures_of(parts: Sequence[PositioningTest]) -> Temperatures:
     """Return the temperatures of one test from the headers of all its files.
 
-    They reach from the start of the first file to the end of the last file that states one.
+    The start of a temperature is that of the first file that states it. The end is that of the last
+    file that states it.
     """
     found: dict[str, tuple[float, float]] = {}
     for part in parts:

@@ -4,14 +4,16 @@ Model of the tests k at times t_k (years) of one parameter:
 
     y_k = a + r t_k + sum of jumps before k + season(t_k) + e_k
 
-e_k is normal with the variance of the readings and of a scatter from test to test, which is drawn
-from a half-Cauchy law (Gelman, Bayesian Analysis 1 (2006) 515, section 3.2): its variance from the
-F law with 1 and 1 degrees of freedom, and with 3 and 1 in multiples of a standard uncertainty that
-is stated of each test, such as that of the temperature. What of this is common to all tests changes
-no rate, and how much of the rest there is shows in the tests. A jump may lie between any two tests
-(repair, collision, another instrument); where the table was changed one is certain. The season is a
-sine of one year. Models with and without each jump and the season are averaged by their evidence
-(Kass and Raftery, J. Am. Stat. Assoc. 90 (1995) 773).
+e_k is normal. Its variance is that of the readings plus that of a scatter from test to test. This
+scatter is drawn from a half-Cauchy law (Gelman, Bayesian Analysis 1 (2006) 515, section 3.2): its
+variance has the F law with 1 and 1 degrees of freedom. If tests state a standard uncertainty, such
+as that of the temperature, its variance in multiples of this has the F law with 3 and 1 degrees of
+freedom. A part of the uncertainty that is common to all tests changes no rate. The tests themselves
+show how large the rest is.
+
+A jump may lie between any two tests (repair, collision, another instrument). If the table was
+changed, a jump is certain. The season is a sine of one year. Models with and without each jump and
+the season are averaged by their evidence (Kass and Raftery, J. Am. Stat. Assoc. 90 (1995) 773).
 """
 
 from __future__ import annotations
@@ -72,8 +74,9 @@ class TrendJump:
 class Trend:
     """A rate of change per year with its standard error.
 
-    ``std_error``: the half width of its 95 % interval divided by 1.96, so that three of them mean
-    the same for few tests and many. ``threshold``: how many of them a clear rate exceeds.
+    ``std_error``: the half width of the rate's 95 % interval divided by 1.96. Three standard errors
+    thus mean the same for few tests and for many. ``threshold``: number of standard errors that a
+    clear rate exceeds.
     """
 
     rate: float
@@ -91,7 +94,7 @@ class Trend:
         """Return draws (2, n) from the generator ``random``: level at ``ahead`` years after the
         last test, and rate per year.
 
-        A rate that is not clear is zero.
+        A rate that is not clear is zero in all draws.
         """
         level, rate = self._mixture.lines(random, grows=self.clear)
         return np.stack([level + rate * ahead, rate])
@@ -106,13 +109,13 @@ def trend_of(
     threshold: float = 3.0,
 ) -> Trend | None:
     """Return the rate of change of a parameter, or None for fewer than three tests or less than 0.1
-    years. ``errors`` and ``stated``: standard uncertainty of each value by its readings and by
-    other contributions; ``threshold``: significance, in standard errors.
+    years.
 
-    ``years`` (n,): ascending; ``values`` (n,) in any unit of the parameter; ``errors`` (n,): the
-    standard error of each by its readings; ``stated`` (n,): its standard uncertainty apart from
-    these, 0 where none is stated; ``jump_odds`` (n - 1,): prior probability of a jump after each
-    test, 1 where it is certain; ``threshold``: of the rate, in standard errors.
+    ``years`` (n,): times of the tests, ascending. ``values`` (n,): the parameter, in any unit.
+    ``errors`` (n,): standard error of each value by its readings. ``stated`` (n,): standard
+    uncertainty of each value by other contributions, 0 where none is stated. ``jump_odds`` (n -
+    1,): prior probability of a jump after each test, 1 where it is certain. ``threshold``: number
+    of standard errors that a clear rate exceeds.
     """
     if len(years) < LEAST_TESTS or years[-1] - years[0] < LEAST_YEARS:
         return None
@@ -184,8 +187,8 @@ class _Tests:
 class _Solution:
     """A linear model of a trend, solved for each of s possible standard deviations between tests.
 
-    Coefficients (s, p), covariance (s, p, p), logarithm of the evidence (s,) and what each further
-    jump adds to it (s, n - 1).
+    ``coefficients`` (s, p), ``covariance`` (s, p, p); ``evidence`` (s,): logarithm of the evidence.
+    The other fields (s, n - 1, ...) show what one further jump after each test adds.
     """
 
     coefficients: FloatArray
@@ -254,7 +257,7 @@ def _found_jumps(
     """Return the jumps whose probability exceeds one half, in addition to the ``certain`` jumps,
     and the log evidence with all these jumps. The search begins with the jumps ``start``.
 
-    The best change (one jump more or less) is made first.
+    Each step of the search makes the best change: one jump more or one jump less.
     """
     found = list(start)
     log_odds = np.log(tests.odds / (1.0 - tests.odds))
@@ -298,7 +301,8 @@ class _Mixture:
     """Weighted normal distributions of the level at the last test and the rate, one for each model
     and each scatter between tests.
 
-    ``middle`` is added to the level; ``jumps``: which model has which further jump.
+    ``middle`` is added to the level. ``lacking``: for each jump that is not certain, the weight of
+    all models without it.
     """
 
     weight: FloatArray

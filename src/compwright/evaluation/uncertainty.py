@@ -1,8 +1,8 @@
 """Measurement uncertainty (k = 2) of the parameters: contributors of ISO 230-2:2006 annex A,
 propagated as distributions (JCGM 101:2008).
 
-Readings as the contributors would leave them are drawn and evaluated by the definitions of the
-parameters; no coefficient is quoted from the standard. Only the measurement enters: the
+Readings are drawn with random values of the contributors and evaluated by the definitions of the
+parameters. No coefficient is taken from the standard. U contains only the measurement: the
 repeatability of the axis is part of R and A, not of U.
 """
 
@@ -44,13 +44,18 @@ _STEEL: Final = 11.5
 def contributions(
     test: PositioningTest, budget: UncertaintyBudget, thermal: Thermal | None
 ) -> tuple[Contribution, ...]:
-    """Return the contributors to uncertainty that grow with position and are constant in a test
-    (µm; rotary axes: arcsec).
+    """Return the contributors to the uncertainty of a test, µm (rotary axes: arcsec).
 
-    L is the distance of the extreme targets in m: instrument U + per_m L, misalignment R²/(2L) as a
-    range (0.289 R²/L expanded, to either side as of any range, though the beam only ever reads too
-    short: where nothing else counts, 58 % of the range lie within), temperature alpha L U(theta)
-    and coefficient abs(T - 20) L U(alpha), for the machine and, where it expands, the instrument.
+    A linear axis has the following contributors. L is the distance of the extreme targets in m.
+
+    - Instrument: U + per_m L.
+    - Misalignment of the beam: R²/(2L) as a range, 0.289 R²/L expanded. As any range it counts to
+      either side, though the beam only ever reads too short. Where nothing else counts, 58 % of the
+      range lie within U.
+    - Temperature: alpha L U(theta), and expansion coefficient: abs(T - 20) L U(alpha). Each is for
+      the machine and, if it expands, for the instrument.
+    - Set-up and environmental variation.
+
     Rotary axes have no length terms: instrument, set-up and environmental variation in arcsec.
     """
     unit = outside_unit(test.kind.unit)
@@ -80,8 +85,9 @@ def thermal_contributions(
     """Return the contributors to the uncertainty of a ``length`` (m) at 20 °C that come from
     temperature and expansion coefficients.
 
-    ``U_theta`` (K) of the temperature and ``U_alpha`` (µm/(m K)) of the coefficient, for the
-    machine and for an instrument that expands.
+    ``U_theta`` (K): expanded uncertainty of the temperature. ``U_alpha`` (µm/(m K)): expanded
+    uncertainty of the expansion coefficient. Both apply to the machine, and to the instrument if it
+    expands.
     """
     expands = [
         ("machine", thermal.alpha_m if thermal else _STEEL, thermal.T_m if thermal else 20.0)
@@ -149,12 +155,13 @@ def slope_between_tests(
     """Return the standard deviation (mm/mm) of slope differences between this test and other tests
     of its axis. ``first``: temperature and expansion coefficient in the first test.
 
-    Drawn per test: the temperature U_theta (sensors are placed and read again, and a hall changes),
-    the misalignment of the beam and the set-up. Common to all tests, without effect between them:
-    the instrument, assumed to be the same one, and the coefficient of expansion, a property of the
-    scale. An error U_alpha of the coefficient counts only over the difference of the temperatures
-    of this test and of the ``first``. The environmental variation is in the scatter of the
-    readings. Zero without a budget, and for angles, which do not expand.
+    Three contributors differ between tests: the temperature U_theta (sensors are placed and read
+    again, and a hall changes), the misalignment of the beam, and the set-up. Two are common to all
+    tests and cause no difference: the instrument, assumed to be the same one, and the expansion
+    coefficient, a property of the scale. An error U_alpha of the coefficient counts only over the
+    temperature difference between this test and the ``first``. The environmental variation is
+    already in the scatter of the readings. The result is zero without a budget, and for angles,
+    which do not expand.
     """
     length = float(test.targets[-1] - test.targets[0])
     if budget is None or test.kind is AxisKind.ROTARY or length <= 0.0:
@@ -180,23 +187,22 @@ def expanded_uncertainties(
     *,
     table_slope: float = 0.0,
 ) -> tuple[dict[str, ExpandedUncertainty] | None, list[Finding]]:
-    """Return U (mm or deg, k = 2) of each parameter in ``given``, and the assumptions made.
-    ``table_slope``: standard deviation (mm/mm) of a slope error that a table brings into a test
-    made after loading.
+    """Return U (mm or deg, k = 2) of each parameter in ``given``, and findings about the
+    assumptions made. U is None for VDI 3441, whose parameters annex A does not treat.
 
-    ``coverage`` is the factor k of the standard on s, ``spread`` gives s (..., m) of deviations
-    (..., m, n). U is half the width of the interval about the stated value that holds, in 95.45 of
-    100 cases (k = 2 of the normal law), the value that the same test would have without instrument
-    and environment. The distributions are propagated (JCGM 101:2008, 5 to 7): from readings
-    without the environment (`without_environment`) to the test with one draw per test of the length
-    terms, times position, and one draw of the environmental variation (its range E_VE) per reading.
-    So the targets that decide a maximum count as they are, be they one, or many between which it
-    wanders. What has no course over the positions (set-up; of the instrument what does not grow
-    with the distance) is a draw per test in the differences A, E and M. None for VDI 3441, whose
-    parameters annex A does not treat.
+    ``coverage``: the factor k of the standard on s. ``spread``: a function that gives s (..., m) of
+    deviations (..., m, n). ``table_slope``: for a test still to be made with a new table, the
+    standard deviation (mm/mm) of the slope error in the table. It comes from the uncertainty of the
+    earlier test from which the table was made, and is one more draw.
 
-    ``table_slope``: of a test that is to come, the standard deviation (mm/mm) of the slope that the
-    uncertainty of an earlier test has put into the axis by the table made from it: one more draw.
+    U is half the width of an interval about the stated value. In 95.45 of 100 cases (k = 2 of the
+    normal law) it contains the value that the same test would have without instrument and
+    environment. The distributions are propagated (JCGM 101:2008, 5 to 7) from readings without the
+    environment (`without_environment`). Each simulated test has one draw of the length terms, times
+    position. Each reading has one draw of the environmental variation (its range E_VE). So each
+    simulated test has its own targets that decide a maximum. Set-up, and the part of the instrument
+    that does not grow with distance, do not depend on position. They are one draw per test in the
+    differences A, E and M.
     """
     if "P" in given:
         return None, [Finding.of("CW-T021", "info")]
@@ -232,9 +238,9 @@ def _measured(test: PositioningTest) -> PositioningTest:
 class _Added:
     """The uncertainty that instrument and environment add to the readings, mm or deg.
 
-    ``slope``: standard deviation of the slope over the positions (mm/mm). In the difference of two
-    targets: ``with_slope``, the part that follows the slope, and ``without_slope``, the part that
-    does not. ``variation``: range of the environmental variation of a reading.
+    ``slope``: standard deviation of the slope over the positions (mm/mm). The difference of two
+    targets has two further parts. ``with_slope`` follows the draw of the slope; ``without_slope``
+    is independent of it. ``variation``: range of the environmental variation of a reading.
     """
 
     slope: float
@@ -250,7 +256,8 @@ def _added(
     deviation (mm/mm) of a slope error in the table.
 
     The certificate of an instrument states the distance of any two positions: U + per_m times the
-    distance, with one sign. The part of its draw in the slope is therefore part of U too.
+    distance, with one sign. One draw therefore determines the slope of the instrument and a part of
+    U.
     """
     factor = outside_factor(test.kind.unit)
     unit = COVERAGE * factor

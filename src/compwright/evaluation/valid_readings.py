@@ -34,7 +34,8 @@ def zero_traverses(test: PositioningTest) -> list[tuple[Direction, int]]:
     """Return direction and column of each traverse of two targets or more whose readings are all
     exactly zero.
 
-    The others must scatter so much that this cannot be chance.
+    A traverse is returned only if the other readings scatter so much that its zeros cannot be
+    chance.
     """
     chance = chance_of_zero(test)
     found = []
@@ -64,8 +65,8 @@ def outlying_readings(
 ) -> tuple[list[tuple[float, Direction, int, int]], float]:
     """Return outliers, largest first, and the robust standard deviation of a reading, mm or deg.
 
-    Each outlier: distance from the other readings (mm or deg), direction, index of the target,
-    column of the run.
+    Each outlier is given by its distance from the other readings (with sign, mm or deg), its
+    direction, the index of its target, and the column of its run.
     """
     found: list[tuple[float, Direction, int, int]] = []
     inner = [residual - run_medians(residual) for residual in pooled_residuals(test)[0]]
@@ -96,8 +97,8 @@ def chance_of_zero(test: PositioningTest) -> float:
     """Return the probability that a reading is exactly zero by chance: resolution step divided by
     width of the scatter.
 
-    Scatter: the median of s over the targets that show one, so that the zeros themselves do not
-    count.
+    The scatter is the median of s over the targets whose readings differ. The zeros themselves
+    therefore do not count.
     """
     s = np.concatenate([standard_deviation(test.deviations(direction)) for direction in _BOTH])
     s = s[np.isfinite(s) & (s > _ROUNDING)]
