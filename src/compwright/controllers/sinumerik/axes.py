@@ -1,7 +1,7 @@
 """The names of a SINUMERIK's machine axes: AX1 by index, X1 by MD10000, X by channel (MD20080).
 
-A real archive mixes them (``$MN_AXCONF_MACHAX_NAME_TAB[0]="X1"`` and ``[0,AX1]``): they are one
-axis.
+A real archive uses several names for the same axis (``$MN_AXCONF_MACHAX_NAME_TAB[0]="X1"`` and
+``[0,AX1]``).
 """
 
 from __future__ import annotations
@@ -17,7 +17,8 @@ from compwright.controllers.sinumerik.text import ProgramContent, VariableAssign
 class MachineAxisNames:
     """The names of the machine axes.
 
-    ``by_name``: upper-case name -> AXn; ``called``: AXn -> the requested name.
+    ``by_name``: the name AXn by any other name in capitals. ``called``: the name in the job by the
+    name AXn.
     """
 
     by_name: dict[str, str]

@@ -1,14 +1,15 @@
 """The cross-axis tables (CEC) in all files: which tables are in use, and why the remaining tables
 are not.
 
-A builder's tables need not be curves (real archive: MIN -850, MAX 0, STEP 100; output ``(X)``, STEP
-0): such a table is ignored if all its values are zero; otherwise the correction of its pair of axes
-is unknown.
+Some machine builders use a table for another purpose, so that it is no curve (real archive: MIN
+-850, MAX 0, STEP 100; output ``(X)``, STEP 0). Such a table is ignored if all its values are zero.
+Otherwise the correction of its pair of axes is unknown.
 
-A product (MULT_BY_TABLE = n: with the table of index n - 1, manual p. 245, p. 249, p. 252) is not
-counted, nor are the own values of the table with that factor: no page says whether these are added
-to the product. Such a table is reported; as long as it stays unchanged, its effect is the same
-before and after. With a partner whose output is zero there is no product.
+MULT_BY_TABLE = n multiplies a table by the table with the index n - 1 (manual p. 245, p. 249, p.
+252). No manual page states whether the values of the multiplied table are also added. So neither
+the product nor these values are included in the correction, and the table is reported. While it
+stays unchanged, its effect is the same before and after. If the output of the other table is zero,
+there is no product.
 """
 
 from __future__ import annotations
@@ -46,13 +47,16 @@ def load_sag(
     """Return the cross-axis tables (CEC) that the assignments ``entries`` of all files define. The
     other arguments state the axes' names and units, and the limits of the control.
 
-    Faults and notes are added to ``remarks``.
+    - ``spelling``: the known name of each axis, by its name in capitals.
+    - ``remarks``: faults and notes are added to it.
+    - ``unknown_keys``: for each table with an unknown variable, the name of this variable.
+    - ``names``: the names of the machine axes.
+    - ``lengths``: which axes are linear, and whether the basic system is inch.
+    - ``screws``: axes (in capitals) whose leadscrew table is switched on.
+    - ``room``: the number of tables of the control and the number of points of a table; None if
+      machine data state them.
 
-    ``spelling``: upper case -> the known name of an axis; ``unknown_keys``: by table, a key that is
-    not known; ``names``: which names are those of machine axes; ``lengths``: which axes have
-    lengths, and the basic system; ``screws``: axes (upper case) whose leadscrew table is switched
-    on; ``room``: how many tables of how many points the control has, None where machine data state
-    it. Raises UsageError for an option ``cec_sign`` that is neither ``correction`` nor ``error``.
+    Raises UsageError for an option ``cec_sign`` that is neither ``correction`` nor ``error``.
     """
     sign = _sign(request)
     loader = CecTableLoader(
@@ -123,8 +127,9 @@ def _without_products(tables: Mapping[int, SagTable], remarks: Remarks) -> list[
     """Return the tables that are not multiplied by another table; add a note for each multiplied
     table.
 
-    No page says what a product gives with a table that SD41300 switches off, or with weight 0. So
-    only a table whose values are all zero certainly gives none.
+    A table counts as multiplied unless it is inactive or all values of the other table are zero. If
+    the other table is switched off (SD41300) or has the weight 0, the product is unknown: no manual
+    page states it.
     """
     counted: list[SagTable] = []
     for index, table in tables.items():

@@ -45,9 +45,11 @@ _ELSE = {
 class CecTableLoader:
     """Builds the cross-axis tables (CEC) from their assignments.
 
-    ``odd``: axes with an active table over themselves that cannot be evaluated, and why;
-    ``left_out``: indices of ignored tables; ``uncounted``: axes with tables over themselves that
-    stay unchanged and are not counted.
+    - ``odd``: for each axis, the reason why an active table that corrects it by its own position
+      cannot be evaluated.
+    - ``left_out``: indices of ignored tables.
+    - ``uncounted``: axes with a table by their own position that stays unchanged and is not
+      included in the correction.
     """
 
     def __init__(
@@ -125,7 +127,8 @@ class CecTableLoader:
         """Leave out all tables of an output axis if the sum of its active tables exceeds its limit
         (MD32720) and none of them is to be changed; return the other tables.
 
-        The part that the limit cuts off stays the same and is not evaluated.
+        The tables that are left out have the same effect before and after, so they need not be
+        evaluated.
         """
         cut = set()
         for output in {table.output for table in tables}:
@@ -255,8 +258,10 @@ class CecTableLoader:
         """Ignore a complete table whose effect cannot be evaluated, and report the reason ``why``.
         ``inner``: the faults and notes from reading this table.
 
-        An active table of an axis under work over itself is a fault instead. ``entries``: the
-        assignments of the table, empty if it is off.
+        ``index``: index of the table. ``pair``: its input and output axis. ``entries``: its
+        assignments, empty if it is switched off. If an axis of the job is corrected by its own
+        position and its active table is not to stay unchanged, the reason is added as a fault
+        instead.
         """
         base, output = pair
         moved = any(entry.value for entry in entries if entry.name == _PREFIX)
@@ -288,8 +293,8 @@ class CecTableLoader:
         """Return whether a table of the axis ``output`` is active: by the files or, if it corrects
         the axis by its own position (``own``), also by the job.
 
-        The job does not count if the leadscrew table of the axis is on and the CEC table is
-        switched off: ``active`` then refers to the leadscrew table.
+        If the leadscrew table of the axis is on and the CEC table is off, only the files decide.
+        The answer ``active`` of the job then refers to the leadscrew table.
         """
         switches = [
             last_value(entries, "SN_CEC_TABLE_ENABLE"),
@@ -413,10 +418,10 @@ def _ranges(indices: Sequence[int]) -> str:
 
 
 def _extremes(tables: Sequence[SagTable]) -> tuple[float, float]:
-    """Return the largest and the smallest sum of ``tables`` that can occur.
+    """Return the largest sum of ``tables`` that can occur, and minus the smallest sum.
 
-    For tables with one input axis: the extremes of their sum; for several input axes: the sum of
-    these.
+    Both are found for the sum of the tables of each input axis. For several input axes, they are
+    added up.
     """
     up = down = 0.0
     for base in {table.input for table in tables}:

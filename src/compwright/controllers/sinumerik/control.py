@@ -1,21 +1,24 @@
 """SINUMERIK 840D sl virtual control: leadscrew compensation, cross-axis tables (CEC), backlash.
 
-EEC, ``$AA_ENC_COMP``; MD32450; also 828D, 840D power line and SINUMERIK ONE.
+The tables are also called EEC and ``$AA_ENC_COMP``; backlash is MD32450. The rules also apply to
+828D, 840D power line and SINUMERIK ONE.
 
-Stated from the manuals, independently of the definition that writes the files; the sag tables are
-in ``sag``, the order of loading in ``loading``, inch in ``lengths``:
+The rules are taken from the manuals, independently of the definition that writes the files. The
+rules of the CEC (sag) tables are in ``sag``, those of the order of loading in ``loading``, those of
+inches in ``lengths``:
 
-- The leadscrew table's value is added to the actual value, so a positive value moves the axis
-  towards minus: the shift of the axis is minus the value (Function Manual Extended Functions
+- The value of the leadscrew table is added to the actual value, so a positive value moves the axis
+  towards minus. The shift of the axis is minus the value (Function Manual Extended Functions
   03/2013, p. 238; 808D Function Manual 01/2017, p. 106).
-- Linear between points (p. 237). Outside the end values stay: that of point 0 below MIN, the last
-  one above MAX (p. 240). A modulo table repeats with the period MAX - MIN (p. 242); its two end
-  values have to be equal (p. 249).
-- MD32700 must be 1 for the table to be active (p. 237); a load sequence counts by its last value.
-- MD32450 positive: the encoder leads the machine part, plain lost motion (808D ADVANCED parameter
-  manual p. 241). Nothing in the direction of referencing, on reversal the whole value in the
-  direction of motion: shift = sgn(d) * MD32450 * MD32452.
-- Leadscrew table, sag tables of the axis over itself and backlash add up.
+- Values are linear between points (p. 237). Outside, the end values apply: that of point 0 below
+  MIN, the last one above MAX (p. 240). A modulo table repeats with the period MAX - MIN (p. 242);
+  its two end values must be equal (p. 249).
+- The table is active only if MD32700 is 1 (p. 237). If it is assigned several times, the last value
+  applies.
+- MD32450 positive: the encoder leads the machine part, which is normal backlash (808D ADVANCED
+  parameter manual p. 241). It adds nothing in the direction of referencing. On reversal the whole
+  value is added in the direction of motion: shift = sgn(d) * MD32450 * MD32452.
+- The leadscrew table, backlash and the CEC tables by the axis' own position add up.
 """
 
 from __future__ import annotations
@@ -59,8 +62,9 @@ ROOM_828D = (8, 200)
 class _SinumerikAxis:
     """The leadscrew table and backlash of one axis of the virtual SINUMERIK.
 
-    ``table``: of the active measuring system, values as in the file (errors). ``screw_on``: the
-    table is on at the end of the files.
+    ``table``: table of the active measuring system, with the values in the file (errors).
+    ``enabled``: it is active. ``screw_on``: the files switch on the leadscrew table of a measuring
+    system, and it has values other than 0.
     """
 
     table: CompensationTable | None = None
@@ -93,7 +97,8 @@ class SinumerikControl:
     def addresses(self) -> tuple[str, ...]:
         """Return the machine axes that the files correct by their own positions.
 
-        An axis that is only input or output of another one's table is not among them (`cross`).
+        An axis that is only the input or the output of a table between two axes is not included:
+        see `cross`.
         """
         return tuple(self.axes)
 
@@ -111,9 +116,9 @@ class SinumerikControl:
         """Return the correction at ``positions`` (any shape), approached in ``direction``; mm or
         deg.
 
-        Corrections by other axes are not included (`cross_correction`). Raises UsageError for an
-        axis that is not in the files, and for one whose own tables are multiplied by tables over
-        another axis.
+        Corrections by the position of another axis are not included (`cross_correction`). Raises
+        UsageError for an axis that is not in the files. Raises UsageError also if the effect of the
+        CEC tables by the axis' own position is unknown.
         """
         name, axis = self._axis(address)
         x = np.asarray(positions, dtype=np.float64)
@@ -126,8 +131,8 @@ class SinumerikControl:
         """Return (input axis, output axis) of the tables between two axes, ascending by the index
         of the table.
 
-        Tables that are not a curve are left out and listed in ``notes``; so are all tables if the
-        option ``cec_sign`` is not given.
+        Tables that are no curve are left out and listed in ``notes``. If the option ``cec_sign`` is
+        not given, all tables are left out.
         """
         if not self.sag.sign:
             return ()
@@ -143,8 +148,7 @@ class SinumerikControl:
         """Return the correction of ``output`` (mm or deg) with ``input`` at ``positions`` (any
         shape), moving in ``direction``.
 
-        Raises UsageError for a pair without a table, and for one that depends on the position of a
-        third axis.
+        Raises UsageError for a pair without a table, or if the sign of the CEC values is unknown.
         """
         wanted = (self.names.name(input).casefold(), self.names.name(output).casefold())
         crossing = [pair for pair in self.sag.pairs() if pair[0] != pair[1]]
@@ -178,18 +182,19 @@ def sinumerik_control(
     replace those of the archives. ``room``: the numbers of CEC tables and of their points, if these
     are fixed.
 
-    In their container, and over them table files, machine data and whole text archives in any
-    order.
+    Archives are loaded first in their container. Table files, machine data and archives in text
+    form are loaded over them, in any order. The active measuring system is ``request.encoder``. If
+    it is not given, it is the only one with a table, listed in ``assumed``. All names of a machine
+    axis (MD10000, MD20080) mean one axis.
 
-    The active measuring system is ``request.encoder``; if it is not given, the only one with a
-    table, listed in ``assumed``. Option ``cec_sign``: ``correction`` when a positive CEC value
-    moves the output axis towards +, ``error`` when towards -; without it the effect of CEC tables
-    is unknown. Option ``units``: ``inch`` if no file states the basic system. All names of a
-    machine axis (MD10000, MD20080) are one axis.
+    Option ``cec_sign``: ``correction`` if a positive CEC value moves the output axis towards +,
+    ``error`` if towards -. If the job does not state it, the effect of CEC tables is unknown.
+    Option ``units``: ``inch``, used if no file states the basic system.
 
-    Raises InputError for anything the control would not take or that is contradictory, every fault
-    with file and line; UsageError for a measuring system other than 1 or 2, a wrong ``cec_sign``,
-    and a program whose assignments may not all have been executed (``request.carried_out``).
+    Raises InputError for data that the control would not accept and for contradictions, each fault
+    with file and line. Raises UsageError for a measuring system other than 1 or 2 and for a wrong
+    ``cec_sign``. Raises UsageError also for a program whose assignments may not all have been
+    executed (``request.carried_out``).
     """
     loaded = load(files)
     if request.active is False and not loaded.faults:

@@ -1,10 +1,10 @@
 """Check whether the statements of a SINUMERIK program let every assignment be executed.
 
-A file of such a control is a part program. Jumps (GOTOF, GOTOB, CASE), branches (IF), loops (FOR,
-WHILE, LOOP, REPEAT), calls (CALL, L100, PCALL, EXTCALL, a subprogram by its name), synchronised
-actions (WHEN .. DO), blocks that are skipped (/) and stops may keep an assignment from being
-executed, or execute others. Only a short list of statements certainly does not; all others are
-doubts if an assignment follows them in the same program.
+A file of this control is a part program. These statements may prevent the execution of an
+assignment, or lead to others: jumps (GOTOF, GOTOB, CASE), branches (IF), loops (FOR, WHILE, LOOP,
+REPEAT), calls (CALL, L100, PCALL, EXTCALL, a subprogram by its name), synchronised actions (WHEN ..
+DO), skipped blocks (/) and stops. Only a short list of statements certainly has no such effect. Any
+other statement is a doubt if an assignment follows it in the same program.
 """
 
 from __future__ import annotations
@@ -75,13 +75,15 @@ _MOST_WORDS = 200
 class ProgramBlock:
     """One program in a file, with statements that may prevent the execution of assignments.
 
-    ``doubts``: those before its last assignment; ``late``: those after it.
-
-    ``branch``: number of branches so far; ``branches``: by line, the branch of each assignment, -1
-    before any doubt. ``inches``: by line, what sets the unit of lengths; ``end``: where the program
-    certainly ends; ``variables``: what it defines or assigns itself; ``caller``: the line that
-    shows that another program has to call or start this one; ``title``: the name by which it is
-    called, empty if it cannot be called; ``trail``: its lines.
+    - ``doubts``: such statements before its last assignment. ``late``: such statements after it.
+    - ``branch``: number of branches so far.
+    - ``branches``: the branch of each assignment by its line number; -1 before the first doubt.
+    - ``inches``: lines that set the unit of lengths, by line number; true for inch.
+    - ``end``: the statement at which the program certainly ends.
+    - ``variables``: variables that the program defines or assigns.
+    - ``caller``: the line that shows that another program must call or start this one.
+    - ``title``: the name by which it is called; empty if it cannot be called.
+    - ``trail``: its lines that matter for the order of execution.
     """
 
     doubts: list[Doubt] = field(default_factory=list)
@@ -196,7 +198,7 @@ class ProgramBlock:
 def _assigned(words: Sequence[str]) -> dict[str, Words | None]:
     """Return the program variables that a plain assignment or definition sets, with their values.
 
-    None for a value that may change without an assignment.
+    The value is None if it may change without an assignment.
     """
     if not words or words[0].startswith("$"):
         return {}
@@ -219,8 +221,9 @@ def _value(words: Sequence[str]) -> Words | None:
 def _assigned_by(words: Sequence[str]) -> dict[str, Words | None]:
     """Return the variables that a statement other than a plain assignment may change.
 
-    Everything, except for forks, ends, motions and functions. In a stop (M0, M1) the operator may
-    do it.
+    Jumps, branches, ends, motions and functions change no variable; FOR changes its counter. Any
+    other statement may change every variable. So may a stop (M0, M1), because the operator can
+    change them.
     """
     if words[0] == "FOR" and words[2:3] == ["="]:
         return {words[1]: None}

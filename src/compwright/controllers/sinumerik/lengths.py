@@ -55,7 +55,7 @@ def inches_in_mm(
     """Return the assignments of a CEC table in inch (MD32711), in which the corrections (if
     ``values``) and the positions (if ``positions``) are converted to mm.
 
-    Each is converted if it belongs to a linear axis.
+    ``values`` is true if the output axis is linear, ``positions`` if the input axis is linear.
     """
     scaled = {"AN_CEC": values} | dict.fromkeys(
         ("AN_CEC_MIN", "AN_CEC_MAX", "AN_CEC_STEP"), positions
@@ -72,7 +72,7 @@ def lengths_of(
     """Return the length units of the files; contradictions, unusual units and invalid kinds of axes
     are faults.
 
-    If no file states the basic system, the option ``units`` does (``inch``), else it is metric.
+    If no file states the basic system, it is inch if the option ``units`` is ``inch``, else metric.
     """
     systems = [
         (metric, content.name, line)

@@ -1,8 +1,8 @@
 """Conditions in a SINUMERIK program that depend on each other, so that some runs of the program are
 impossible.
 
-Two conditions on one variable that is not assigned between them get the same value. So the program
-is followed once for each value that makes a difference.
+Two conditions on the same variable use the same value if no line assigns it between them. So the
+program is followed once for each value that changes a result.
 """
 
 from __future__ import annotations
@@ -32,8 +32,11 @@ Words = tuple[str, ...]
 class Question:
     """The condition of a program line, as the comparison of an expression with a number.
 
-    ``what``: a variable, or the words of a whole condition. ``variables``: those in it; ``words``:
-    the whole condition.
+    - ``what``: the expression: a variable, or the words of the whole condition.
+    - ``sign``: the comparison operator. ``number``: the number it compares with.
+    - ``variables``: the variables in the condition.
+    - ``two``: the expression has the values 0 and 1 only.
+    - ``words``: the whole condition.
     """
 
     what: Words
@@ -69,7 +72,8 @@ class Fork:
 class Cases:
     """A CASE, and the lines that follow (a bit for each) for each number of its expression.
 
-    ``other``: for any other number.
+    ``words``: the expression. ``by_number``: the next lines by its value. ``other``: the next lines
+    for any other value.
     """
 
     words: Words
@@ -88,8 +92,8 @@ def question_of(words: Words) -> Question | None:
 def _question_of(words: Words) -> Question | None:
     """Return the condition that these words of a program line form.
 
-    None if its value may change without an assignment: a variable of the control, a field, a
-    function.
+    Returns None if the value of the condition may change without an assignment. This is so if it
+    contains a variable of the control, an array or a function.
     """
     words = _without_brackets(words)
     variables = frozenset(
@@ -127,7 +131,8 @@ def answered(
     """Yield the lines that can follow each conditional line in ``forks`` (as bits), once for each
     possible combination of results of the conditions that compare the same expression.
 
-    ``assigning``: the variables that lines assign; ``behind``: the lines after a line, as bits.
+    ``assigning``: by line index, the variables that the line assigns. ``behind``: the function that
+    returns the lines that can be executed after a line, as bits.
     """
     places: dict[Words, list[int]] = {}
     for place, fork in forks.items():
@@ -165,11 +170,12 @@ def ways_by_values(
     assigned: Sequence[Mapping[str, Words | None]],
 ) -> list[int]:
     """Return each line's possible next lines (a bit for each), given the values that the variables
-    may have at that line. ``every``: those regardless of values; ``assigned``: the variables that
-    each line sets.
+    may have at that line. ``every``: all next lines, whatever the values are; ``assigned``: the
+    variables that each line sets.
 
-    Each line collects the values that a variable may have before it, None among them if any value
-    may be; lines that no run reaches stay as they are.
+    ``forks``: the conditions and CASEs by line index. For each line, the values that a variable may
+    have before it are collected; None means any value. A line that no run reaches keeps its next
+    lines from ``every``.
     """
     asked = {name for names in assigned for name in names}
     before: dict[int, dict[str, frozenset[float | None]]] = {
@@ -238,8 +244,8 @@ def _open_ways(
 def _result(words: Words, values: Mapping[str, float | None]) -> float | None:
     """Return the value of a logical or whole-number expression; None if it is unknown.
 
-    A comparison next to another, or to OR or AND, without brackets is not taken apart; XOR is
-    never.
+    The result is also None for XOR. It is None if a comparison is next to another comparison, to OR
+    or to AND without brackets.
     """
     words = _without_brackets(words)
     depth, outer = 0, list[tuple[str, int]]()

@@ -1,19 +1,24 @@
 """Load the files of a SINUMERIK: first the commissioning archive, then small files, whose values
 replace those of the archive.
 
-A file loaded over an archive replaces single variables: the last value of a variable counts, and a
-variable that no small file names keeps the archive's value. Text files have no order among each
-other: if they differ, that is a contradiction.
+A file loaded over an archive replaces single variables. The last value of a variable applies; a
+variable that no small file names keeps the value of the archive. Text files have no order, so
+different values in two of them are a contradiction.
 
-The container of an archive (``@@MMCIBN.nnn``) is stated from two real archives, every member of
-both: a row of members, each a header of 512 bytes, then its data, then NUL bytes up to the next
-multiple of 512. Fields of a header are text ended by NUL: the shown name at 50, the kind at 108
-(``7`` holds data), the size in bytes at 124, the check sum at 148 (sum of the 512 bytes, those of
-the check sum itself counted as NUL), the folder at 384; numbers are decimal. The data of the first
-member are the list of all others, one path a line.
+The form of an archive's container (``@@MMCIBN.nnn``) is taken from all members of two real
+archives. Each member has a header of 512 bytes, its data, and NUL bytes up to the next multiple of
+512. Fields of a header are text ended by NUL; numbers are decimal:
 
-The active data are in the folder of `_ACTIVE`. Everything else is programs, definitions and drive
-data: a program assigns compensation data only when it is run.
+- at 50: the shown name
+- at 108: the kind (``7`` contains data)
+- at 124: the size in bytes
+- at 148: the check sum, the sum of the 512 bytes, in which those of the check sum itself count as
+  NUL
+- at 384: the folder
+
+The data of the first member list all other members, one path per line. The active data are in the
+folder `_ACTIVE`. All other members are programs, definitions and drive data, which are not used: a
+program assigns compensation data only when it is run.
 """
 
 from __future__ import annotations
@@ -35,7 +40,8 @@ from compwright.records.correction import ControlFile
 class Loaded:
     """The contents of all files of a SINUMERIK after loading.
 
-    ``under``: those of the archives; ``over``: those of all other files.
+    ``under``: contents of the archives. ``over``: contents of all other files, loaded after the
+    archives.
     """
 
     under: list[ProgramContent] = field(default_factory=list)
@@ -50,7 +56,7 @@ class Loaded:
     def assignments(self, names: MachineAxisNames) -> list[VariableAssignment]:
         """Return the assignments that remain after loading, in order, with the axis names AXn.
 
-        Those of the archive that a small file replaces are left out.
+        An assignment of an archive is left out if another file assigns the same variable.
         """
         under = [names.renamed(entry) for content in self.under for entry in content.assignments]
         over = [names.renamed(entry) for content in self.over for entry in content.assignments]
@@ -99,7 +105,7 @@ def _within_new_ends(
     """Return the assignments ``kept`` of an archive without the table points beyond the end of a
     table that the assignments ``over`` of later files have shortened.
 
-    The control keeps those points and does not use them.
+    The control stores these points but does not use them.
     """
     changed = {
         _table(entry)
@@ -169,8 +175,8 @@ def active_files(file: ControlFile) -> Opened:
     """Return the members of an archive that form the control's state; members that are equal are
     returned once.
 
-    Nothing is raised: a container that is cut short or has wrong sizes, and two members of one name
-    that differ, are faults. The result is cached by content: do not change it.
+    Nothing is raised. A container that is cut short or has wrong sizes is a fault; so are two
+    different members with the same name. The result is cached by content: do not change it.
     """
     opened = Opened()
     seen: dict[str, bytes] = {}
@@ -218,8 +224,8 @@ def active_files(file: ControlFile) -> Opened:
 def _contradictions(files: list[ControlFile]) -> Iterator[Fault]:
     """Yield a fault for each variable whose last value differs between two archive members.
 
-    A control writes its machine data into INITIAL.INI and, in parts, into the CFG members; MD11200
-    alone is a command and may differ.
+    A control writes its machine data both into INITIAL.INI and, in parts, into the CFG members.
+    MD11200 may differ, because it is a command and no setting.
     """
     ends: dict[bytes, tuple[bytes, ControlFile, int]] = {}
     for file in files:
@@ -263,7 +269,8 @@ def _listed(content: bytes) -> list[str]:
 def _members(file: ControlFile) -> Iterator[_Member]:
     """Yield the members of an archive in their order.
 
-    Raises InputError where no header follows the end of a member, or the data end early.
+    Raises InputError if no header follows the end of a member, or if the data of a member are cut
+    off.
     """
     content, start, before = file.content, 0, "the first member"
     while start < len(content):

@@ -24,9 +24,10 @@ def check_programs(
     """Check that every run of the programs executes all assignments to the job's axes. ``inch``:
     the control's basic system is inch.
 
-    Raises InputError for a variable assigned in two branches, assignments that no run executes
-    together, a jump to an ambiguous label, and a unit of lengths other than the control's. Raises
-    UsageError if it is not stated whether all was executed.
+    Raises InputError for a variable that is assigned in two branches, and for assignments that no
+    run executes together. Raises InputError also for a jump to an ambiguous label, and for a unit
+    of lengths other than the control's. Raises UsageError if the job does not state whether all
+    assignments were executed.
     """
     questions: list[Fault] = []
     calls = ProgramCalls.among(contents)
@@ -68,8 +69,8 @@ def without_programs(contents: Sequence[ProgramContent]) -> list[ProgramContent]
     """Return the contents without the assignments of programs that may not have been executed, for
     a job that states ``active: no``.
 
-    Raises InputError where every run of a program executes some of them, and for jumps to an
-    ambiguous label.
+    Raises InputError if every run of a program executes some of these assignments, and for a jump
+    to an ambiguous label.
     """
     faults: list[Fault] = []
     found = []

@@ -1,9 +1,9 @@
 """Find the lines of a SINUMERIK program that one run can execute.
 
-Every line has a set of lines that may follow it (bits of a whole number), grown until nothing
-changes. A condition may be true or false, linked ones alike (`linked`); an unknown statement may
-stop everything. After the last line come the end, from where the calling program continues, and the
-stop of everything.
+For each line, the set of lines that may follow it is stored as bits of a whole number. The sets are
+extended until nothing changes. A condition may be true or false; linked conditions have consistent
+results (module `linked_conditions`). An unknown statement may stop everything. Two places follow
+the last line: the end, after which the calling program continues, and the stop of everything.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from compwright.controllers.sinumerik.linked_conditions import (
 class Doubt:
     """A statement that may change the order of execution.
 
-    ``call``: the program name, if it is only a call.
+    ``call``: the name of the called program, if the statement is only a call; else empty.
     """
 
     line: int
@@ -53,11 +53,15 @@ _NAME = re.compile(r"N\d+|(?!R\d+$)[A-Z_]\w+")
 class Line:
     """One line of a program, reduced to its effect on the order of execution.
 
-    Its ``number``, the ``names`` to which a jump may lead, and its ``words`` in capitals, empty if
-    they do not affect the order of lines. ``skipped``: with block skip on. ``given``: an
-    assignment, or a call of a program of the files. ``mentions``: the programs that it may call;
-    ``conditional``: not in every case. ``assigned``: the program's own variables that it assigns,
-    with the number where that is written out.
+    - ``number``: line number in the file.
+    - ``names``: labels and block number to which a jump may lead.
+    - ``words``: its words in capitals; empty if they do not affect the order of lines.
+    - ``skipped``: the line is not executed while block skip is on.
+    - ``given``: the line assigns compensation data, or calls a program of the files.
+    - ``mentions``: programs that the line may call.
+    - ``conditional``: the line is not executed in every case.
+    - ``assigned``: the program's own variables that the line assigns, with the words of their
+      values; None for an unknown value.
     """
 
     number: int
@@ -93,7 +97,9 @@ def conflicts(lines: Sequence[Line]) -> tuple[int, int] | None:
     """Return an assignment that no run executes, or two that no run executes together. None if
     there is no conflict.
 
-    The number of one and 0, or both.
+    The result is two line numbers; the second is 0 if no run executes the assignment. Both are
+    equal if the assignment is excluded by one combination of linked conditions, and every other
+    combination has a conflict too.
     """
     short, _ = _shortened(lines)
     found = _conflict(short, _possible(short)[0])
@@ -124,7 +130,8 @@ def inevitable(lines: Sequence[Line], among: Collection[int]) -> list[int]:
     """Return those lines of ``among`` that runs execute, if every run of the program executes at
     least one of them.
 
-    Empty if a run may do without them.
+    ``lines``: the lines of the program. ``among``: line numbers of assignments. The result is empty
+    if a run can avoid all of them.
     """
     short, groups = _shortened(lines)
     found: set[int] = set()
@@ -163,7 +170,7 @@ def _in_step(lines: Sequence[Line]) -> Iterator[list[int]]:
     """Yield each line's possible next lines (as bits), once for each possible combination of
     results of linked conditions.
 
-    Motions and switching functions go on to the next line.
+    After motions and switching functions, the program always continues with the next line.
     """
     every, forks = _possible(lines)
     behind = _reachable_after(every)
@@ -276,8 +283,8 @@ def _sought(jump: str, name: str, place: int, names: Mapping[str, Sequence[int]]
     """Return the lines with the label ``name`` at which a jump from the line with index ``place``
     may arrive. ``names``: the indices of the lines with each label.
 
-    GOTOB searches back from its own line, GOTOF on from the next one; GOTO and GOTOC search on,
-    then any before.
+    GOTOB searches backwards from its own line. GOTOF searches forwards from the next line. GOTO and
+    GOTOC search forwards; if no such line follows, every earlier line with the label is returned.
     """
     back = [one for one in names.get(name, ()) if one <= place]
     on = [one for one in names.get(name, ()) if one > place]
@@ -309,7 +316,8 @@ def _reachable_after(follow: Sequence[int]) -> list[int]:
 def _next(lines: Sequence[Line]) -> list[int]:
     """Return for each line the lines that may be executed next, as a number with one bit per line.
 
-    The bits after the last line are the end and the stop.
+    Bit i stands for the line with index i. The two bits after those of the last line stand for the
+    end of the program and for the stop of everything.
     """
     names = _labels(lines)
     ways = [1 << place + 1 for place in range(len(lines))]
@@ -370,7 +378,8 @@ def _own_ways(line: Line, place: int, end: int, names: Mapping[str, Sequence[int
 def ends_here(words: Sequence[str]) -> bool:
     """Return whether one of the words ends the program: M2, M17, M30, RET.
 
-    An M word followed by an equals sign belongs to another spindle.
+    An M word before an equals sign does not end the program, because it is a function of another
+    spindle.
     """
     behind = (*words[1:], "")
     return any(

@@ -1,17 +1,19 @@
 """SINUMERIK cross-axis tables (CEC): the position of one axis corrects another axis or itself.
 
-Stated from the manuals (Function Manual Extended Functions 03/2013, chapter K3; 802D sl Function
-Manual 11/2012; Siemens' texts of the setting data):
+The rules are taken from the manuals (Function Manual Extended Functions 03/2013, chapter K3; 802D
+sl Function Manual 11/2012; Siemens' texts of the setting data):
 
-- The input is the setpoint of INPUT_AXIS, the value corrects OUTPUT_AXIS, which may be the same
-  axis (p. 248). Several tables add up (802D sl p. 215). Linear between points (p. 237), outside the
-  end values stay (p. 248), a modulo table repeats and its two end values should be equal (p. 249).
-- DIRECTION 0: both; 1: only while the input axis moves towards +; -1: only towards - (p. 249).
-- SD41300 switches a table, MD32710 of the output axis the sum (p. 245); SD41310 is a factor on a
-  table, MD32720 limits the sum.
-- Sign: the Function Manual of 03/2009 says on p. 372 that a positive value moves the axis towards
-  -, as with the leadscrew table, and a builder's measuring program in a real archive agrees. Values
-  may have been made the other way round: only the option ``cec_sign`` states it.
+- The input is the setpoint of INPUT_AXIS. The value corrects OUTPUT_AXIS, which may be the same
+  axis (p. 248). Several tables add up (802D sl p. 215). Values are linear between points (p. 237);
+  outside, the end values apply (p. 248). A modulo table repeats; its two end values should be equal
+  (p. 249).
+- DIRECTION 0: the table is active in both directions; 1: only while the input axis moves towards +;
+  -1: only while it moves towards - (p. 249).
+- SD41300 switches a table on or off, MD32710 of the output axis the sum of its tables (p. 245).
+  SD41310 is a factor of a table, MD32720 limits the sum.
+- Sign: by the Function Manual of 03/2009, p. 372, a positive value moves the axis towards -, as
+  with the leadscrew table. A builder's measuring program in a real archive agrees. But values may
+  have been made with the opposite sign: only the option ``cec_sign`` states it.
 """
 
 from __future__ import annotations
@@ -37,9 +39,10 @@ Pair = tuple[str, str]
 class SagTable:
     """One cross-axis table (CEC) with its weight, direction and activation.
 
-    ``direction``: 1, -1 or 0 for both; ``factor``: index of the table that MULT_BY_TABLE names,
-    None without one; ``stays``: the table is not going to be written, so its effect is the same
-    before and after.
+    - ``direction``: 1: active while the input axis moves towards +; -1: towards -; 0: both.
+    - ``weight``: factor of the values. ``enabled``: the table is switched on.
+    - ``factor``: index of the table by which MULT_BY_TABLE multiplies this table; None without one.
+    - ``stays``: the job does not change the table, so its effect is the same before and after.
     """
 
     input: str
@@ -72,11 +75,13 @@ class SagTable:
 class Sag:
     """All cross-axis tables (CEC) in use.
 
-    ``sign`` of their values: +1, -1, or 0 for unknown.
-
-    ``off``: output axes that MD32710 switches off; ``limits``: MD32720 by output axis, mm or deg.
-    ``odd``: axes with an active table over themselves that is not a curve, and why; ``uncounted``:
-    axes with such a table that stays unchanged and is not counted.
+    - ``by_pair``: tables by input and output axis.
+    - ``sign``: +1 if the values are corrections, -1 if they are errors, 0 if unknown.
+    - ``off``: output axes whose tables MD32710 switches off.
+    - ``limits``: limit of the sum of the tables (MD32720) by output axis, mm or deg.
+    - ``odd``: for each axis, the reason why an active table by its own position is no curve.
+    - ``uncounted``: axes with such a table that stays unchanged and is not included in the
+      correction.
     """
 
     by_pair: Mapping[Pair, tuple[SagTable, ...]]
@@ -100,8 +105,8 @@ class Sag:
         """Return the correction (mm or deg) of an axis by tables of its own position, at
         ``positions``.
 
-        If the sign is unknown, tables that stay unchanged are not counted. Raises UsageError where
-        the correction is unknown.
+        If the sign is unknown, tables that stay unchanged are not included. Raises UsageError if
+        the effect of a table is unknown, or if the sign of another active table is unknown.
         """
         pair = (axis, axis)
         if axis in self.odd:

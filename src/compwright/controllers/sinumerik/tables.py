@@ -1,9 +1,8 @@
 """Tables by index of a SINUMERIK: a value at each point MIN + N * STEP up to MAX, linear in
 between.
 
-Manual pages 237-249.
-
-The leadscrew tables and the sag tables have the same four parameters and the same contradictions.
+Source: manual pages 237-249. Leadscrew tables and CEC (sag) tables have the same four parameters,
+and the same contradictions can occur in them.
 """
 
 from __future__ import annotations
@@ -34,7 +33,8 @@ _LEAST_STEP = 1e-9
 class CompensationTable:
     """A table with values (k + 1,) at ``lowest`` + i * ``step``, mm or deg.
 
-    ``modulo``: it repeats.
+    ``highest``: position of the last value. ``modulo``: the table repeats after ``highest`` -
+    ``lowest``.
     """
 
     lowest: float
@@ -115,8 +115,9 @@ def build_table(
     """Return the table that its assignments define. None if it is invalid, with faults in
     ``remarks``, or with a note if the axis is not part of the job (``stranger``).
 
-    ``prefix``: name of the values' variable; ``label``: name of the table in messages; ``owner``:
-    the axis or table whose IS_MODULO may have to be assumed.
+    ``prefix``: name of the variable that contains the values. ``label``: name of the table in
+    messages. ``owner``: name of the axis or table in the assumption that IS_MODULO is 0, if the
+    files do not state it.
     """
     faults: list[Fault] = []
     first = entries[0]
@@ -216,8 +217,8 @@ def _impossible(first: VariableAssignment, label: str, table: CompensationTable)
 class _Ends:
     """The end of a table: ``count`` points up to ``highest``.
 
-    ``meant``: STEP only nearly divides the range; ``split``: it does not, MAX lies between two
-    points.
+    ``meant``: STEP divides the range only approximately, and MAX counts as a point. ``split``: STEP
+    does not divide the range, so MAX is between two points.
     """
 
     count: int
@@ -283,7 +284,8 @@ def _column(
     """Return the values (count,) of points 0 to count-1, where ``ends`` states the count; None,
     with a fault at the assignment ``first``, if one is missing.
 
-    Values above MAX are ignored (FB2 09/2009, 6FC5397-1BP20-0BA0, p. 362 and p. 370).
+    ``values``: value by point number. Values of points above MAX are ignored (FB2 09/2009,
+    6FC5397-1BP20-0BA0, p. 362 and p. 370).
     """
     count = ends.count
     # one of the first len(values) + 5 points is absent, or none: the grid may be far larger than

@@ -1,8 +1,10 @@
 """Read assignments in SINUMERIK text files as the control's program interpreter does.
 
-A second, small reader on purpose: it shares nothing with the room that writes these files. It reads
-only what moves an axis by its position: the leadscrew table (``$AA_ENC_COMP...``), backlash
-(MD32450), the sag and cross tables (``$AN_CEC...``) and the machine and setting data of these.
+This is a second, small reader on purpose: it shares no code with the package that writes these
+files. It reads only data that move an axis depending on its position: the leadscrew table
+(``$AA_ENC_COMP...``), backlash (MD32450), the CEC tables (``$AN_CEC...``) and their machine and
+setting data.
+
 Source of the text form: SINUMERIK 840D sl/828D Function Manual Extended Functions 03/2013, chapter
 K3 (pages 237-249), and archives.
 """
@@ -138,10 +140,12 @@ _WHOLE = re.compile(r"[0-9]{1,9}")
 class VariableAssignment(OfLine):
     """One assignment: the variable without ``$``, its indices, and the value.
 
-    ``number``: measuring system e or table t, 0 without either; ``point`` N.
-
-    ``axis``: the index as written, empty for a variable of a table. ``value``: the number;
-    ``names``: the axis on the right side of INPUT_AXIS and OUTPUT_AXIS, empty for none.
+    - ``name``: the variable.
+    - ``number``: index of the measuring system or of the table, 0 without such an index.
+    - ``point``: number N of the table point, None without one.
+    - ``axis``: the axis in the index as written, empty for a variable of a table.
+    - ``value``: the assigned number.
+    - ``names``: the axis that is assigned to INPUT_AXIS or OUTPUT_AXIS, empty for none.
     """
 
     name: str
@@ -172,11 +176,14 @@ class VariableAssignment(OfLine):
 class ProgramContent:
     """The contents of one file: its assignments in order, notes, and faults.
 
-    ``machine_names``, ``channel_names``: names by index from 0; ``channel_places``: machine axes
-    from 1 by index in the channel; ``facts``: plain assignments of `FACTS`; ``units``: lines that
-    set the unit of lengths; ``not_given``: assignments of ``n/a``, whose value is somewhere else;
-    ``unknown_keys``: by table, a key of it that is not known; ``blocks``: the other statements of
-    its programs.
+    - ``machine_names``, ``channel_names``: axis names of the machine and of the channel, by index
+      from 0.
+    - ``channel_places``: machine axis numbers (from 1) by index in the channel.
+    - ``facts``: plain assignments of the variables in `FACTS`.
+    - ``units``: lines that set the unit of lengths.
+    - ``not_given``: assignments of ``n/a``, whose value must be in another file.
+    - ``unknown_keys``: for each table with an unknown variable, the name of this variable.
+    - ``blocks``: the other statements of its programs.
     """
 
     name: str = ""
@@ -203,7 +210,8 @@ class ProgramContent:
 class _Program:
     """The program in an archive whose lines are being read.
 
-    ``header``: its line (0 without one); ``before``: the assignments before it.
+    ``header``: line number of its header (0 without one). ``before``: the number of assignments
+    before it in the file. ``ended``: an end such as M30 was found.
     """
 
     header: int = 0
@@ -215,9 +223,9 @@ class _Program:
 def read_file(file: ControlFile) -> ProgramContent:
     """Return the contents of one file, with its faults; nothing is raised.
 
-    A file may hold several programs, as an archive does: a line ``%_N_...`` opens the next one.
-    Text between the end of a program (M17, M30, M02) and the next header is a fault, because the
-    control does not read it. The result is cached by content: do not change it.
+    A file may contain several programs, as an archive does: a line ``%_N_...`` is the header of the
+    next one. Text between the end of a program (M17, M30, M02) and the next header is a fault,
+    because the control does not read it. The result is cached by content: do not change it.
     """
     found = ProgramContent(file.name, blocks=[ProgramBlock.named(file.name, 1)])
     if b"\x00" in file.content:
@@ -314,7 +322,7 @@ def _with_points(lines: list[str]) -> list[str]:
     """Return the lines with decimal points instead of decimal commas, if the file certainly uses
     decimal commas.
 
-    That is: such a value fills a line, and no value of the file has a point.
+    This is certain if a line ends with such a value and no value of the file has a decimal point.
     """
     bare = [line.split(";", 1)[0] for line in lines]
     if any(map(_POINT.search, bare)) or not any(map(_COMMA.search, lines)):

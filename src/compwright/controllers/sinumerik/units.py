@@ -1,10 +1,12 @@
 """The unit of lengths in the files of a SINUMERIK.
 
-MD10240 (basic system: 1 mm, 0 inch) or a line ``METRIC`` or ``INCH`` before the values: all data
-loaded, compensation values included, are scaled by it (840Di manual 06.03 p. 10-283; 808D ADVANCED
-parameter manual 08/2013 p. 33). MD10250 is the length of an inch. MD10220 applies a user's factor
-(MD10230) to a physical quantity, by bits: 0 linear positions, 1 angular ones, 11 linear and 12
-angular compensation values (Siemens' texts of these data).
+MD10240 (basic system: 1 mm, 0 inch) or a line ``METRIC`` or ``INCH`` before the values states the
+unit. It scales all data loaded, compensation values included (840Di manual 06.03 p. 10-283; 808D
+ADVANCED parameter manual 08/2013 p. 33).
+
+MD10250 is the length of an inch. MD10220 applies a user's factor (MD10230) to physical quantities.
+Its bits: 0 linear positions, 1 angular positions, 11 linear and 12 angular compensation values
+(Siemens' texts of these data).
 """
 
 from __future__ import annotations
@@ -30,10 +32,10 @@ _REAL = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:E[+-]?[0-9]{1,2})?", re
 
 @dataclass(slots=True)
 class UnitLines:
-    """The statements about length units in a file, each with its line.
+    """The statements about length units in a file, each with its line number.
 
-    ``metric``, whether the basic system is metric; ``inch``, MD10250 in mm; ``own``, MD10220;
-    ``factors``, index and value of MD10230.
+    ``metric``: whether the basic system is metric. ``inch``: MD10250 in mm. ``own``: MD10220.
+    ``factors``: index and value of MD10230.
     """
 
     metric: list[tuple[int, bool]] = field(default_factory=list)
@@ -60,8 +62,8 @@ class UnitLines:
 def truth(text: str) -> float | None:
     """Return the number of a literal such as ``1``, ``TRUE``, ``'H1'``; None for other text.
 
-    Programming manual Job Planning 07/2010, 6FC5398-2BP40-0BA0, pages 54 and 73: INT and REAL
-    become BOOL, 0 is FALSE.
+    Source: Programming manual Job Planning 07/2010, 6FC5398-2BP40-0BA0, pages 54 and 73. An INT or
+    REAL value can be used as BOOL; 0 is FALSE.
     """
     word = text.upper()
     if based := _BASED.fullmatch(word):
