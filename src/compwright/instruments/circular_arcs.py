@@ -137,9 +137,10 @@ def run_of(sweep: Sweep, deviations: FloatArray, start: float) -> CircularRun:
 
 
 def common_arc(sweeps: Sequence[Sweep], faults: FaultList) -> tuple[float, float]:
-    """Return start and extent (deg) of the common arc of all runs. Different arcs are a fault.
+    """Return start and extent (deg) of the arc that all runs have in common, and add a fault if
+    their arcs differ.
 
-    Runs may differ by one sample at either end.
+    Runs may differ by one sample at each end without a fault.
     """
     first = sweeps[0]
     start = float(first.angles[0])

@@ -1,8 +1,10 @@
 """The plain CSV form of a circular test: a row per sample with direction, run, angle and radius.
 
-Columns ``direction`` (``ccw``, ``cw``), optional ``run``, ``angle_deg`` and one of ``radius_mm``,
-``deviation_um``; rows in any order. Comment keys ``plane`` (first and second axis),
-``nominal_radius_mm``, ``feed_mm_min``; optional ``calibrated``, ``centre``.
+Columns, in any order: ``direction`` (``ccw``, ``cw``), ``angle_deg``, and either ``radius_mm`` or
+``deviation_um``. The column ``run`` is optional. The rows may be in any order.
+
+Required comment keys: ``plane`` (first and second axis), ``nominal_radius_mm`` and ``feed_mm_min``.
+Optional ones: ``calibrated`` and ``centre``.
 
 Code made here:
 

@@ -32,11 +32,14 @@ def paired(tests: Sequence[CircularTest]) -> tuple[CircularTest, ...]:
     """Return the tests in their order. A ccw file and a cw file are joined if they certainly belong
     together.
 
-    A file of only ccw and one of only cw fit when plane, axes, radius, feed, arc, and (if both
-    state them) centre and machine are the same (`merge_circular`). First those of one folder are
-    joined whose names differ only by the words ccw and cw, then those that fit each other and no
-    other file. A file that fits several stays alone, with a finding. A joined test has the name of
-    its files without that word, or both names, and takes the place of the first.
+    Two files fit each other if one has only ccw runs and the other only cw runs, and if their
+    plane, axes, radius, feed and arc are the same. Centre and machine must also be the same if both
+    files state them (`merge_circular`). Two files of one folder whose names differ only by the
+    words ccw and cw are joined first. Then a file is joined if it fits exactly one other file. A
+    file that fits several others stays alone and gets a finding.
+
+    The name of a joined test is that of its files without the word ccw or cw, or both names. The
+    joined test takes the place of the first of its files.
     """
     found = dict(enumerate(tests))
     for by_name in (True, False):

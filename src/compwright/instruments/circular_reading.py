@@ -44,8 +44,8 @@ _SAME_CENTRE: Final = 0.01  # mm
 class CircularForm:
     """A file format of circular tests: its reader, and the meaning of its text (``grammar``).
 
-    ``read`` takes content, name of the file and name of the test; by the grammar `redact` keeps and
-    replaces.
+    ``read`` is called with the content, the name of the file and the name of the test. The command
+    `redact` uses ``grammar`` to decide which parts of the file it keeps and which it replaces.
     """
 
     name: str
@@ -67,8 +67,9 @@ def circular_form(content: bytes) -> CircularForm:
 def is_circular(content: bytes, file: str) -> bool:
     """Return whether the first lines of a file are those of XML or of a plain CSV circular test.
 
-    XML is a ballbar's file, or is refused later. The file name decides only if the content is
-    neither: an empty or broken ``.b5r`` is still a ballbar's file.
+    XML is taken as a ballbar's file here, and other XML is refused by the reader later. The file
+    name decides only if the content is neither of the two: an empty or broken file ``.b5r`` is
+    still a ballbar's file.
     """
     head = content[:_LOOKED_AT]
     utf16 = head.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
@@ -91,10 +92,10 @@ def read_circular(content: bytes, file: str) -> CircularTest:
     """Return the circular test in ``content``. ``file``: its name in messages and in the record's
     source.
 
-    Reads ``.b5r`` and the plain CSV form (contract, "Plain CSV"), recognised by the content.
-    Lengths in mm, deviations measured minus nominal, angles in deg from the first axis to the
-    second, the feed is the true one if the file shows it. Raises InputError with every fault that
-    could be found at once.
+    The forms ``.b5r`` and plain CSV (contract, "Plain CSV") are recognised by the content. Lengths
+    of the result are in mm, and deviations are measured minus nominal. Angles are in deg from the
+    first axis to the second. The feed is the feed that was really reached, if the file shows it.
+    Raises InputError with all faults that can be found at once.
     """
     test = circular_form(content).read(content, file, stem(file))
     return replace(
@@ -106,8 +107,8 @@ def merge_circular(tests: Sequence[CircularTest], name: str) -> CircularTest:
     """Join several files (one for each direction or for each run) to one test, and number its runs
     continuously.
 
-    Raises InputError when the files do not belong together (plane, radius, feed, arc, centre) or a
-    file is given twice, UsageError when there is none.
+    Raises InputError if the files do not belong together (plane, radius, feed, arc or centre
+    differ) or if a file is given twice. Raises UsageError if no file is given.
     """
     if not tests:
         raise UsageError(

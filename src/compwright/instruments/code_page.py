@@ -1,8 +1,8 @@
 """Read plain CSV in a Windows code page, because the numbers and key words are the same in all
 these code pages.
 
-Numbers, directions and key words are ASCII, which all these code pages share. Only free text
-(comment lines, and names in the header row) may need the code page, and that is reported.
+Numbers, directions and key words are ASCII. Only free text may contain other characters: comment
+lines, and names in the header row. If it does, a finding reports the code page that was assumed.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ def read_plain_lines(content: bytes, file: str) -> tuple[list[str], Finding | No
     """Return the lines of a plain CSV file, and the finding that its code page was assumed; None in
     place of the finding for UTF-8.
 
-    Raises InputError as `read_lines` does, also if a row of readings is not ASCII in a file that is
-    not UTF-8: its contents may matter.
+    Raises InputError as `read_lines` does. Raises it also if the file is not UTF-8 and a row of
+    readings contains other characters than ASCII, because they may change a reading.
     """
     try:
         return read_lines(content, file), None

@@ -69,9 +69,9 @@ class Comments:
 def comment_text(line: str) -> str | None:
     """Return the text of a comment line, or None for any other line.
 
-    A spreadsheet that saves a comment as one cell of a row adds quotes and trailing delimiters;
-    both are removed. A line ``sep=;``, which sets the delimiter for a spreadsheet, is a comment
-    too.
+    If a spreadsheet saves a comment as one cell of a row, it adds quotes and delimiters at the end;
+    both are removed here. A line ``sep=;``, which sets the delimiter for a spreadsheet, is a
+    comment too.
     """
     if line[:1] in _SEPARATOR_START and _SEPARATOR_LINE.fullmatch(line.strip()):
         return ""
@@ -111,12 +111,12 @@ def read_comments(
     """Return the keys and free texts of comment lines. ``any_key``: unknown keys are keys too, not
     free text; ``decisive``: the keys that change the result of the evaluation.
 
-    ``lines``: the number of each line and its text without ``#``.
+    ``lines``: the number of each line and its text without ``#``. If ``any_key`` is False, only
+    known keys are keys, and all other text is free text. The key ``unit`` is then free text too,
+    because files of the form `target_data` explain their own key UNIT in such a line.
 
-    With ``any_key`` false only known keys are taken as keys, all else is free text; ``unit`` too,
-    because the target data form explains its own key UNIT in such a line. A decisive key that is
-    given twice with different values is a fault; other keys that repeat keep all their values, one
-    per line.
+    A decisive key that is given twice with different values is a fault. Any other key that is given
+    several times keeps all its values, one per line.
     """
     comments = Comments()
     for number, text in lines:

@@ -1,8 +1,8 @@
 """Reader of ``.ren`` files, in which laser software exports an error compensation table as text.
 
-``Sign convention`` states whether the values are errors (measured minus target) or corrections; it
-is an option of that software and is never assumed. Values and positions in mm. Source: two readers
-of third parties and one record of a real table; no real file was at hand.
+``Sign convention`` states whether the values are errors (measured minus target) or corrections. The
+user of that software chooses it, so it is never assumed. Values and positions are in mm. Source:
+two readers of third parties and one record of a real table; no real file was available.
 """
 
 from __future__ import annotations
@@ -100,11 +100,10 @@ def spans_of(text: Sequence[str]) -> Iterator[Spans]:
 def read_compensation_text(text: Sequence[str], faults: FaultList, answers: Answers) -> Parsed:
     """Return the table of a ``.ren`` file as deviations, with one run per direction.
 
-    Every fault is added to ``faults``.
-
-    Faults: no statement of the sign, a type other than absolute values, one table with a backlash
-    (its direction is unknown), values that may be counts of the resolution, a number of rows that
-    differs from start, end and spacing, positions that disagree with them.
+    Every fault is added to ``faults``. Faults: the sign is not stated; the values are not absolute;
+    one table has a backlash, whose direction is unknown; the values may be counts of the
+    resolution; the number of rows differs from start, end and spacing; the positions disagree with
+    start, end and spacing.
     """
     found = _text(text)
     marks = DecimalMarks(faults)

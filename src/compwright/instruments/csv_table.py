@@ -74,8 +74,8 @@ INCHES = (
 class CsvTable:
     """The cells of a CSV table by column, with the line numbers of its rows and of its header.
 
-    The rows are stored by column, because there may be a million: ``lines`` of the file, and for
-    each name the ``cells``, stripped.
+    The table is stored by column, because it may have a million rows. ``lines``: the line number of
+    each row. ``cells``: for each column the texts of its cells without blanks at the ends.
     """
 
     delimiter: str
@@ -131,8 +131,8 @@ def traverse_of(column: str) -> tuple[str, int] | None:
     """Return direction and run of a column named like ``+1``, ``- 2`` or ``run 3 +``, or None for
     another name.
 
-    One sign or one arrow gives the direction. Words may repeat the direction, but ``up 3`` is not a
-    traverse, and ``+3 down`` contradicts itself.
+    One sign or one arrow gives the direction. A word may repeat the direction, but ``up 3`` without
+    a sign is not a traverse, and ``+3 down`` contradicts itself.
     """
     numbers: list[int] = []
     signs: list[str] = []
@@ -167,10 +167,11 @@ def like_traverse(column: str) -> bool:
 
 
 def misspelt(columns: Sequence[str], known: Iterable[str]) -> dict[str, str]:
-    """Return the columns that look like a ``known`` name that is not there, with that name.
+    """Return the columns whose names are probably misspelt, each with the ``known`` name that it
+    resembles. Only known names that the file does not have are considered.
 
-    A word of the column is similar to the first word of the name or begins with it, as in
-    ``materal_c``, ``air temp`` or ``timestamp``.
+    A column resembles a known name if one of its words is similar to the first word of that name,
+    or begins with it, as in ``materal_c``, ``air temp`` or ``timestamp``.
     """
     missing = {name.partition("_")[0]: name for name in known if name not in columns}
     found: dict[str, str] = {}
@@ -208,8 +209,8 @@ def rows_as_comments(
     """Return line number and text of each comment line below the header row that looks like a row
     of data: ``cells_of`` finds ``width`` cells in the line, and one after the first is a number.
 
-    Rows that were commented out, and rows whose target a spreadsheet shows as ``#####`` or
-    ``#REF!``.
+    Such lines are rows that the user commented out, and rows whose target a spreadsheet shows as
+    ``#####`` or ``#REF!``.
     """
     found = []
     for number, line in enumerate(lines[header_line:], start=header_line + 1):
@@ -238,7 +239,7 @@ def header_names(header: str) -> tuple[str, list[str], int]:
     """Return the delimiter of a header row, its column names, and how many of these names are known
     from positioning files.
 
-    The delimiter is the one that gives most of these names, else the one that gives most cells.
+    The delimiter is the one that gives most known names; of several, the one that gives most cells.
     """
     best: tuple[str, list[str], int] = (",", [], 0)
     for delimiter in DELIMITERS:
@@ -253,9 +254,9 @@ def read_table(lines: Sequence[tuple[int, str]], faults: FaultList) -> CsvTable:
     """Return the table in ``lines``, from which comments and blank lines have been removed. Each
     line has its number.
 
-    Notes rows with fewer or more cells than the header, a quote that is not closed, values below a
-    column without a name and a column name given twice. Raises InputError when the header row
-    itself cannot be read.
+    These are added to ``faults``: a row with fewer or more cells than the header, a quote that is
+    not closed, values in a column without a name, and a column name that is given twice. Raises
+    InputError if the header row itself cannot be read.
     """
     number, header = lines[0]
     delimiter, names, _ = header_names(header)

@@ -1,6 +1,7 @@
-"""Check whether a file was cut off: its last traverse or target is incomplete.
+"""Check whether a file was cut off.
 
-While all others are complete, or it holds less than it states itself.
+A file was cut off if its last traverse or target is incomplete while all others are complete, or if
+it contains fewer targets or runs than its own header states.
 """
 
 from __future__ import annotations
@@ -57,12 +58,12 @@ def _unfinished(readings: Readings, kind: AxisKind) -> Sentence | None:
 
 def _lacking(groups: IntArray, others: IntArray) -> tuple[int, int] | None:
     """Return how many readings the last group (a traverse or a target) lacks, and how many a
-    complete group has; None unless the last group is the only incomplete one. ``groups``: the group
-    of each reading; ``others``: the place of each reading within its group.
+    complete group has; None unless the last group is the only incomplete one.
 
-    ``groups``, ``others`` (n,): traverse and target of each reading, or the reverse, or run and
-    approach to a target, from 0. Groups go through the others in one order, or back and forth. A
-    reading that is missing anywhere else was left out, not cut off.
+    ``groups`` (n,): the number of the group of each reading, from 0. ``others`` (n,): the place of
+    each reading within its group, from 0. If the groups are traverses, the places are targets, and
+    the reverse. Every group must go through its places in one order, or back and forth. A reading
+    that is missing at any other place was left out, not cut off.
     """
     counts = np.bincount(groups)
     mine = groups[-1]

@@ -1,10 +1,10 @@
 """Readers of two plain CSV forms with two columns: drift tests, and tests of lost motion after
 small or slow moves.
 
-Columns may be in any order, and others are ignored. Comment keys are kept as for other tests.
-
-Drift test: ``time_min`` and ``deviation_um`` (linear axes) or ``deviation_arcsec`` (rotary
-axes). Lost motion: ``distance_mm`` or ``speed_mm_min`` of the move, and ``lost_motion_um``.
+Columns of a drift test: ``time_min``, and ``deviation_um`` (linear axes) or ``deviation_arcsec``
+(rotary axes). Columns of a test of lost motion: ``distance_mm`` or ``speed_mm_min`` of the move,
+and ``lost_motion_um``. Columns may be in any order, and other columns are ignored. Comment keys are
+kept as for other tests.
 """
 
 from __future__ import annotations
@@ -56,8 +56,8 @@ def read_drift(content: bytes, file: str, kind: AxisKind | None = None) -> Drift
     """Return the drift test in a file of an axis of this ``kind`` (linear, rotary; None: the kind
     that the columns of the file state). Raises InputError with every fault at once.
 
-    Faults: no such columns, cells that are no numbers, a time given twice, fewer than three
-    readings.
+    Faults: a column is missing, a cell is not a number, a time is given twice, there are fewer than
+    three readings.
     """
     faults = FaultList(file)
     comments, table = _columns(content, faults, (TIME, _VALUE[kind or AxisKind.LINEAR]))

@@ -1,9 +1,10 @@
 """The plain CSV form of an environment record: columns for the time and for air or material
 temperatures.
 
-``time`` and ``air_c``, ``pressure_hpa`` and ``humidity_percent`` (the air in the beam), or
-``material_c`` (scale or workpiece), or both; one row per moment, in any order; other columns are
-left alone, but not a misspelt one of these.
+Each row is a moment, in any order. The column ``time`` is required. The air in the beam has the
+columns ``air_c``, ``pressure_hpa`` and ``humidity_percent``; the scale or workpiece has the column
+``material_c``. One of these two groups is required. Other columns are ignored, but a misspelt name
+of one of these columns is refused.
 """
 
 from __future__ import annotations
@@ -39,8 +40,8 @@ _PLAUSIBLE: Final = {
 def read_environment(content: bytes, file: str) -> EnvironmentRecord:
     """Return the environment record in a file. Raises InputError with every fault at once.
 
-    No column of times, no column of values, a misspelt column, cells that are no numbers or cannot
-    be in that unit, a time given twice.
+    Faults: there is no column of times or of values, a column name is misspelt, a cell is not a
+    number or its value is impossible in its unit, a time is given twice.
     """
     faults = FaultList(file)
     _, lines = split_lines(read_lines(content, file))
@@ -107,10 +108,8 @@ def read_environment(content: bytes, file: str) -> EnvironmentRecord:
 
 
 def joined(records: Sequence[EnvironmentRecord]) -> EnvironmentRecord:
-    """Combine several environment records into one. Raises InputError if their columns differ, or
-    if a time occurs twice.
-
-    The kind of time must be the same too.
+    """Combine several environment records into one. Raises InputError if their columns or their
+    kinds of time differ, or if a time occurs twice.
     """
     first, *others = records
     found = first

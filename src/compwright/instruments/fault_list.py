@@ -1,7 +1,5 @@
-"""Collect all faults of one file. If many faults are of the same kind, only the first few are
-listed.
-
-So that the user sees them all at once and not a thousand of one kind.
+"""Collect all faults of one file, so that the user sees them all at once. Of many faults of the
+same kind only the first few are listed.
 """
 
 from __future__ import annotations
@@ -41,7 +39,8 @@ class FaultList:
     ) -> None:
         """Add a fault. Of faults with the same message only the first `SHOWN_PER_KIND` are listed.
 
-        Without a ``hint`` the next step is to correct the place.
+        ``place`` is the place in the file. If ``hint`` is empty, the next step of the message is to
+        correct this place.
         """
         self._count[message] += 1
         if self._count[message] <= SHOWN_PER_KIND:

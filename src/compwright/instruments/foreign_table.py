@@ -22,7 +22,8 @@ DELIMITERS: Final = {"semicolon": ";", "tab": "\t", "comma": ",", "bar": "|", "b
 class ForeignTable:
     """A table of another program: columns, cells, line numbers, and the lines above its header.
 
-    The rows are stored by column: ``lines`` of the file, and the ``cells`` of each column.
+    The table is stored by column. ``lines``: the line number of each row. ``cells``: for each
+    column the texts of its cells.
     """
 
     columns: tuple[str, ...] = ()
@@ -36,9 +37,9 @@ class ForeignTable:
 
 
 def cells_of(line: str, delimiter: str) -> list[str] | None:
-    """Return the stripped cells of one line, or None for an unclosed quote.
+    """Return the cells of one line without blanks at their ends, or None if a quote is not closed.
 
-    ``delimiter`` is the character; a blank stands for any number of blanks.
+    ``delimiter``: the character between the cells; a blank means any number of blanks.
     """
     if delimiter == " ":
         return line.split()
@@ -49,7 +50,8 @@ def cells_of(line: str, delimiter: str) -> list[str] | None:
 def named_columns(cells: Sequence[str]) -> tuple[str, ...]:
     """Return a unique name for each cell of a header row.
 
-    Its text; ``column 3`` if it has none, and added to the text if two have the same.
+    The name is the text of the cell, ``column 3`` if the cell is empty, or the text with ``(column
+    3)`` if two cells have the same text.
     """
     times = Counter(cells)
     return tuple(
@@ -64,8 +66,9 @@ def foreign_table(
     """Return the table whose header row is the line ``header_line``; 0 means that the table has no
     header row.
 
-    Short rows are filled up with empty cells; comment lines (``#``) and blank lines are left out.
-    Faults: no such line, a quote that is not closed, more cells than the header row has.
+    Empty cells are added to short rows. Comment lines (``#``) and blank lines are left out. Faults:
+    the file does not have this line, a quote is not closed, a row has more cells than the header
+    row.
     """
     if header_line > len(text):
         faults.add(

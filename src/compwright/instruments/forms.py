@@ -26,13 +26,14 @@ from compwright.instruments.spans import SpansOf
 
 @dataclass(frozen=True, slots=True)
 class MeasurementForm:
-    """One file format of positioning tests. ``spans_of``: gives the meaning of parts of a line.
+    """One file format of positioning tests.
 
-    ``name``: in messages; the reader takes the lines of the file and the user's answers; by the
-    spans `redact` keeps and replaces.
-
-    ``words``: names of its sections and keys, which may stay in a redacted copy. ``code_pages``:
-    text of users in it may be in an old code page.
+    ``name``: the name in messages. ``recognises``: whether the lines of a file have this format.
+    ``read``: the reader; it is called with the lines of the file, the list of faults and the user's
+    answers. ``spans_of``: gives the meaning of the parts of a line, from which `redact` decides
+    what it keeps and what it replaces. ``words``: names of sections and keys of the format, which
+    stay in a redacted copy. ``code_pages``: whether free text in the file may be in an old code
+    page.
     """
 
     name: str

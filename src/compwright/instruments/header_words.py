@@ -1,6 +1,7 @@
 """Words of table headers in six languages, for contents, unit and direction of a column.
 
-A word gives the contents of a column, never a sign: whether forward is + stays open.
+A word such as "forward" gives the contents of a column but no sign: the user states whether forward
+means +.
 """
 
 from __future__ import annotations
@@ -191,9 +192,8 @@ def is_unit(text: str) -> bool:
 
 
 def stated_unit(line: str) -> str:
-    """Return the unit in a line above a table, such as ``Einheit: µm``, else "".
-
-    Or ``Abweichungen in µm``.
+    """Return the unit that a line above a table states, such as ``Einheit: µm`` or ``Abweichungen
+    in µm``; "" if it states none.
     """
     titled = {unit for match in _IN_UNIT.finditer(line) if (unit := unit_of(match[1]))}
     if not _UNIT_WORDS.search(plain(line)):

@@ -1,6 +1,6 @@
 """Hidden rows, columns and sheets of a workbook (ECMA-376: 18.3.1.73, 18.3.1.13, 18.2.19).
 
-A spreadsheet program does not show them, but saves their cells like all others.
+A spreadsheet program does not show hidden cells, but saves them like all others.
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
 """Reader of laser software's text files ``.rtl`` (linear) and ``.rta`` (angular).
 
-Targets in mm or deg with their count, ``Flags``, runs counted by traverse, and rows of run, target
-(both from 1) and deviation: µm for linear axes, µrad for angular ones; deviation = measured minus
-target. Layout, units and sign: from six independent readers and writers; no real file was at hand.
+A file states its number of targets, the targets in mm or deg, ``Flags``, and the number of runs, in
+which each traverse counts as a run. Each row has run and target (both from 1) and the deviation
+(measured minus target), in µm for linear axes and in µrad for angular ones. Layout, units and sign
+are those of six independent readers and writers; no real file was available.
 """
 
 from __future__ import annotations
@@ -105,9 +106,9 @@ def is_laser_runs(text: Sequence[str]) -> bool:
 def read_laser_runs(text: Sequence[str], faults: FaultList, answers: Answers) -> Parsed:
     """Return the test in the lines of a file. Every fault is added to ``faults``.
 
-    Faults: another type of file, counts that disagree with the contents, rows that are invalid or
-    name a run or target that does not exist, targets whose order leaves the directions open. Raises
-    InputError if nothing can be read without guessing.
+    Faults: the file is of another type, counts disagree with the contents, a row is invalid or
+    names a run or target that does not exist, or the order of the targets does not show the
+    directions. Raises InputError if nothing can be read without guessing.
     """
     sections = sections_of(text, faults)
     kind = _kind(sections, faults)
@@ -301,9 +302,10 @@ def _directions(
     """Return the direction and the run number of each traverse, the assumptions made for that as
     text, and the findings.
 
-    Odd traverses go from the first target to the last, even ones back. Evidence, in this order: an
-    even half of only zeros was not made; rows of an even traverse in falling order went back; flags
-    of one direction.
+    By default odd traverses go from the first target to the last, and even traverses go back. The
+    file can show otherwise, in this order: if all even traverses contain only zeros, there was no
+    way back; if the rows of an even traverse are in falling order, it went back; the flags may
+    state a single direction.
     """
     steps = {int(np.sign(b - a)) for a, b in pairwise(runs.targets)}
     if len(steps) > 1 or 0 in steps:

@@ -1,10 +1,8 @@
 """Reader of the text files ``.pos`` of API lasers: mean deviations of a test, in mm.
 
-Blocks of a title line ``Position <tab> Forward Directional Avg Error`` and rows of position and
-mean deviation.
-
-The deviation is measured minus target. Source: one reader of a third party; no real file was at
-hand. The readings themselves are not in such a file.
+Each block has a title line, such as ``Position <tab> Forward Directional Avg Error``, and rows of
+position and mean deviation (measured minus target). The file does not contain the readings. Source:
+one reader of a third party; no real file was available.
 """
 
 from __future__ import annotations
@@ -77,11 +75,10 @@ def spans_of(text: Sequence[str]) -> Iterator[Spans]:
 def read_mean_blocks(text: Sequence[str], faults: FaultList, answers: Answers) -> Parsed:
     """Return the means in the lines of a file as one run per direction.
 
-    Every fault is added to ``faults``.
-
-    If the means of the way back are not printed, they are twice those of both directions less those
-    of the way out. Faults: means of both directions alone, which give no direction; blocks at
-    different positions; means that contradict each other beyond the digits printed.
+    If the file has no means of the way back, they are calculated: twice the means of both
+    directions minus the means of the way out. Every fault is added to ``faults``. Faults: the file
+    has only the means of both directions; blocks have different positions; means contradict each
+    other by more than the printed digits.
     """
     sections = sections_of(text, faults)
     check_units(sections, ["HEADER", "TARGET DATA"], faults)

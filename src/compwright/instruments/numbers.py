@@ -34,8 +34,8 @@ def parse_number(text: str) -> float:
     """Return the finite number in ``text`` with a decimal point or a decimal comma; blanks around
     are allowed.
 
-    ``.0266`` and exponents are numbers; thousands marks, units, nan and inf are not. Raises
-    ValueError whose text is the reason, in the form "is ...".
+    ``.0266`` and numbers with an exponent are accepted. Marks of thousands, units, nan and inf are
+    refused. Raises ValueError; its text is the reason, in the form "is ...".
     """
     stripped = text.strip().replace(TYPOGRAPHIC_MINUS, "-")
     if not stripped:
@@ -235,9 +235,10 @@ class DecimalMarks:
         """Return a number such as ``1.250`` that was read as a decimal fraction but may mean 1250;
         "" if there is none.
 
-        The point is the decimal mark of this form. It is doubtful if no number of the file proves
-        it and whole numbers are in the same column (500, 750, 1.000); 100.000, 200.000 throughout
-        is how instruments print.
+        The decimal mark of this form is the point. A point is doubtful if no number of the file
+        proves that it is the decimal mark and the same column has whole numbers (500, 750, 1.000).
+        A column with 100.000 and 200.000 throughout is not doubtful, because instruments print
+        numbers like this.
         """
         point = self._marked["."]
         return (

@@ -69,7 +69,7 @@ def is_plain_csv(text: Sequence[str]) -> bool:
 def read_plain_csv(text: Sequence[str], faults: FaultList) -> Parsed:
     """Return the test in the lines of a plain CSV file. Faults of cells are added to ``faults``.
 
-    Raises InputError for a file of another form, with a guess of what it is.
+    Raises InputError for a file of another form; the error names the form that it probably has.
     """
     comment_lines, lines = split_lines(text)
     comments = read_comments(comment_lines, faults)
@@ -103,9 +103,8 @@ def read_plain_csv(text: Sequence[str], faults: FaultList) -> Parsed:
 
 
 def read_target_data_file(text: Sequence[str], faults: FaultList) -> Parsed:
-    """Return the test in the lines of a file of the form ``TGT_DATA[1]=``.
-
-    Faults are added to ``faults``.
+    """Return the test in the lines of a file of the form ``TGT_DATA[1]=``. Faults are added to
+    ``faults``.
     """
     comment_lines, lines = split_target_data(text)
     comments = read_comments(comment_lines, faults, any_key=False)

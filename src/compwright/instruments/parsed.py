@@ -17,9 +17,9 @@ from compwright.records.positioning import Cycle
 class Parsed:
     """The readings of one test: targets and deviations (measured minus target) in mm or deg.
 
-    ``header`` keeps the facts in the file as text, under the known keys of `comments.KNOWN_KEYS` if
-    it is one of them. ``assumed``: facts that the file leaves open and their assumed values, in
-    words.
+    ``header``: the facts in the file as text, by their key; known facts have the key of
+    `comments.KNOWN_KEYS`. ``assumed``: the facts that the file does not state, with the values that
+    were assumed, as text.
     """
 
     kind: AxisKind

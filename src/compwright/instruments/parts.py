@@ -19,7 +19,8 @@ class TestPart:
     """The lines of one test in a file. Lines of other tests are replaced by blank lines, so that
     line numbers stay right.
 
-    ``axis``: from the column of axes, else empty. ``sheet``: the name of the sheet, else empty.
+    ``axis``: the axis in the column of axis names; empty if there is no such column. ``sheet``: the
+    name of the sheet of a workbook; empty for other files.
     """
 
     text: Sequence[str]

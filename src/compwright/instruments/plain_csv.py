@@ -1,11 +1,14 @@
 """The plain CSV forms of a positioning test: long (row per reading) and wide (row per target).
 
-Long: columns ``target_mm`` or ``target_deg``, ``direction`` (``+``, ``-``), ``run`` and one of
-``deviation_um``, ``deviation_mm``, ``deviation_arcsec``, ``deviation_deg``, ``measured_mm``,
-``measured_deg``; one row per reading; a column ``time`` is optional. Wide: ``target_mm`` or
-``target_deg`` and one column of deviations per traverse (``+1``, ``-1``, ``+2``, ...) in the unit
-of the required key ``unit``; an empty cell is a reading that was not made. Measured positions have
-the long form only.
+The long form has one row per reading, with the columns ``target_mm`` or ``target_deg``,
+``direction`` (``+``, ``-``), ``run``, and one of ``deviation_um``, ``deviation_mm``,
+``deviation_arcsec``, ``deviation_deg``, ``measured_mm``, ``measured_deg``. A column ``time`` is
+optional.
+
+The wide form has one row per target, with the column ``target_mm`` or ``target_deg`` and one column
+of deviations per traverse (``+1``, ``-1``, ``+2``, ...). The comment key ``unit`` is required and
+states the unit of the deviations. An empty cell means that this reading was not taken. Measured
+positions instead of deviations are possible in the long form only.
 """
 
 from __future__ import annotations
@@ -66,7 +69,7 @@ class CsvReadings:
 def read_csv(table: CsvTable, comments: Comments, faults: FaultList) -> CsvReadings:
     """Return the readings of a plain CSV file. Faults of cells are added to ``faults``.
 
-    Raises InputError when the columns do not form one of the two forms.
+    Raises InputError if the columns are neither those of the long form nor those of the wide form.
     """
     traverses = {
         column: traverse
@@ -125,8 +128,8 @@ def _refuse_unsigned(table: CsvTable, wide: bool, faults: FaultList) -> None:  #
     """Raise an error for columns named by a number without direction (such as 1 or 2), because a
     spreadsheet may have removed the plus sign.
 
-    In a ``wide`` file also for ``up 3`` or ``+3 up``: a traverse that is left out would go
-    unnoticed.
+    In a ``wide`` file an error is also raised for names such as ``up 3`` and ``+3 up``, because
+    otherwise the traverse would be left out unnoticed.
     """
     unknown = [
         column for column in table.columns if traverse_of(column) is None and column not in COLUMNS

@@ -25,13 +25,12 @@ SIGNS: Final = ("measured minus target", "target minus measured")
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Profile:
     """The meaning of a table's columns. ``layout``: long (a row per reading), wide (a row per
-    target), or own (a file form with its own reader).
+    target), or own (a file form with its own reader; only ``unit`` and ``sign`` are used).
 
-    Own: a form that has its own reader; only ``unit`` and ``sign`` count.
-
-    Columns by their names in the header row; ``traverses``: column -> direction and run;
-    ``directions``: word in the column ``direction`` -> direction. ``position_map``: None if it
-    changes nothing. ``file`` and ``sha256``: of the profile itself.
+    Columns have the names in the header row. ``traverses``: direction and run of each column of a
+    traverse. ``directions``: the direction that each word in the column ``direction`` means.
+    ``position_map``: the conversion of positions, None if there is none. ``file`` and ``sha256``:
+    those of the profile itself.
     """
 
     file: str

@@ -31,7 +31,8 @@ class Proposed:
 def proposed_profile(content: bytes, file: str) -> Proposed:
     """Return the proposed profile for ``content``. ``file``: its name in messages.
 
-    Raises InputError for a file without a table, UsageError for one whose form leaves nothing open.
+    Raises InputError for a file without a table. Raises UsageError for a file whose form is known
+    completely, so that it needs no profile.
     """
     if is_workbook(content):
         return _of_workbook(content, file)

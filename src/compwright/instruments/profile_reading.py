@@ -55,8 +55,8 @@ _DIRECTION: Final = '"+" (approached from below) or "-" (from above)'
 def read_profile(content: bytes, file: str) -> Profile:
     """Return the profile in ``content``.
 
-    Raises UsageError with every fault: a required key that is empty or missing, an unknown key, a
-    value outside its list of words; InputError for invalid YAML.
+    Raises UsageError with every fault: a required key is empty or missing, a key is unknown, or a
+    value is not one of the permitted words. Raises InputError for invalid YAML.
     """
     document = read_yaml(content, file)
     data = document.data

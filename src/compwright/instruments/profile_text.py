@@ -45,7 +45,7 @@ _MEANINGS: Final[dict[str, str]] = {
 def profile_text(proposal: Proposal, file: str) -> str:
     """Return the profile as YAML with comments. Unknown keys are empty and marked FILL IN.
 
-    ``file``: the name of the table that it was made for.
+    ``file``: the name of the table for which the profile was made.
     """
     lines = [f"# Mapping profile, proposed by compwright for {_one_line(file)}."]
     lines += ["# Keys marked FILL IN decide about the result and could not be known from the file."]
@@ -75,8 +75,8 @@ def worked_rows(proposal: Proposal, text: Sequence[str], file: str) -> list[str]
     """Return three readings of the table as sentences, as the proposed profile reads them, so that
     the user can check the profile.
 
-    If only the sign or directions are open: with an assumed answer, which is named. If more is
-    open: as written in the file.
+    If only the sign or the directions are unknown, the sentences are made with an assumed answer,
+    which they name. If more is unknown, they give the readings as they are in the file.
     """
     filled, words = _with_answers(proposal)
     if filled is None:

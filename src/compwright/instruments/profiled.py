@@ -57,8 +57,8 @@ def at_its_header(text: Sequence[str], profile: Profile) -> Profile:
     """Return the profile with the number of the header line in this file, because the header can be
     on another line than in the profile.
 
-    Unchanged if its own line has all columns, if there is no header row, and if no line or more
-    than one has them all.
+    The profile stays unchanged if its own line has all columns, if there is no header row, or if
+    not exactly one line has all columns.
     """
     wanted = set(columns_of(profile))
     if not profile.header_line or not wanted:
@@ -84,9 +84,9 @@ def has_columns(text: Sequence[str], profile: Profile) -> bool:
 def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) -> Parsed:
     """Return the test in the lines of a file. Every fault is added to ``faults``.
 
-    Rows whose target holds no digit (means, remarks) and columns that the profile does not name are
-    left out with a warning; any other cell that is not a number is a fault. Raises InputError if
-    columns are missing.
+    Two things are left out with a warning: rows whose target contains no digit (means, remarks),
+    and columns that the profile does not name. Any other cell that is not a number is a fault.
+    Raises InputError if columns are missing.
     """
     table = foreign_table(text, profile.delimiter, profile.header_line, faults)
     for name in columns_of(profile):

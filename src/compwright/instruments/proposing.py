@@ -1,7 +1,7 @@
 """Propose a mapping profile for another program's table, from its header and its numbers.
 
-A sign, a unit or a direction is never guessed: such a key stays empty, and the profile is refused
-until it is filled in.
+A sign, a unit or a direction is never guessed. Its key stays empty, and the profile is refused
+until the user fills it in.
 """
 
 from __future__ import annotations
@@ -44,9 +44,10 @@ _MOST_WORDS = 6
 
 @dataclass(slots=True)
 class Proposal:
-    """A proposed mapping profile. ``why``: for each unknown key, where the user finds its value.
+    """A proposed mapping profile.
 
-    In their order; ``notes``: observations, in words. ``table`` as it was read.
+    ``why``: for each unknown key, in the order of the profile, where the user finds its value.
+    ``notes``: observations about the table, as text. ``table``: the table as it was read.
     """
 
     table: ForeignTable

@@ -63,12 +63,14 @@ def read_tests(
     """Return the positioning tests in a file. A file has one test, or one for each axis or for each
     sheet of a workbook.
 
-    ``file`` is the name in messages and in the record's source. Reads the forms of `forms.FORMS`,
-    the plain CSV forms (contract, "Plain CSV"), the same in an Excel workbook, and any other table
-    by a ``profile``. The results are in mm or deg, deviations are measured minus target, and the
-    name is the stem of ``file``, with the axis if there are several. The frame is the instrument's,
-    or the machine's if the profile maps the positions. An unknown axis is an empty text with a
-    finding. Raises InputError with every fault that could be found at once.
+    ``file`` is the name in messages and in the record's source. A file has one of the forms of
+    `forms.FORMS`, or one of the plain CSV forms (contract, "Plain CSV"), also in an Excel workbook.
+    Any other table needs a ``profile``.
+
+    The results are in mm or deg, and deviations are measured minus target. The name of a test is
+    the stem of ``file``, with the axis if there are several tests. Positions are those of the
+    instrument, or of the machine if the profile converts them. If the axis is unknown, it is an
+    empty text and there is a finding. Raises InputError with all faults that can be found at once.
     """
     if is_workbook(content):
         sheets = sheets_of(content, file)
@@ -260,10 +262,11 @@ def stem(file: str) -> str:
 
 
 def _text_and_form(content: bytes, file: str) -> tuple[list[str], MeasurementForm, Finding | None]:
-    """Return the lines of a file, the file format that they have, and the encoding of the file if
-    it is assumed.
+    """Return the lines of a file, the file format that they have, and a finding if the encoding of
+    the file is assumed (else None).
 
-    Encodings other than UTF-8 and UTF-16 only if the form has them, or no number depends on it.
+    An encoding other than UTF-8 and UTF-16 is assumed only if files of this format can have it, or
+    if no number depends on it.
     """
     try:
         text = read_lines(content, file)

@@ -30,7 +30,8 @@ def assumed_finding(assumed: Sequence[str]) -> Finding | None:
 def left_out_finding(columns: Sequence[str], optional: str = "") -> Finding | None:
     """Return the finding about columns that are not part of the form, or None if there are none.
 
-    It suggests a column that may be the ``optional`` one under another name.
+    ``optional``: the name of an optional column that the file does not have. If one of the columns
+    may be this column under another name, the finding suggests it.
     """
     if not columns:
         return None
@@ -51,7 +52,7 @@ def stray_finding(lines: Sequence[tuple[int, str]]) -> Finding | None:
 def unread_finding(targets: FloatArray, readings: Readings, kind: AxisKind) -> Finding | None:
     """Return the finding about targets (n,) without any reading, or None if each has a reading.
 
-    Their unit is that of ``kind``.
+    The unit of the targets is that of ``kind``.
     """
     without = np.setdiff1d(targets[np.isfinite(targets)], readings.targets)
     if not without.size:

@@ -32,11 +32,10 @@ class ApproachReading:
 class Readings:
     """The readings of one test in the order of the file, mm or deg.
 
-    ``targets`` and ``deviations`` (n,), ``positive`` (n,) whether approached in direction +,
-    ``runs`` (n,) from 1.
-
-    ``place``: function from an index to the place of the reading in the file. ``times`` (n,): when
-    each was taken, in the form ``clock``; None if the file does not state it.
+    ``targets`` and ``deviations`` (n,). ``positive`` (n,): whether the target was approached in
+    direction +. ``runs`` (n,): the run number, from 1. ``place``: a function that returns the place
+    of a reading in the file from its index. ``times`` (n,): the time of each reading in the form
+    ``clock``, or None if the file does not state times.
     """
 
     targets: FloatArray

@@ -1,10 +1,8 @@
 """Read the XML of a measurement file safely as a plain tree: no entities, no external files,
 bounded size.
 
-No document type, hence no entities of its own and nothing fetched.
-
-The standard library's expat does the parsing; a document type declaration stops it before any
-entity could grow.
+The parser is expat of the standard library. It stops at a document type declaration, before an
+entity can be defined or an external file fetched.
 """
 
 from __future__ import annotations
@@ -110,8 +108,8 @@ class _Builder:
 def read_xml(content: bytes, file: str) -> Element:
     """Return the root element of ``content``.
 
-    Raises InputError for XML that is cut short or broken (line and column), a document type
-    declaration, an unknown encoding, and a file larger than any measurement.
+    Raises InputError for XML that is cut short or broken (with line and column), for a document
+    type declaration, for an unknown encoding, and for a file larger than any measurement.
     """
     if len(content) > XML.most_bytes:
         raise InputError(

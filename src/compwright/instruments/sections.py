@@ -1,9 +1,8 @@
 """Text with sections: a line ``NAME::`` opens a section, ``EOF::`` ends the file.
 
-A section has ``Key: value`` lines and rows of numbers.
-
-The frame of the files of laser software. No real file of a maker was at hand: the layout is that of
-six independent programs of third parties which read and write it.
+A section has ``Key: value`` lines and rows of numbers. The files of laser software have this
+layout. No real file of a maker was available: the layout is that of six independent programs of
+third parties which read and write it.
 """
 
 from __future__ import annotations
@@ -73,7 +72,7 @@ _AXIS = re.compile(
 class FileSections:
     """The lines of each section in the order of the file, without blank lines.
 
-    ``ended``: the line ``EOF::`` is there. ``last``: the last line that is not blank.
+    ``ended``: whether the line ``EOF::`` was found. ``last``: the last line that is not blank.
     """
 
     lines: dict[str, list[Line]] = field(default_factory=dict)
@@ -171,7 +170,7 @@ def header_of(sections: FileSections, names: Iterable[str]) -> dict[str, str]:
     """Return the keys and values of the lines ``Key: value`` in these sections; other lines are
     values of the key ``comment``.
 
-    Known keys get their usual name, other lines are kept as comment.
+    Known keys are renamed to their usual name.
     """
     header: dict[str, list[str]] = {}
     for name in names:

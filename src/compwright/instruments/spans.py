@@ -1,7 +1,8 @@
 """The parts of a line in a measurement file with their meaning, such as key, row or remark.
 
-A reader gives the spans of each line; a part that no span covers is unknown. `redaction` keeps and
-replaces by them, so that no form has its sections and keys listed twice.
+A reader returns the spans of each line. The meaning of a part that no span covers is unknown.
+`redaction` decides from the spans what it keeps and what it replaces, so the sections and keys of a
+form need not be listed a second time.
 """
 
 from __future__ import annotations
@@ -77,8 +78,9 @@ class Elements:
     """The meaning of the texts and of the attributes in an XML file, by the name of the element or
     attribute.
 
-    Their own text by ``tags``, their ``attributes`` by name in capitals. ``names``: the meaning of
-    the attribute NAME where it is no result.
+    ``tags``: the meaning of the text of an element, by the element's name. ``attributes``: the
+    meaning of an attribute, by its name in capitals. ``names``: the meaning of the attribute NAME
+    in elements that are not results.
     """
 
     tags: Mapping[str, Meaning]

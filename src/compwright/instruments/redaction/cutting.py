@@ -1,7 +1,7 @@
 """Copy the lines of a measurement file without private data, by the meaning of each part of a line.
 
-By the spans that the reader of its form gives: values stay if they have the meaning that the form
-gives them, all else is removed.
+The reader of the form states the meaning of each part of a line (`spans`). A part stays if its text
+agrees with this meaning, such as a number in a row of readings. Everything else is removed.
 """
 
 from __future__ import annotations

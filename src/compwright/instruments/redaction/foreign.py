@@ -1,8 +1,8 @@
 """Remove private data from tables of other programs. A mapping profile states which columns have to
 stay.
 
-Its columns stay; of all others neither the name nor a cell; of the text above the parts that the
-reading depends on.
+Of all other columns both the name and the cells are removed. Of the text above the table only those
+parts stay that are needed to read the table.
 """
 
 from __future__ import annotations

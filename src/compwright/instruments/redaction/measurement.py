@@ -109,8 +109,9 @@ ALLOWED: frozenset[str] = (
 class Redacted:
     """A copy of a file without private data, and the mapping profile that reads the copy.
 
-    ``profile``: the text of the profile that reads it, if its original needs one, and ``read_by``
-    the one that read the original. An unknown sign is left to be filled in.
+    ``profile``: the text of the profile for the copy, if the original needs a profile. ``read_by``:
+    the profile that read the original. If the sign is unknown, its key is empty in the copy's
+    profile too.
     """
 
     content: bytes
@@ -126,9 +127,8 @@ class Redacted:
 
 
 def is_measurement(content: bytes, file: str, profile: Profile | None = None) -> bool:
-    """Return whether the content of a file is certainly a measurement.
-
-    Its form is known, or it has the columns of the ``profile``.
+    """Return whether the content of a file is certainly a measurement: its form is known, or it has
+    the columns of the ``profile``.
     """
     if is_workbook(content) or is_circular(content, file):
         return True
@@ -156,8 +156,8 @@ def redacted_measurement(
 ) -> Redacted:
     """Return a copy of a measurement file without private data; ``cuts`` records what is removed.
 
-    Tables of other programs by their ``profile``, else by the one that is proposed. Raises
-    InputError or UsageError for other files, and if no profile can be proposed.
+    A table of another program is read with its ``profile``, or with a proposed profile if None is
+    given. Raises InputError or UsageError for other files, and if no profile can be proposed.
     """
     if is_workbook(content):
         return _of_workbook(content, file, cuts, profile)
@@ -201,8 +201,8 @@ def _by_profile(
 class _Lines:
     """The lines of a file with their line ends.
 
-    ``lines`` without their ends; ``ends`` of each, empty after the last; ``mark``: the byte order
-    mark.
+    ``lines``: the texts without line ends. ``ends``: the line end of each line, empty after the
+    last line. ``mark``: the byte order mark at the start of the file.
     """
 
     lines: tuple[str, ...]

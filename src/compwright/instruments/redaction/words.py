@@ -137,7 +137,8 @@ def without_dates(text: str) -> tuple[list[str], str]:
     """Return the dates in a text that are marked as dates of the measurement, and the text without
     them.
 
-    Each with the word that marks it as the date of the measurement. Any other date may be private.
+    Each date is returned with the word that marks it. Any other date stays in the text, because it
+    may be private.
     """
     dated = [f"{found['key']}: {found['date']}" for found in _DATED.finditer(text)]
     return dated, _DATED.sub("", text)
@@ -165,9 +166,7 @@ def is_keywords(text: str, *, digits: int = 2) -> bool:
 
 def is_quantity(text: str) -> bool:
     """Return whether a text consists only of numbers, of a number with its unit (``25 mm``), or of
-    permitted words.
-
-    Such as ``As errors``.
+    permitted words such as ``As errors``.
     """
     number, _, unit = text.strip().partition(" ")
     return is_numbers(text) or (is_one_number(number) and is_keywords(unit)) or is_keywords(text)

@@ -29,7 +29,8 @@ def workbook_of(sheets: Sequence[WorkbookSheet]) -> bytes:
     """Return the bytes of a workbook with these sheets. In the lines of a sheet the cells are
     separated by tabs.
 
-    Numbers as numbers, except in the header row, where ``+1`` would lose its sign.
+    Cells with numbers are written as numbers. The header row is written as text, because a number
+    would lose the sign of ``+1``.
     """
     count = range(1, len(sheets) + 1)
     parts = {
