@@ -17,7 +17,7 @@ class ResolvedDefinition:
     """A definition together with its options and, once read, the contents of the control's files
     (``state``).
 
-    Raises UsageError for a wrong option, or one that contradicts the control's files.
+    Raises UsageError for a wrong option, or for an option that contradicts the control's files.
     """
 
     def __init__(
@@ -38,7 +38,7 @@ class ResolvedDefinition:
         own files (``state``). ``strict``: the user stated every option, so one that contradicts the
         files is a fault.
 
-        Raises UsageError where a given option contradicts the files.
+        Raises UsageError if a given option contradicts the files.
         """
         return type(self)(self.definition, self.given, state, strict=strict)
 
@@ -53,8 +53,8 @@ class ResolvedDefinition:
         """Return the options of an axis; those that the job does not state for the axis have their
         values for the whole control. ``unit_needed``: a missing required value is an error.
 
-        The values for the whole control alone count for an axis without a job. Raises UsageError
-        for wrong or missing options.
+        If ``axis`` is None, the values for the whole control are returned. Raises UsageError for
+        wrong or missing options.
         """
         return axis_options(self.definition, self.options, axis, unit_needed=unit_needed)
 
@@ -62,7 +62,7 @@ class ResolvedDefinition:
         """Return the positions (ascending, mm or deg) of the points of the table in the control's
         files.
 
-        The table may be inactive. Empty without one.
+        An inactive table counts too. The result is empty if there is no table.
         """
         address, _ = self.address(axis)
         existing = self.state.axes.get(address)

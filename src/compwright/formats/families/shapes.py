@@ -50,8 +50,8 @@ def control_format(
     control's files. ``given``: options by name; ``strict``: the user stated each of them, so one
     that contradicts the files (``state``) is a fault.
 
-    ``given`` may hold text from the command line; with a ``state``, an option that the control's
-    own files answer takes that answer. Raises UsageError with every fault: unknown option, wrong
-    type, contradiction to the control's files.
+    The values in ``given`` may be text from the command line. If there is a ``state``, an option
+    whose value follows from the control's own files gets that value. Raises UsageError with every
+    fault: an unknown option, a wrong type, or a contradiction to the control's files.
     """
     return family_of(definition)(definition, given, state, strict=strict)

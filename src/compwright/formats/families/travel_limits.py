@@ -1,7 +1,7 @@
 """Compare an axis' travel limits in the control's files with the travel in the job, because both
 must be in machine coordinates.
 
-Both must be in machine coordinates, or the table is in the wrong place.
+A travel in other coordinates would put the table in the wrong place.
 """
 
 from __future__ import annotations
@@ -31,8 +31,9 @@ def check_travel(
     ``names``: their names on the control). A travel outside the limits goes to the function
     ``refuse``.
 
-    ``refuse`` gets message, expected, found. A travel that only partly exceeds the limits is a
-    doubt; if the upper limit is not above the lower one, none are set.
+    The arguments of ``refuse`` are the message, the expected value and the value found. A travel
+    that is only partly outside the limits is a warning. If the upper limit is not above the lower
+    one, the control has no limits set, and nothing is compared.
     """
     low, high = limits
     if not low < high:

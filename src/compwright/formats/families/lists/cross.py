@@ -38,7 +38,8 @@ def read_cross(
     None without an active table, or if the meaning of its values is unknown. ``kind_of``: a
     function that returns the kind (linear, rotary) of an axis.
 
-    An unknown meaning is noted. Faults go to the notes.
+    If the meaning is unknown (correction or error), the notes say so. Faults are added to the
+    notes.
     """
     entries = _entries(lists)
     master = lists.one("cross_master")

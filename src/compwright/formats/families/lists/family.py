@@ -121,9 +121,9 @@ class ListsFamily(Family):
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
         """Return the limits of an axis' table; see `Family.capacity`.
 
-        Two columns hold the reversal error.
-
-        It is not known in which direction the control adds its backlash.
+        The table has one column for each direction, and both together contain the reversal error.
+        The control's backlash compensation is not used, because it is not known in which direction
+        it is added.
         """
         del one_curve
         scale = self.scale_of(axis)

@@ -19,7 +19,8 @@ def file_values(
     """Return every value in the lists by a key that contains the axis number instead of the file
     name.
 
-    Raises InputError for a file that cannot be opened.
+    The key keeps the file name if the list states no axis number, or if the other key exists
+    already. Raises InputError for a file that cannot be opened.
     """
     reader = text_reader(definition)
     found: dict[str, FileValue] = {}

@@ -1,7 +1,7 @@
 """Read value lists, axis parameter lists and the start-up list, and sort their lines by axis.
 
-The header of a list names its axis; without a header the start-up list does. If there is a start-up
-list, a value list that it does not name is not loaded.
+The header of a list states its axis. Without a header the start-up list states it. If a start-up
+list is given, the control loads only the value lists that it names.
 """
 
 from __future__ import annotations
@@ -37,12 +37,12 @@ def without_remarks(content: bytes) -> bytes:
 class ListsByAxis:
     """The statements in all lists of a control, sorted by axis and statement.
 
-    ``statements[address][statement]`` in the order of the files.
-
-    ``files``: the indices of an axis' files among those given; ``start_up``: those of start-up
-    lists. ``unlisted``: axes whose lists are not named in the given start-up list. ``missing``: by
-    axis, where the start-up list names a file that was not given. ``odd``: faults of the lists of
-    one axis.
+    - ``statements``: the lines of each axis, ``statements[address][statement]``, in the order of
+      the files.
+    - ``files``: by axis, the indices of its files in the order in which the files were given.
+    - ``listed``: by axis, its lines in the start-up list.
+    - ``start_up``: by statement, the lines of the start-up list.
+    - ``missing``: by axis, the line of the start-up list that names a file which was not given.
     """
 
     definition: Definition

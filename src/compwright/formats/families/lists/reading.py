@@ -1,6 +1,7 @@
 """Read the active compensation of every axis from the compensation value lists of a control.
 
-Missing is not zero. Assumptions are listed; faults of an axis that is not under work stop nothing.
+A missing value does not count as zero, and every assumption is listed. Faults of an axis that is
+not in the job are only reported.
 """
 
 from __future__ import annotations
@@ -44,7 +45,8 @@ from compwright.words.sentences import control_text, unconfirmed
 class AxisList:
     """An axis' active compensation, and whether its table is active.
 
-    ``idle``: the positions of an inactive table's points, mm or deg.
+    ``active``: None without a table. ``idle``: the positions of the points of an inactive table, mm
+    or deg.
     """
 
     compensation: AxisCompensation

@@ -32,7 +32,8 @@ _KINDS: Mapping[int | str, AxisKind] = {
 class AxisStatements:
     """The statements in the lists of one axis, with checks of their values.
 
-    ``axis``: that of a job, None without one; ``stated``: by neutral name. Faults go to ``notes``.
+    ``axis``: the axis in the job, None without a job. ``stated``: facts that the lists state, by a
+    name that is the same for all controls. Faults are added to ``notes``.
     """
 
     def __init__(
@@ -67,7 +68,7 @@ class AxisStatements:
         """Return the kind of the axis (linear, rotary) by its list. None if the list does not state
         it.
 
-        A kind that is not known, or differs from that of the job, is a fault.
+        An unknown kind, or one that differs from that in the job, is a fault.
         """
         place = self.one("axis_type")
         if place is None:
@@ -130,8 +131,9 @@ class AxisStatements:
         reserved for manual activation by the parameter ``manual``. ``zero``: the table contains
         only zeros; ``label``: its name in messages.
 
-        A switch in no list counts as on; if it is off, the job's answer is required where
-        measurements depend on it.
+        A table whose switch is in no list counts as active; this assumption is listed. If the
+        switch is off and measurements depend on the table, the job must state whether it was
+        active.
         """
         on, by_hand = self.one(switch), self.one(manual)
         off = [

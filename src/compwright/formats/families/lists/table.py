@@ -49,7 +49,7 @@ class ListTable:
     """A table: ``positions`` (k,) ascending, corrections ``positive`` and ``negative`` (k,), mm or
     deg.
 
-    ``period``: if the table repeats.
+    ``period``: the length after which the table repeats, deg; None if it does not repeat.
     """
 
     positions: FloatArray
@@ -144,7 +144,7 @@ class TableReader:
         """Return unit, sign and resolution of a table's numbers; ``word`` is the unit that the list
         states.
 
-        None, with a question, if the size of an increment is unknown.
+        If the unit is increments of unknown length, a question is added and None is returned.
         """
         increment: object = TENTH
         if word == "increments":

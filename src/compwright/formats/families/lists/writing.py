@@ -1,7 +1,8 @@
 """Write tables into a control's compensation value lists, or into new lists from templates.
 
-A value keeps its line. If the entries change in number, place or form, the old ones are removed and
-the new ones are put at the place of the first of them. Every other byte stays.
+A value keeps its line if the table has the same entries. If the number, place or form of the
+entries changes, the old entries are removed. The new ones are put in the place of the first old
+entry. All other bytes stay the same.
 """
 
 from __future__ import annotations

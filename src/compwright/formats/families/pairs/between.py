@@ -46,12 +46,15 @@ def write_cross(
 ) -> tuple[ControlFile, ...]:
     """Return the changed and new files that add ``cross`` to the existing corrections.
 
-    Each entry goes into free tables of its own (one for both directions, or one for each) in
-    addition to the existing ones; values are what is added to the output axis, mm or deg. Two
-    points are a ramp. With tables of the same run, the state of ``control`` and ``files`` are those
-    returned by writing them, so that no index is taken twice. Raises UsageError for an axis over
-    itself, CapacityError with everything that the control cannot hold, including too few free
-    indices in ``cec_tables``.
+    Each entry of ``cross`` gets unused tables in addition to the existing ones: one for both
+    directions, or one for each direction. Values are what the control adds to the output axis, mm
+    or deg. An entry with two points is a straight line between them.
+
+    If the same run also writes tables of single axes, write those first. Then pass a ``control``
+    with the resulting state, and the resulting ``files``, so that no table index is used twice.
+
+    Raises UsageError if an axis is to be corrected by its own position. Raises CapacityError with
+    everything that the control cannot hold, including too few free indices in ``cec_tables``.
     """
     definition, state = control.definition, control.state
     if not available(control.options):
@@ -239,8 +242,8 @@ def _written(
     ``before``: the state of the control's files. A new file has a name that none of these files
     has.
 
-    A new file may have the same name as one that a former round left in the control: it must not
-    replace that one.
+    Such a file may have been loaded in an earlier round of compensation, and a new file of the same
+    name would replace it in the control.
     """
     marked = [replace(file, name=_OWN + file.name) for file in request.base]
     taken = {file.name for file in request.base}
@@ -278,7 +281,7 @@ def _steps(
     ``named``: the files to load; ``before`` and ``after``: the state of the control's files without
     and with the new tables.
 
-    Existing tables of the same axes belong to others, and stay unchanged.
+    Existing tables of the same axes are not in these steps, because they stay unchanged.
     """
     added = entry.added
     pair, others = (added.input, added.output), before.tables.used

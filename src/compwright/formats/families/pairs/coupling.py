@@ -1,7 +1,8 @@
 """Find the axes of a SINUMERIK that move together, except gantries (MD37100).
 
-Master and slave drives (MD37250, MD37252, MD37262), coupling in the machine coordinate system
-(MD63000), and a transformation of coordinates that is active after reset (MD20140).
+The files can state three kinds of coupling: master and slave drives (MD37250, MD37252, MD37262),
+coupling in the machine coordinate system (MD63000), and a transformation of coordinates that is
+active after reset (MD20140).
 """
 
 from __future__ import annotations
@@ -47,7 +48,7 @@ def couplings_of(
 ) -> tuple[Coupling, ...]:
     """Return the couplings of the axes that move together, as the files state them.
 
-    ``address``: function from any name of an axis to its address.
+    ``address``: a function that returns the address of an axis, given any name of the axis.
     """
     return (*_masters(files, address, wanted), *_transformed(files, wanted))
 

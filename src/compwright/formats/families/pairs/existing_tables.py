@@ -27,11 +27,11 @@ from compwright.foundations.errors import Fault
 class ExistingTables:
     """The cross-axis tables of one control.
 
-    ``own``: the files that contain them; None if no file is changed.
-
-    ``allowed``: indices that may be written; ``in_use``: input and output axis of every existing
-    table; ``kept``: the indices of compwright's own tables; ``stay``: those over an axis itself
-    that stay unchanged.
+    - ``own``: the files that contain the tables; None if no file is changed.
+    - ``allowed``: the table indices that may be written.
+    - ``in_use``: by index, the input axis and the output axis of every existing table.
+    - ``kept``: the indices of the tables that compwright writes.
+    - ``stay``: the indices of tables by which an axis corrects itself and that stay unchanged.
     """
 
     def __init__(self, control: Family, own: OwnFiles | None) -> None:
@@ -117,7 +117,7 @@ class ExistingTables:
     def off(self, index: int, output: str = "") -> bool:
         """Return whether the last value in the files deactivates a table.
 
-        By SD41300, or by MD32710 of its output axis if that is given.
+        This is SD41300 of the table, or MD32710 of its ``output`` axis if that is given.
         """
         ends = [self.places_of(index, "cross_table_enabled")]
         if output:

@@ -108,7 +108,8 @@ def _alone(control: Family, files: Sequence[ControlFile]) -> Sequence[str]:
 class PairsFamily(GridFamily):
     """Controls with a table for each axis and with cross-axis tables (SINUMERIK).
 
-    ``sign_assumed``: its files are only shown, and the sign of these tables is unknown.
+    ``sign_assumed``: no option states the sign of the values in cross-axis tables. They are then
+    read as corrections, which is allowed only to display files or to draft a job.
     """
 
     reader = PairsReader
@@ -173,9 +174,9 @@ class PairsFamily(GridFamily):
     def _holds_others(self, file: ControlFile) -> bool:
         """Return whether a file contains tables that are activated by different parameters.
 
-        Loaded as a whole, it would assign values to active tables, which the control protects.
-        Tables between axes, such as one for each direction, share the activation parameter of the
-        axis that they correct.
+        If such a file is loaded as a whole, it also assigns values to active tables, which the
+        control rejects. Cross-axis tables of one axis, such as one for each direction, share the
+        activation parameter of the axis that they correct.
         """
         own, output = self._statements_of("value"), self._statements_of("cross_output")
         between = self._statements_of("cross_value")
@@ -259,8 +260,9 @@ class PairsFamily(GridFamily):
     def _named_files(self, request: CardRequest) -> dict[str, str]:
         """Return the names of files for the card: of the written table and of tables set to zero.
 
-        Of one table on an axis, and of those over itself that it empties; of a pair one table may
-        be in a new file, the other in the control's own.
+        A single table can replace two cross-axis tables by which the axis corrects itself; these
+        are then set to zero. Of a pair of tables, one can be in a new file and the other in the
+        control's own files.
         """
         axis, files = request.axis, request.files
         names, written = named_files(self, axis, files), [file.name for file in files]
@@ -285,7 +287,8 @@ class PairsFamily(GridFamily):
         """Return the card's text about an axis' old cross-axis tables, which the new table
         replaces.
 
-        While on, they are protected, and would keep their values.
+        They must be switched off before the files are loaded, because the control protects the
+        values of an active table.
         """
         address = self.address(axis)[0]
         allowed = allowed_tables(self.definition, self.options_of(axis))

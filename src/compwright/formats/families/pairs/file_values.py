@@ -1,7 +1,7 @@
 """Read every assignment in a SINUMERIK's files, by variable, index and axis.
 
-Machine and setting data, tables, all others in an archive; X1 and AX1 are one axis if MD10000
-states it.
+These are machine and setting data, tables, and in an archive all other assignments. X1 and AX1
+count as one axis if MD10000 states it.
 """
 
 from __future__ import annotations

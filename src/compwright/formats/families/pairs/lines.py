@@ -32,7 +32,8 @@ _SWITCHES = "SD41300 $SN_CEC_TABLE_ENABLE, MD32710 $MA_CEC_ENABLE"
 class Units:
     """The length units of tables and machine data.
 
-    ``inch``: the basic system; ``kind``: kind of an axis by its address.
+    ``inch``: the control works in inch. ``kind``: a function that returns the kind (linear, rotary)
+    of an axis, given its address.
     """
 
     inch: bool
@@ -67,7 +68,7 @@ class SingleValues:
         possible values. If ``found`` is None, return the default, which (``tell``) is listed as an
         assumption.
 
-        An unknown value is a fault.
+        If the value has no known meaning, a fault is added and None is returned.
         """
         if found is None:
             return self.values(label).absent(quantity, tell=tell)
@@ -85,7 +86,7 @@ class SingleValues:
 class _Switch:
     """The last value in the files of a parameter that activates a table.
 
-    ``word`` is None without one.
+    ``word``: the meaning of the value, "yes" or "no"; None if no file states the parameter.
     """
 
     quantity: str
@@ -99,8 +100,9 @@ class _Leadscrew:
     """Whether the leadscrew error tables (ENC_COMP) of an axis are active, as far as the files show
     it.
 
-    ``on``: one is switched on at the end. ``word``: last state of those that are not zero (``yes``,
-    ``no``, ``unsaid``; empty: there is none).
+    ``on``: a table is switched on by the last value in the files. ``word``: the last state of the
+    tables that are not zero: ``yes``, ``no``, or ``unsaid`` (no file states it); empty if there is
+    no such table.
     """
 
     on: bool
@@ -110,7 +112,7 @@ class _Leadscrew:
 class TableLines(SingleValues):
     """The lines of one cross-axis table.
 
-    ``pair``: its input axis and output axis.
+    ``pair``: the table's input axis and output axis.
     """
 
     def __init__(
@@ -142,7 +144,8 @@ class TableLines(SingleValues):
     def known_on(self) -> bool:
         """Return whether the table is active without doubt: the files state it, else the job.
 
-        If no answer is required, a missing switch counts as on.
+        An activation parameter that is in no file counts as on, provided that the job need not
+        state whether the table was active.
         """
         ends = (
             last("cross_table_enabled", self.places),
@@ -162,8 +165,9 @@ class TableLines(SingleValues):
         ``under_work``: the job names the axis that the table corrects; ``stays``: no new table will
         replace this one.
 
-        Values of an unknown unit are refused. If the table stays, nothing depends on whether a
-        table that no file switches off was active.
+        If the unit of the values is unknown, a fault is added. If the table stays and both
+        parameters are on, the job is not asked whether it was active: the result does not depend on
+        it.
         """
         owner = f"axis {self.pair[1]}"
         on_axis = of_axis(self.gathered, self.pair[1])
@@ -192,7 +196,7 @@ class TableLines(SingleValues):
     def to_millimetres(self) -> tuple[float, float]:
         """Return the factors from a table's positions and values to mm or deg.
 
-        MD32711 = 0 of the output axis means inch.
+        If MD32711 of the output axis is 0, positions and values of linear axes are in inch.
         """
         metric = last("cross_metric", of_axis(self.gathered, self.pair[1]))
         if metric is None or self._ends_on("cross_metric", metric):
@@ -245,8 +249,8 @@ class TableLines(SingleValues):
         leadscrew table of its axis is on, or the user is asked which of the two was active.
         ``word``: its last activation value, in the line ``place``.
 
-        If the switch is in another file than the values, no program that loads the values switched
-        it off.
+        An activation parameter in another file than the values was not set by a program that loads
+        these values. So it shows the state that the control was in.
         """
         screw, stated = self._leadscrew(), self.activity.stated
         dumped = place is not None and place.number not in {

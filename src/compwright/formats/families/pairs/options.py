@@ -153,7 +153,8 @@ def unit_unknown(
     tables is inch or unknown. ``kinds``: the kinds (linear, rotary) of both axes; rotary axes need
     no length unit.
 
-    Unknown: the control works in inch and no file states their unit.
+    The unit is unknown if the control works in inch and no file states the unit of its cross-axis
+    tables.
     """
     metric = control.state.facts_of(output).pairs.metric
     unknown = metric is None and control.options.get("units") == "inch"
@@ -176,7 +177,8 @@ def unit_unknown(
 def scale_of_pairs(control: Family, kind: AxisKind) -> NumberScale:
     """Return unit, sign and resolution of the numbers in a cross-axis table.
 
-    If the sign is not known, its structure can still be read.
+    If the sign is unknown, values count as corrections, so that the table's positions and size can
+    still be read.
     """
     options = control.options
     if not sign_known(control):

@@ -1,4 +1,6 @@
-"""Calls between a control's programs: which are executed, and which value is the last."""
+"""Calls between the programs of a control: which programs are executed, and which of several
+assignments to the same variable is executed last.
+"""
 
 from __future__ import annotations
 
@@ -26,7 +28,7 @@ from compwright.records.correction import ControlFile
 class StartDoubt:
     """A line because of which it is uncertain whether a program is executed at all.
 
-    ``call``: the doubtful line that calls the program.
+    ``call``: the line that calls the program, if its call is in doubt.
     """
 
     file: str
@@ -38,9 +40,10 @@ class StartDoubt:
 class Found:
     """A program in a file, with reasons to doubt that the control executed it.
 
-    ``computed``: faults of values known only while the program runs; ``start``: what may keep all
-    of it from being executed; ``called``: another one calls it; ``loaders``: the programs of the
-    files that hold values, directly or by calls.
+    - ``computed``: faults of values that are calculated when the program runs.
+    - ``start``: the reason why the whole program was possibly not executed.
+    - ``called``: another program calls this one.
+    - ``loaders``: names of all programs in the files that assign values themselves or by calls.
     """
 
     file: str

@@ -1,10 +1,10 @@
 """Conditions of a SINUMERIK program that depend on each other, so that some runs are impossible.
 
-A run in which ``R1==1`` is true in one line has it true in the other one too, and ``R1<>1`` false,
-as long as R1 is not assigned between them.
+If ``R1==1`` is true in one line of a run, it is also true in a later line, and ``R1<>1`` is false
+there. This holds as long as R1 is not assigned between these lines.
 
-Conditions with a variable of the control (``$..``), an index or a call are left out: their value
-may change at any time.
+Conditions with a variable of the control (``$..``), an index or a call are left out, because their
+value may change at any time.
 """
 
 from __future__ import annotations
@@ -52,9 +52,9 @@ _RELATIONS: Mapping[str, Callable[[float, float], bool]] = {
 class Condition:
     """A condition of a program, as the comparison of an expression (``subject``) with a number.
 
-    Of a variable, or of a whole text that is 1 if it is true. ``names``: the variables in it;
-    ``truth``: its value is true or false, and no other number; ``text``: as written, without
-    blanks.
+    ``subject``: a variable, or a whole expression that counts as 1 if it is true. ``names``: the
+    variables in it. ``truth``: its value can only be true or false, not another number. ``text``:
+    the condition as written, without blanks.
     """
 
     subject: str
@@ -151,8 +151,9 @@ def number_of(word: str) -> float | None:
 def value_of(text: str, values: Mapping[str, float]) -> float | None:
     """Return the value of an expression (1 for true) with these variables; None if it is unknown.
 
-    Without blanks; None too if it depends on the order of operators without brackets: two
-    comparisons, a comparison and AND or OR, XOR and AND, NOT and a calculation.
+    The value also counts as unknown if it depends on the order of operators without brackets. There
+    are four such cases: two comparisons, a comparison with AND or OR, an XOR, and NOT with a
+    calculation.
     """
     text = _bare(text)
     masked = _masked(text)
@@ -191,7 +192,7 @@ def _calculated(text: str, masked: str, values: Mapping[str, float]) -> float | 
     """Return the whole-number result of a sum, difference, product or quotient; None if unknown.
     ``masked``: the text with zeros inside its brackets; ``values``: numbers by variable.
 
-    What a variable of whole numbers makes of it depends on its type.
+    A result with a fraction is unknown, because a variable of whole numbers would round it.
     """
     for pattern in (_SUMS, _PRODUCTS):
         if found := pattern.fullmatch(masked):
@@ -225,8 +226,8 @@ def without_known_answers(
     variables have known values, the step that it excludes is left out. ``follow``: the steps before
     this check; ``setting``: the variables that each step sets.
 
-    Every run that comes to the condition has set its variables to the same numbers before.
-    ``setting`` has their expressions.
+    The values are known if every run that reaches the condition has set its variables to the same
+    numbers before. ``setting`` contains the expression that is assigned to each variable.
     """
     known: dict[int, dict[str, float]] = {0: {}}
     found = list(follow)

@@ -139,7 +139,7 @@ _UNIT = re.compile(r"(?<![A-Z_$])G(?:(?P<inch>70|700)|71|710)(?!\d)", re.IGNOREC
 class FlowLine:
     """A program line that can change the order of execution, as written.
 
-    ``missing``: the called program, if it is not among the files.
+    ``missing``: the name of the program that the line calls, if it is not among the files.
     """
 
     line: int
@@ -151,7 +151,8 @@ class FlowLine:
 class Call:
     """A program line that calls the program ``name``, always or only on a condition.
 
-    ``conditional``; ``doubt``: what in its own program may keep it from being executed.
+    ``conditional``: the line itself contains the condition. ``doubt``: a line of the calling
+    program because of which the call is possibly not executed.
     """
 
     name: str
@@ -164,13 +165,12 @@ class Call:
 class ProgramFlow:
     """One program that assigns values, with the lines that affect the order of execution.
 
-    ``called``: the evidence that it runs only if another program calls or starts it; ``flow``:
-    lines that may skip values, before the last one; ``late``: such lines after it; ``dividing``:
-    lines that divide it into branches; ``ended``: where it certainly ends; ``units``: by line, the
-    unit of lengths that is set; ``behind``: values after the end; ``lines``: number and code of its
-    lines as far as they matter for the runs through it, whether they hold a value, and the programs
-    that they call; ``calls``: of programs of the files; ``followed``: programs after whose call it
-    continues.
+    ``called``: evidence that it runs only if another program calls or starts it. ``flow``: lines
+    that may skip values, before the last one; ``late``: such lines after it. ``dividing``: lines
+    that divide it into branches. ``ended``: the line where it certainly ends; ``behind``: values
+    after that line. ``units``: the length unit that a line sets. ``lines``: its lines, as number,
+    code, whether it assigns a value, and the programs that it calls. ``calls``: its calls of
+    programs in the files. ``followed``: programs after whose call it always continues.
     """
 
     name: str = ""
@@ -205,7 +205,7 @@ class ProgramFlow:
         """Yield each repeated assignment of a variable that is in another branch of the program
         than the one before, with the line of that earlier one. ``keys``: returns a line's variable.
 
-        Before the first branch, repeated assignments are a sequence.
+        Repeated assignments before the first branch are left out: the last of them counts.
         """
         seen: dict[Key, int] = {}
         for value in self.values if self.flow else ():
@@ -357,8 +357,8 @@ def _step(number: int, code: str, followed: Collection[str], *, marked: bool) ->
 def _sets(code: str) -> dict[str, str | None]:
     """Return the variables to which a statement assigns, each with its expression.
 
-    None if its value may change from line to line; any variable, if the statement is not known, or
-    stops until the operator goes on.
+    The expression is None if the assigned value is not fixed. Any variable (`ANY`) may change by an
+    unknown statement, and while the program waits for the operator.
     """
     if code and not harmless(code):
         if (loop := FOR.fullmatch(code)) is not None:

@@ -1,8 +1,8 @@
 """Possible runs through a SINUMERIK program: which lines with values one run can execute, and which
 lines every run executes.
 
-A condition may be true or false, but the same for others of the same variable; an unknown statement
-may end the program. Values play no part here.
+A condition may be true or false, but conditions of the same variable must agree. An unknown
+statement may end the program. The values that the lines assign are not used here.
 """
 
 from __future__ import annotations
@@ -57,10 +57,13 @@ _CLOSING = {"ENDIF": "IF", "ENDWHILE": "WHILE", "ENDFOR": "FOR", "ENDLOOP": "LOO
 class Step:
     """One program line, reduced to what decides the order of execution.
 
-    ``names``: its label and block number; ``code``: what it does, strings emptied, empty if it does
-    not affect the order of lines; ``marked``: it is one of those in question (a value, a call);
-    ``skipped``: on the control's block skip; ``until``: the last of the lines that certainly follow
-    it; ``sets``: the variables that it assigns, with their expressions.
+    - ``names``: the label and the block number of the line.
+    - ``code``: the statement without the contents of strings; empty if it does not affect the order
+      of lines.
+    - ``marked``: the line assigns a value, or calls a program that assigns values.
+    - ``skipped``: the operator can skip the line (block skip).
+    - ``until``: the last of the lines that are merged into this step.
+    - ``sets``: the variables to which the line assigns, with their expressions.
     """
 
     line: int
@@ -76,11 +79,12 @@ class Step:
 class ProgramRuns:
     """The lines of one program (steps), with the lines that can follow each of them.
 
-    After the last one are its end, from where the calling program continues, and the place where
-    everything stops: by M2, an alarm, or an unknown statement.
+    Two more places follow the last step. The first is the end of the program, after which the
+    calling program continues. The second is where all execution stops: after M2, an alarm, or an
+    unknown statement.
 
-    ``unclear``: lines of jumps with more than one possible label. ``decisions``: by place, steps
-    with a known condition.
+    ``next``: by step, the indices of the steps that can follow. ``unclear``: lines of jumps with
+    more than one possible label. ``decisions``: by step, its condition, if this can be evaluated.
     """
 
     steps: Sequence[Step]
@@ -141,9 +145,8 @@ class ProgramRuns:
     def unavoidable(self, lines: Collection[int]) -> list[int]:
         """Return those of the ``lines`` of which every complete run executes at least one.
 
-        A single one that all runs execute, else those that may be the first in a run.
-
-        Empty if a run can skip all of them.
+        If all runs execute the same line, only this line is returned, else those that can be the
+        first in a run. Empty if a run can skip all of them.
         """
         found: list[int] = []
         for ways in self.consistent():
@@ -264,7 +267,7 @@ def _choice(
 def _merged(steps: list[Step]) -> list[Step]:
     """Return the steps with successive lines of values merged to one, to save time.
 
-    Block numbers to which no jump leads are not kept as names.
+    A block number stays in a step's names only if a jump leads to it.
     """
     targets = set(re.findall(r"\bN\d+", " ".join(step.code.upper() for step in steps if step.code)))
     kept: list[Step] = []
@@ -297,8 +300,8 @@ def _word(step: Step) -> str:
 class _Blocks:
     """The blocks (IF, loops) of a program: their opening, ELSE and closing lines, by index.
 
-    ``ends``: by the index of an opening line, and of ELSE, the closing line; ``elses``: by an IF
-    its ELSE; ``starts``: by a closing line the opening one.
+    ``ends``: the closing line of each opening line and of each ELSE. ``elses``: the ELSE of each
+    IF. ``starts``: the opening line of each closing line.
     """
 
     ends: dict[int, int] = field(default_factory=dict)
@@ -375,8 +378,8 @@ def _destinations_of(
 ) -> Sequence[int]:
     """Return the labels to which a jump can lead, by its direction (GOTOF, GOTOB).
 
-    GOTOF searches from its line to the end of the program, GOTOB from its line to the start, GOTO
-    and GOTOC to the end and then elsewhere.
+    GOTOF searches from its line to the end of the program. GOTOB searches from its line back to the
+    start. GOTO and GOTOC search to the end, then in the lines before them.
     """
     labels = places.get((go["target"] or "").upper(), ())
     ahead = [one for one in labels if one > place]
@@ -393,7 +396,8 @@ def _targets(
     """Return the steps at which a jump (``go``) can continue: all labels if the target is computed,
     the program end (``stop``) if the target does not exist.
 
-    A stop if the control gives an alarm, because there is no such label in that direction.
+    A missing target stops the program, because the control gives an alarm. Only GOTOC then
+    continues with the next line. GOTOS leads to the start of the program.
     """
     if go["way"].upper() == "S":
         return {0}

@@ -27,8 +27,9 @@ def not_carried_out(
     """Return ``files`` without the programs that, by the job, were not executed, and a finding for
     each file left out.
 
-    Raises InputError if that is impossible: a value that every run of the program executes, or a
-    file that also holds other values, to which the answer does not apply.
+    Raises InputError if the job's answer cannot be right: every run of the program executes one of
+    its values. Raises InputError too for a file that also contains values to which the answer does
+    not apply.
     """
     kept: list[ControlFile] = []
     findings: list[Finding] = []
@@ -145,7 +146,8 @@ def check_programs(
     ``wanted``: addresses of the axes to check (empty: all); ``unit``: the control's length unit, mm
     or inch.
 
-    Tables are checked too. Values that no run executes, or that two branches assign, are refused.
+    Values of cross-axis tables are checked too. Two kinds of values are faults: those that no run
+    executes, and those that two branches of a program assign.
     """
 
     def concerns(one: Occurrence) -> bool:

@@ -1,8 +1,8 @@
 """Read the cross-axis tables (SINUMERIK CEC) from the control's files as curves.
 
-A pair of tables with one input and output axis, one for each direction, is how such a control holds
-a reversal that varies. Active tables of one pair of axes add up; one that is multiplied by another
-is not read.
+For a reversal error that varies with the position, such a control has two tables with the same
+input and output axis, one for each direction. The corrections of active tables with the same axes
+are added. A table that is multiplied by another one is not read.
 """
 
 from __future__ import annotations
@@ -53,8 +53,8 @@ class Writable:
     """The cross-axis tables that compwright is allowed to write: table indices by the address of
     the axis that they correct.
 
-    ``sign_known``: the meaning of a value is known. ``drafted``: those that may be written on any
-    other axis; None if the files are only shown.
+    ``sign_known``: it is known whether table values are corrections or errors. ``drafted``: the
+    indices that may be written on all other axes; None if the files are only displayed.
     """
 
     indices: Mapping[str, Collection[int]]
@@ -65,7 +65,7 @@ class Writable:
         """Return whether table ``one``, by which an axis corrects itself, is active and will not be
         written.
 
-        Its index is not among those to be written, and it is known to be on.
+        It will not be written if its index is not among those that compwright may write.
         """
         return self.not_ours(one.index, one.pair[1]) and one.known_on()
 
@@ -87,12 +87,14 @@ def _largest(places: Places) -> float:
 class CecReader(SingleValues):
     """Reads all cross-axis tables (CEC) in the files; faults are added to ``notes``.
 
-    ``scale``: that of a table on one axis (`places.as_table`). ``wanted``: the axes under work
-    (none: all). ``units``: units of the numbers. Some tables cannot be read as a curve: the range
-    is no multiple of the step, the output is no machine axis, a key or the unit is unknown, or it
-    is a product with another table. That is a fault if the table is active on a wanted axis over
-    itself and may be written, or no job states which may (``writable``); else the table is left
-    alone and reported.
+    ``scale``: unit and sign of the numbers in a cross-axis table. ``wanted``: the axes of the job
+    (empty: all axes). ``units``: the length units of the files.
+
+    Some tables cannot be read as a curve: the range is no multiple of the step, the output is no
+    machine axis, a key or the unit is unknown, or the control multiplies the table by another one.
+    Such a table is reported and stays unchanged, with two exceptions, which are faults. First, its
+    lines are incomplete or contradict each other. Second, it is active, corrects an axis of the job
+    by that axis' own position or as a product, and may be written (``writable``).
     """
 
     def __init__(
@@ -206,7 +208,8 @@ class CecReader(SingleValues):
     def _touches(self, pair: Pair, address: str) -> bool:
         """Return whether a table of this axis pair corrects the axis at ``address``.
 
-        A name that is no machine axis may be another name of the axis with that letter.
+        True also if the output name is not that of a machine axis but begins with the letter of
+        this axis. It may then be another name of the axis.
         """
         if pair[1] == address:
             return True

@@ -1,9 +1,9 @@
 """Write small files that contain only the changed values of the axes of the job.
 
-An archive in a container is never written back: what changes goes into files that the control loads
-in addition to it, and the same entries with their old values into files that restore them. Each
-file is complete for its axes: entries that stay but define the axis or correct it are comments in
-it (``; as it is:``), so that the files can be read without the archive.
+An archive in a container is never written back. Changed values go into files that the control loads
+in addition to it. The same entries with their old values go into files that restore them. Entries
+that define or correct the axis but stay the same are in the file as comments (``; as it is:``). So
+the files can be understood without the archive.
 """
 
 from __future__ import annotations
@@ -57,7 +57,8 @@ class _FilesSide:
 class _Plan:
     """What one small file will contain: name, header, entries and footer.
 
-    The entries that it enters, those that are done by hand, and those that it only shows.
+    ``enters``: the entries that the file sets. ``by_hand``: entries that the user sets at the
+    control. ``as_it_is``: entries that stay the same and are shown as comments.
     """
 
     name: str
@@ -71,8 +72,8 @@ class _Plan:
 class SmallFiles:
     """The small files that enter the changed values of some axes.
 
-    ``own``: the control's files, containers opened; ``patched``: those of them that change, and new
-    ones.
+    ``own``: the control's files, with the contents of containers in their place. ``patched``: the
+    changed files among them, and new files.
     """
 
     def __init__(
@@ -305,7 +306,8 @@ class SmallFiles:
         """Return whether a parameter has to be set by hand at the control, not by the file.
         ``pair``: the axis gets a cross-axis table.
 
-        It changes memory, or switches all tables on an axis for which a table is written.
+        These are parameters that change the reserved memory, and the parameter that activates all
+        cross-axis tables on an axis.
         """
         return self._is(key, _HANDS) and (
             self._changed(key) or (pair and self._is(key, ("cross_axis_enabled",)))
@@ -405,8 +407,9 @@ class SmallFiles:
     def _old_text(self, key: Key) -> str | None:
         """Return the old value of an entry as text.
 
-        A value that was in no file goes back to its assumed value, and a switch to whether the
-        table was active, which the job may state differently from the files.
+        A table value or backlash that was in no file becomes 0 again. A table's switch gets the
+        state that the table had during the measurement; the job may state it differently from the
+        files. None if the entry need not be restored, such as reserved memory.
         """
         found = self.old.entries.get(key)
         enabled = self.control.state.facts_of(key[1]).enabled

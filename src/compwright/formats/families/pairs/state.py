@@ -1,6 +1,6 @@
 """Read the compensation of axes and between axes from files with cross-axis tables (CEC).
 
-Values in two members of a commissioning archive must agree.
+If two members of a commissioning archive state the same value, they must agree.
 """
 
 from __future__ import annotations
@@ -124,7 +124,7 @@ class PairsReader(GridReader):
     def elsewhere(self, address: str) -> bool:
         """Return whether cross-axis tables correct an axis by its own position.
 
-        If their sign is unknown, the user is asked.
+        If the sign of their values is unknown, the question for it is added to the notes.
         """
         active = self.cec.active((address, address))
         if active and not self.sign_known:
@@ -158,7 +158,7 @@ class PairsReader(GridReader):
         """Return as text the activation parameters of other tables in the same file as an axis' own
         table that no file deactivates: these are possibly active while the file is loaded.
 
-        The control protects active tables during loading.
+        The control rejects new values of a table that is active.
         """
         own = None if system is None else str(system - 1)
         ours = {row.number for row in self.gathered.rows.get((address, own), ())}
@@ -285,7 +285,8 @@ def _assigned(content: bytes) -> dict[str, tuple[str, int]]:
 def compared(gathered: Gathered, address: str, system: str, unit: str) -> str:
     """Return values of an axis, as text, to compare with the control's display, in ``unit``.
 
-    As in the archive: the largest and the smallest of its table, and the backlash.
+    The values are those in the archive, among them the largest and the smallest value of the table
+    and the backlash.
     """
     definition = gathered.definition
     rows = gathered.rows.get((address, system), [])

@@ -24,8 +24,8 @@ def without_cut_sums(
     control's limit, leave all of these out, provided that they ``may_stay`` unchanged; else add a
     fault. ``wanted``: the axes to check (none: all).
 
-    The control cuts such a sum off: it is not a curve, but the same before and after if all of them
-    stay.
+    The control limits such a sum, so the correction is not the sum of the curves. If all of these
+    tables stay, the correction is the same before and after loading.
     """
     under_work = tuple(wanted)
     for output, limit in cec.max_sum.items():
@@ -77,7 +77,8 @@ def _merged(
     """Return the sums of cross-axis tables: the tables with the same period and start position
     become one curve, with its period, its positions, and its corrections for + and for -.
 
-    A sum of curves that are straight between their points is straight between the points of all.
+    Each table is straight between its points, so their sum is straight between the points of all of
+    them.
     """
     groups: dict[tuple[float | None, float | None], list[CecTable]] = {}
     for table in tables:
@@ -141,8 +142,8 @@ def _as_tables(
 def cross_tables(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompensation, ...]:
     """Return the corrections between axes: the sum of the tables for each axis pair and period.
 
-    A table that cannot be read as a curve stays unchanged and is not included: its effect is the
-    same before and after.
+    A table that cannot be read as a curve is not included. It stays unchanged, so its effect is the
+    same before and after loading.
     """
     pairs = dict.fromkeys(table.pair for table in cec.tables if table.input != table.output)
     return tuple(

@@ -34,7 +34,8 @@ class Switches:
         """Set MD32710 of an axis to 1; add a fault if this would also activate tables other than
         the new ones.
 
-        If no file states MD32710, it has to be set by hand; other tables are a fault then too.
+        If no file states MD32710, the user has to set it by hand. Other tables on the axis are then
+        a fault too.
         """
         if self.own is None:
             return
@@ -80,7 +81,8 @@ class Switches:
         one of its lines (``switches``) which is the last in each file. ``named``: axis or table of
         a new line.
 
-        If that line comes before the tables' values it stays off, and a new line follows them.
+        If that line comes before the tables' values, it stays off, and a new line with 1 is put
+        after the values.
         """
         first = self.tables.first_values(indices)
         early = set()
@@ -128,7 +130,8 @@ class Switches:
         """Return whether setting MD32710 of the axis ``output`` possibly activates the table
         ``index``, although this is not one of the new tables.
 
-        Also one that is active by the files while its values are in no file.
+        True also for a table whose activation parameter is in the files but whose values are in no
+        file.
         """
         tables = self.tables
         if index in tables.kept or tables.off(index):

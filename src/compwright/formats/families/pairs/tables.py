@@ -16,10 +16,11 @@ from compwright.records.facts import PairFacts
 class CecTable:
     """One cross-axis table: the weighted correction of ``output`` at positions of ``input``.
 
-    ``values`` (k,) at ``positions`` (k,), mm or deg.
-
-    ``directions``: in which it is active. ``period``: the table repeats. ``active``: no file
-    switches it off. ``stays``: it corrects an axis over itself, and its index is not to be written.
+    - ``positions``, ``values`` (k,): mm or deg.
+    - ``directions``: the directions of travel in which the table is active.
+    - ``period``: the length after which the table repeats; None if it does not repeat.
+    - ``active``: no file switches the table off.
+    - ``stays``: the table corrects an axis by its own position, and its index must not be written.
     """
 
     index: int
@@ -42,8 +43,8 @@ class CecTable:
 class OddTable:
     """A cross-axis table that cannot be used, with the reason.
 
-    ``largest``: its largest amount, weighted, mm or deg, 0 where it is off. ``times``: the table by
-    which it is multiplied.
+    ``largest``: the largest correction of the table with its weight, mm or deg; 0 if the table is
+    off. ``times``: the index of the table by which the control multiplies this one.
     """
 
     index: int
@@ -63,13 +64,13 @@ class OddTable:
 class Cec:
     """All cross-axis tables in the files.
 
-    ``reserved``: points by index; ``max_sum``: by output axis, mm or deg.
-
-    ``metric``: by output axis, whether values are in mm.
-
-    ``occupied``: input and output axis by index, of tables that are left out of ``tables`` too.
-    ``odd``: those that are active, or may be, and cannot be read. ``prints``: by index eight
-    characters that identify the contents of a table.
+    - ``odd``: tables that cannot be read as a curve.
+    - ``occupied``: by index, the input axis and the output axis, also of tables that are not in
+      ``tables``.
+    - ``reserved``: by index, the number of points for which memory is reserved.
+    - ``max_sum``: by output axis, the limit for the sum of its tables, mm or deg.
+    - ``metric``: by output axis, whether its tables are in mm.
+    - ``prints``: by index, eight characters that identify the contents of the table.
     """
 
     tables: tuple[CecTable, ...] = ()
@@ -126,7 +127,7 @@ class Cec:
         """Return as text the active tables that correct an axis but are not part of its
         compensation.
 
-        The text changes with their values.
+        If the values of these tables change, the text changes too.
         """
         mine = [table for table in self.odd if table.largest and table.output == address]
         return ", ".join(
@@ -143,7 +144,7 @@ class Cec:
         """Return as text the active tables by which other axes correct this axis and which cannot
         be read as corrections; if not ``sign_known``, that is every such table.
 
-        The text changes with their values.
+        If the values of these tables change, the text changes too.
         """
         active: list[CecTable | OddTable] = [table for table in self.odd if table.largest]
         if not sign_known:

@@ -1,7 +1,7 @@
 """Write cross-axis tables (CEC) into the control's files.
 
-Only indices that the option ``cec_tables`` allows are written, and of these only free ones or an
-axis' own pair: tables of the machine's builder stay as they are.
+Only table indices in the option ``cec_tables`` are written, and only if the index is unused or its
+table corrects the axis by its own position. Tables of the machine's builder stay as they are.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ class CecWriter:
         """Write an axis' two tables, one per direction; return the tables for which no file of the
         control has lines.
 
-        Raises UsageError if the meaning of a value is not given.
+        Raises UsageError if it is not stated whether table values are corrections or errors.
         """
         address, name, faults = work.address, work.axis.name, work.faults
         free = free_tables(self.tables.allowed, self.tables.in_use, address)
@@ -89,8 +89,8 @@ class CecWriter:
         """Write ``curves`` as the tables ``indices``, one per direction or one for both. ``pair``:
         input axis and output axis. Return the tables for which no file of the control has lines.
 
-        Raises UsageError if the meaning of a value is not given: one of the two answers doubles the
-        error.
+        Raises UsageError if it is not stated whether table values are corrections or errors: the
+        wrong sign would double the error.
         """
         if not sign_known(self.control):
             raise UsageError(sign_question(f"{label}: a CEC table is to be written"))
@@ -187,9 +187,10 @@ class CecWriter:
     def _reserve(self, index: int, count: int, faults: list[Fault]) -> None:
         """Reserve memory for a table's points if the files reserve too little.
 
-        As many as the option states, or as many as it has if none were reserved.
-
-        Files with a smaller number would remove the memory again when they are loaded.
+        The option ``points`` states how many points to reserve. Without it, memory is reserved only
+        if the files reserve none: for ``count`` points. A reservation that is too small is then a
+        fault. The files must not keep a smaller number, because loading it would remove the memory
+        again.
         """
         fixed = self.definition.limit_number("cross_points")
         if fixed is not None:

@@ -1,7 +1,7 @@
 """The state of a motion control card (PMAC) after it has executed scripts: tables and settings.
 
-The order in which the card allows tables to be defined and deleted (ERR003), and in which scripts
-are sent.
+Checks of the order are here too: the order in which the card allows tables to be defined and
+deleted (ERR003), and the order in which scripts are sent.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ Kind = Literal["COMP", "BLCOMP", "TCOMP"]
 class Word:
     """A piece of a script: its text, its file and line, and its numeric value if it is a number.
 
-    ``start`` and ``end`` in bytes of the file that is the ``number``-th of those given. ``value``:
-    its number, if it has one.
+    ``number``: the index of its file among the given files. ``start``, ``end``: the bytes of that
+    file at which the piece begins and ends. ``value``: its number, None if it is not a number.
     """
 
     text: str
@@ -62,7 +62,8 @@ class MemoryTable:
     """A table in a motor's memory: the number of entries that its definition requires, and the
     entries that follow in the script.
 
-    ``desired``: looked up by the commanded position. ``plane``: over two motors.
+    ``desired``: the commanded position selects the entry, not the actual one. ``plane``: the
+    positions of two motors select the entry.
     """
 
     kind: Kind
@@ -86,7 +87,7 @@ class MemoryTable:
     def numbers(self) -> tuple[int, ...]:
         """The table's entries as numbers.
 
-        Entry i is at i * length / entries, counted from 1.
+        Entry i, counted from 1, belongs to the position i * length / (number of entries).
         """
         return tuple(int(word.text) for word in self.values)
 
@@ -100,12 +101,15 @@ class MemoryTable:
 class Script:
     """The tables and settings of a control after it has executed scripts one after the other.
 
-    ``tables``: by kind and motor; ``settings``: all assignments to compensation quantities, by
-    quantity and motor (0: all motors), the last one counts; ``programs``: those in programs.
-    ``commands``: every definition, deletion and setting in the order of the files; ``conditional``:
-    those (by motor) within a block of the sending program that may be skipped; ``apart``: those of
-    them in another branch of a block than an earlier one. ``shared``: values of assignments to more
-    than one variable.
+    - ``tables``: the tables by kind and motor.
+    - ``settings``: all assignments to compensation quantities, by quantity and motor (0: all
+      motors). The last one is in effect.
+    - ``programs``: by quantity and motor, an assignment inside a program.
+    - ``commands``: every definition, deletion and setting, in the order of the files.
+    - ``conditional``: by motor, commands in a conditional block, which are possibly not sent.
+    - ``apart``: by motor, commands that are in another branch of a conditional block than an
+      earlier command.
+    - ``shared``: values that one command assigns to more than one variable.
     """
 
     files: tuple[ControlFile, ...]
@@ -202,7 +206,8 @@ def order_dependent_values(script: Script) -> Iterator[Fault]:
     """Yield a fault for each value that depends on the order in which the scripts of a folder are
     sent to the control.
 
-    That order is by name, and scripts are not sent by name.
+    The files of a folder are read in the order of their names, but the order in which they are sent
+    is unknown.
     """
     for (quantity, motor), words in script.settings.items():
         name = _NAMES[quantity].format(motor)
@@ -215,7 +220,8 @@ def order_dependent_values(script: Script) -> Iterator[Fault]:
 def _tables(script: Script) -> Mapping[tuple[str, int], list[tuple[str, Word]]]:
     """Return the commands that define or delete each table, by kind of table and motor.
 
-    Any two deletions are equal; a definition is equal only to the same definition.
+    Each command has a text for comparison. All deletions have the same text, and each definition
+    has a text of its own.
     """
     found: dict[tuple[str, int], list[tuple[str, Word]]] = {}
     for number, (command, motor, word) in enumerate(script.commands):

@@ -57,8 +57,8 @@ class Counts:
     def entries(self, quantity: str, added: FloatArray, what: str) -> list[int]:
         """Return the table entries (k,) that give the correction ``added`` (k,), mm or deg.
 
-        Raises NotHeld for values that are not whole parts of a count, or beyond the range of
-        ``quantity``.
+        An entry is a whole number of 1/16 count. Raises NotHeld for a correction that is not a
+        multiple of this, or beyond the range of ``quantity``.
         """
         low, high = self.definition.measure(quantity).range
         ratio = added * (_SIGN[self._sign(quantity)] * PARTS * self.per_unit)
@@ -130,7 +130,8 @@ def around(axis: Axis | None, zero: float, step: float) -> tuple[float, int]:
     point counted from motor zero. ``zero``: the axis position at motor zero; ``step``: the distance
     of points.
 
-    The last one below the travel of an axis with ends.
+    For an axis with ends this is the last point at or below its travel, for an endless axis motor
+    zero.
     """
     if axis is None or axis.modulo is not None:
         return zero, 0

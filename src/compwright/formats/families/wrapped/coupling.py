@@ -1,7 +1,8 @@
 """Find the motors of a PMAC that move together, from its scripts.
 
-Two motors on one axis of a coordinate system (`#1->1000X`, `#2->1000X`), motors that a kinematics
-program places (`#1->I`), and position following (Ixx06, of the register that Ixx05 points to).
+The scripts can state three kinds of coupling: two motors on one axis of a coordinate system
+(`#1->1000X`, `#2->1000X`), motors whose position a kinematics program calculates (`#1->I`), and
+position following (Ixx06; Ixx05 contains the address of the followed register).
 """
 
 from __future__ import annotations
@@ -61,7 +62,8 @@ def axis_scales(
 ) -> Mapping[int, Sequence[tuple[float, CouplingStatement]]]:
     """Return the counts per axis unit of each motor that drives an axis alone (`#1->10000X`).
 
-    Without a number the axis counts in the motor's own counts; its unit is then no length.
+    A definition without such a number is left out: the axis unit is then one count of the motor,
+    which is no length.
     """
     found: dict[int, list[tuple[float, CouplingStatement]]] = {}
     for motor, definitions in _definitions(_without_macros(files)).items():
@@ -152,7 +154,8 @@ def _assigned(files: Sequence[ControlFile]) -> Iterator[Coupling]:
 def _following(files: Sequence[ControlFile], motors: Iterable[int]) -> Iterator[Coupling]:
     """Yield the motors that follow the position of another motor, and motors that possibly do so.
 
-    If no file explains the register, each of them may lead.
+    If the files do not show whose position the register contains, every other motor may be the
+    followed one.
     """
     statements: dict[tuple[int, str], list[CouplingStatement]] = {}
     for found in statements_in(files, _SETTING, _REMARK):
@@ -186,8 +189,8 @@ def _sources(
 ) -> list[int]:
     """Return the motors whose position a ``register`` possibly contains.
 
-    By their feedback (Ixx03, Ixx04), or because it is one of their own (motor n has $80 of them
-    from n times $80 on).
+    These are motors that use the register as feedback (Ixx03, Ixx04). If there are none, it is the
+    motor in whose own block the register lies: motor n has $80 registers from n times $80 on.
     """
     if register is None:
         return []

@@ -139,7 +139,7 @@ class WrappedFamily(Family):
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
         """Return the limits of one axis' table; see `Family.capacity`.
 
-        Raises UsageError for unknown motor counts.
+        Raises UsageError if the motor's counts per mm or degree are unknown.
         """
         del one_curve
         self.address(axis)
@@ -170,8 +170,8 @@ class WrappedFamily(Family):
         """Return the positions of the table points in the scripts, and the reason why a new table
         cannot use them (empty: it can).
 
-        Over the travel and the reference of an axis with ends (the rest is in the gap where it
-        repeats).
+        For an axis with ends these are the points for the travel and the reference position. The
+        other points of the table are in the gap after which it repeats.
         """
         ring = self.existing_grid(axis)
         if axis.modulo is not None or len(ring) < 2:

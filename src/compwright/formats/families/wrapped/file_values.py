@@ -1,7 +1,7 @@
 """Read every value of PMAC scripts.
 
-Tables by motor and entry, whatever the file and however the numbers are separated; variables by
-their number; the rest line by line.
+Entries of tables are named by motor and entry number, so file and line breaks do not matter.
+Variables are named by their number. All other lines are read one by one.
 """
 
 from __future__ import annotations

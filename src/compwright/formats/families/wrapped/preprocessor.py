@@ -1,7 +1,7 @@
 """Process comments, macros and conditional blocks of scripts, as the program that sends them does.
 
 Sources: scripts of a machine as they are sent (github dhidas/IDCommon_ivu23_2.8m), for ``//``,
-``#define`` and expressions; the manuals for operators.
+``#define`` and expressions; the manuals, for operators.
 """
 
 from __future__ import annotations
@@ -38,9 +38,11 @@ _LONGEST = 2000
 class ConditionalBlock:
     """A conditional block of a script: where it begins, and the branch that is being read.
 
-    ``asks``: the subject of its condition, with a number that grows whenever that may have changed;
-    ``truth``: the answer for which its first branch is sent; ``awaited``: the macro whose
-    definition, as the next directive, makes it an include guard; ``guards``: it is one.
+    - ``asks``: the macro or expression of its condition, with a number that grows when this may
+      have changed.
+    - ``truth``: the result of the condition for which its first branch is sent.
+    - ``awaited``: the macro that the next directive must define if the block is an include guard.
+    - ``guards``: the block is an include guard.
     """
 
     line: int
@@ -56,8 +58,12 @@ class ConditionalBlock:
 class Conditions:
     """The state of the preprocessor at a line: defined macros and open conditional blocks.
 
-    How often each was defined or removed. ``chosen``: the macros that were last defined or removed
-    in one; ``guarded``: by name, the include guard in which a macro was last defined.
+    - ``macros``: the text of each macro.
+    - ``changes``: how often each macro was defined or removed.
+    - ``open``: the conditional blocks that contain the line.
+    - ``chosen``: macros that were last defined or removed in a conditional block that is no include
+      guard.
+    - ``guarded``: by macro, the include guard in which it was last defined.
     """
 
     macros: dict[str, str] = field(default_factory=dict)
@@ -139,8 +145,8 @@ def in_two_branches(
     """Return whether two places of a script are in branches of conditional blocks that exclude each
     other, so that only one of the places is sent.
 
-    In different branches of one block, or in branches of two blocks for opposite answers to one
-    question: they are not both sent.
+    They are in different branches of one block, or in two blocks with the same condition, in
+    branches for opposite results of it.
     """
     return any(
         branch != another
@@ -185,7 +191,8 @@ def _number(text: str) -> str:
 def expression_end(text: str, place: int) -> int:
     """Return the end of the expression that begins at ``place``; ``place`` if there is none.
 
-    Blanks are allowed around operators, but not before ``&`` and ``%``, which are commands.
+    Blanks are allowed around operators. Only before ``&`` and ``%`` they are not, because these
+    characters after a blank begin a command.
     """
     end = start = place
     while (closing := _term_end(text, start)) is not None:

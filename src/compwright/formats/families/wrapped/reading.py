@@ -1,8 +1,8 @@
 """Read scripts as the active compensation of every motor that they name.
 
-The table is looked up by the position of the source before correction and repeats after its length;
-the correction at motor zero is 0. Against the counting direction of the motor the constant backlash
-and its table are subtracted (PMAC manuals; sources in the definition).
+The position of the source motor before correction selects the table entry. The table repeats after
+its length, and the correction at motor zero is 0. Towards decreasing counts the control subtracts
+the constant backlash and the backlash table (PMAC manuals; sources in the definition).
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Read PMAC scripts of on-line commands: tables, settings and programs, and where each number is.
 
-Commands follow one another regardless of lines; the numbers of a table follow its definition. An
-unknown command is refused, because it may change the compensation.
+Commands follow one another, and line breaks have no meaning. The numbers of a table follow its
+definition. An unknown command is a fault, because it may change the compensation.
 """
 
 from __future__ import annotations
@@ -165,7 +165,7 @@ class _ScriptReader:
         with the block ``guard``. Return False, with a fault, if another branch of a block has the
         same command, else True.
 
-        Commands in two branches of a block are not both sent.
+        Of commands in two branches of a block only one is sent.
         """
         here = self.conditions.here
         apart = [

@@ -1,11 +1,12 @@
 """Convert a correction to the table entries of one motor.
 
-A table for both directions, and what is subtracted from it against the counting direction.
+The motor has a table for both directions, and a backlash that is subtracted from it towards
+decreasing counts.
 
-Entry i is at i * length / entries from motor zero; the table repeats after the length. The length
-is more than the whole travel, so that no place of the table serves two places of the axis: between
-the end of the travel and its beginning, one turn further, is an unused gap. For `HELD` spacings
-beyond the travel the end values are held.
+Entry i is at i * length / (number of entries) from motor zero, and the table repeats after its
+length. The length is more than the whole travel, so no entry is used at two places of the axis.
+Between the end of the travel and its beginning one length further there is an unused gap. For
+`HELD` spacings beyond each end of the travel, the table keeps the value at that end.
 """
 
 from __future__ import annotations
@@ -30,10 +31,9 @@ HELD = 3
 class MotorTable:
     """The table and backlash entries of a motor, as whole numbers of 1/16 encoder count.
 
-    ``length`` in counts; ``lost``: the backlash table in addition to ``constant``.
-
-    ``gap``: the places of the axis between which there is no travel, mm or deg; None: an endless
-    axis.
+    ``length``: in counts. ``lost``: the entries of the backlash table, which are added to the
+    backlash ``constant``. ``gap``: the axis positions, mm or deg, at which the table ends and at
+    which its repetition begins; None for an endless axis.
     """
 
     motor: int
@@ -58,7 +58,8 @@ class MotorTable:
 class _Nodes:
     """The points of a table, numbered from the reference.
 
-    ``first`` and ``last`` of the correction, ``low`` and ``high`` of the table.
+    ``first``, ``last``: the numbers of the first and last point of the correction. ``low``,
+    ``high``: those of the whole table. ``step``: the distance of two points, mm or deg.
     """
 
     step: float
@@ -72,9 +73,8 @@ def over_travel(ring: Sequence[float], axis: Axis) -> tuple[float, ...]:
     """Return the points of a repeating table that are needed for an axis' travel and its reference
     position.
 
-    All points if one period is too short for that.
-
-    ``ring``: the points of one period, with both ends, from below the travel.
+    ``ring``: the points of one period, with both ends, from below the travel. If one period is too
+    short for the travel, all of them are returned.
     """
     if len(ring) < 2:
         return ()
@@ -99,8 +99,8 @@ def motor_table(
     impossible. ``ring``: the points of one period of the existing table, with both ends (empty: no
     table).
 
-    If the new points are among these and the existing table is long enough, number of entries and
-    length stay the same.
+    If the existing table has the same spacing and is long enough, the new one has its length and
+    its number of entries.
     """
     label = f"axis {axis.name} ({compensation.address})"
     nodes, wrong = _nodes(axis, compensation, label, ring)
@@ -226,9 +226,8 @@ def _beyond_shape(compensation: AxisCompensation, label: str) -> list[Fault]:
 def _entries_of(curve: FloatArray, nodes: _Nodes, counts: Counts) -> FloatArray:
     """Return the correction (size,), mm or deg, at the positions of the table entries 1 to size.
 
-    The last one is at motor zero.
-
-    Outside, the ends of ``curve`` are held.
+    The last entry is at motor zero. Beyond the ends of ``curve`` the correction at the nearer end
+    is used.
     """
     size = nodes.high - nodes.low + 1
     along = np.arange(1, size + 1) * (1 if counts.forward is Direction.POSITIVE else -1)

@@ -1,8 +1,8 @@
 """Write tables of motors as new scripts, or into the user's own scripts.
 
-In the user's own scripts every other byte stays. New commands are put where the card accepts them:
-tables from the highest motor down, all COMP before the buffers that must follow them. The result is
-read again before it is delivered.
+In the user's own scripts all other bytes stay the same. New commands are put where the card accepts
+them: tables from the highest motor number down, and all COMP tables before the buffers that must
+follow them. The result is read again before it is returned.
 """
 
 from __future__ import annotations
@@ -217,7 +217,8 @@ class _Patcher:
     def _insert_after(self, word: Word, lines: Sequence[str]) -> None:
         """Insert lines after the last number of a table.
 
-        The motor addressed before is addressed again if the next command relies on it.
+        If the next command applies to the motor that was addressed before, a line that addresses
+        this motor again is added.
         """
         content = self.patches.files[word.number].content
         line = self.patches.line(word.number, word.start)
