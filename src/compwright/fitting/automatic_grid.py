@@ -1,6 +1,6 @@
 """Automatic choice of table points: as few as the error needs and no more than the control allows.
 
-The interpolation error between the nodes is computed, not estimated (`grid_losses`).
+The interpolation error between the points is computed for each grid, not estimated (`grid_losses`).
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ def choose_candidate(
     ``pool``, grids with a table point at the reference, and ``others``, without such a point.
     ``ends``: ends of the table, mm or deg.
 
-    Raises CapacityError where there is none.
+    Raises CapacityError if there is no candidate.
     """
     quantum = capacity.position_quantum
     if not (pool or others):
@@ -140,8 +140,8 @@ def _reaching_out(
 ) -> Iterator[GridCandidate]:
     """Yield grids with a round interval and a point at ``anchor`` that extend beyond the travel.
 
-    Only at ends that the job leaves open. At an end named in the job, free spacing makes the last
-    section shorter.
+    A grid extends beyond the travel only at an end that the job does not name. At an end named in
+    the job, a control with free spacing gets a shorter last section.
     """
     length = span.high - span.low
     for step in allowed_steps(sorted(listed_steps(capacity)) or round_steps(2 * length), capacity):
@@ -199,11 +199,12 @@ def _least_left(
     """Return the points of the grid with the smallest expected error, if no grid is good enough.
     ``lattice``: the increments and magnifications of the control.
 
-    A finer spacing needs smaller increments, and a coarser magnification where these are too small.
-    Among grids of almost equal error the coarsest is taken. Rounding leaves step / sqrt(12) rms at
-    a node (Bennett, Bell System Technical Journal 27, 1948) and about step / sqrt(18) between
-    nodes, because the mean of (1 - s)² + s² over a section is 2/3. Increments that are too small
-    leave about the part that they cannot reach.
+    The expected error of a grid has three parts. The first is the interpolation error. The second
+    is the rounding error. Rounding leaves step / sqrt(12) rms at a table point (Bennett, Bell
+    System Technical Journal 27, 1948). Between points it leaves about step / sqrt(18), because the
+    mean of (1 - s)² + s² over a section is 2/3. The third part is what the largest increment cannot
+    reach, if even the largest magnification is too small. A finer spacing needs smaller increments.
+    Among grids of almost equal error the coarsest is taken.
     """
     scored = []
     for candidate in candidates:

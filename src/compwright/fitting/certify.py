@@ -1,9 +1,9 @@
 """Proof that a solution is optimal, computed with numpy alone, so that no solver has to be trusted.
 
-Conditions of Karush, Kuhn and Tucker for: minimise x'Px/2 + q'x subject to lower <= Ax <= upper,
-with multipliers y > 0 at the upper and y < 0 at the lower bound (Boyd and Vandenberghe, Convex
-Optimization, 2004, section 5.5.3). Tables of whole increments are checked from the table itself:
-what it holds, within which limits, and what it leaves.
+The problem is: minimise x'Px/2 + q'x subject to lower <= Ax <= upper. A multiplier y is positive at
+an upper bound and negative at a lower bound. The proof checks the conditions of Karush, Kuhn and
+Tucker (Boyd and Vandenberghe, Convex Optimization, 2004, section 5.5.3). A table of whole
+increments is checked from the table itself: its values, its limits, and the error that it leaves.
 """
 
 from __future__ import annotations
@@ -30,13 +30,14 @@ WHOLE: Final = 1e-6
 def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict[str, float]:
     """Return the amount by which a solution violates each optimality condition, mm or deg.
 
-    ``x`` (n,): solution; ``y`` (c,): multipliers of the limits. Conditions of Karush, Kuhn and
-    Tucker (Boyd and Vandenberghe 2004, section 5.5.3).
+    ``x`` (n,): solution; ``y`` (c,): multipliers of the limits. The conditions are those of Karush,
+    Kuhn and Tucker (Boyd and Vandenberghe 2004, section 5.5.3).
 
-    ``primal``: the largest violation of a limit. ``stationarity``: the gradient of each unknown
-    divided by its stiffness (diagonal of P), which is a length. ``dual``: the largest multiplier
-    with the sign of a limit that does not exist, as a length. ``complementarity``: the largest
-    distance from a limit whose multiplier is not zero.
+    - ``primal``: the largest violation of a limit.
+    - ``stationarity``: the gradient by each unknown divided by its stiffness (diagonal of P), which
+      is a length.
+    - ``dual``: the largest multiplier with the sign of a limit that does not exist, as a length.
+    - ``complementarity``: the largest distance from a limit whose multiplier is not zero.
     """
     stiffness = np.maximum(np.abs(problem.P.diagonal()), 1e-300)
     gradient = problem.P @ x + problem.q + problem.A.transposed_times(y)
@@ -87,9 +88,9 @@ def range_gap(
     """Return an upper bound of the difference between the objective ``reached`` and the minimum of
     the linear objective c'x over all x with Gx <= h and absolute values up to ``box``.
 
-    Weak duality (Boyd and Vandenberghe 2004, section 5.2.2): for multipliers y >= 0, c'x >= -h'y +
-    (c + G'y)'x; the last term is at least -box |c + G'y|_1. ``cost`` (n,), ``G`` (r, n), ``h`` and
-    ``multipliers`` (r,).
+    ``cost`` (n,): c. ``G`` (r, n), ``h`` (r,): the limits. ``multipliers`` (r,): y. By weak duality
+    (Boyd and Vandenberghe 2004, section 5.2.2), c'x >= -h'y + (c + G'y)'x for all y >= 0. The last
+    term is at least -box |c + G'y|_1.
     """
     y = np.maximum(multipliers, 0.0)
     left = float(np.sum(np.abs(cost + G.transposed_times(y))))
@@ -108,12 +109,13 @@ def lattice_certificate(
     violation of a limit, the rms error of the table, and a lower bound of this rms error.
     ``claimed``: mean square and its lower bound according to the search, mm² or deg².
 
-    Keys: ``primal``, the largest violation of a limit; ``objective`` and ``lower_bound``, the
-    square roots of both mean squares; ``recomputed``, the difference between the claimed objective
-    and the one computed here from the table (exact: `quadrature`, two Gauss points); all mm or deg.
+    All numbers are in mm or deg, by the following keys. ``primal``: the largest violation of a
+    limit. ``objective``, ``lower_bound``: the square roots of both mean squares. ``recomputed``:
+    the difference between the claimed objective and the objective computed here from the table
+    (exact: `quadrature`, two Gauss points).
 
-    Raises CapacityError where a limit is violated, the claimed mean square is wrong or it is
-    smaller than its lower bound (weak duality: Boyd and Vandenberghe 2004, section 5.2.2);
+    Raises CapacityError if a limit is violated, if the claimed mean square is wrong, or if it is
+    smaller than its lower bound (weak duality: Boyd and Vandenberghe 2004, section 5.2.2). Raises
     TypeError for a control without whole increments.
     """
     lattice = capacity.lattice

@@ -1,15 +1,15 @@
 """Fit of one curve in which each table value is coupled only with its neighbours (a chain): its
 optimum without whole-number values, and lower bounds.
 
-The mean square of held minus wanted is a quadratic whose matrix H is tridiagonal (linear
-interpolation) or diagonal (steps). With v0 its minimum and a constant c added to the curve (the
-reversal value; c0 at the minimum):
+The mean square of table minus wanted correction is a quadratic function. Its matrix H is
+tridiagonal (linear interpolation) or diagonal (steps). Let v0 be the table values at the minimum. A
+constant c, the reversal value, is added to the curve; c0 is its value at the minimum:
 
     f(v, c) = least + (v - v0)'H(v - v0)/2 + (c - c0) r'(v - v0) + stiffness (c - c0)^2 / 2
 
-All values in mm or deg, f in their square. Mean squares of straight lines between nodes: de Boor, A
-Practical Guide to Splines (1978), chapter III; lower bounds by multipliers: Boyd and Vandenberghe,
-Convex Optimization (2004), section 5.1.3.
+All values are in mm or deg, f in mm² or deg². Sources: de Boor, A Practical Guide to Splines
+(1978), chapter III, for mean squares of straight lines between nodes; Boyd and Vandenberghe, Convex
+Optimization (2004), section 5.1.3, for lower bounds by multipliers.
 """
 
 from __future__ import annotations
@@ -36,11 +36,11 @@ _SAFE: Final = 1e-9
 class CurveChain:
     """The m table values of one curve, and the quadratic objective that they minimise.
 
-    ``kept``: indices of the m counted among the ``size`` nodes of the table: nodes within the
-    travel, and nodes with a limit. ``span`` (m-1,): number of sections between neighbours.
-    ``diagonal`` (m,) and ``off`` (m-1,): diagonal and off-diagonal of H. ``fixed`` (m,): value is
-    zero. ``closed``: the last value equals the first. ``inverse`` (m,): diagonal of H^-1;
-    ``share``: H - share * diag(H) is positive semidefinite.
+    ``size``: number of points of the table. ``kept`` (m,): indices of the m optimised points:
+    points within the travel and points with a limit. ``span`` (m-1,): number of sections between
+    neighbours. ``diagonal`` (m,), ``off`` (m-1,): diagonal and off-diagonal of H. ``fixed`` (m,):
+    the value is zero. ``closed``: the last value equals the first. ``inverse`` (m,): diagonal of
+    H^-1. ``share``: H - share * diag(H) is positive semidefinite.
     """
 
     size: int
@@ -99,7 +99,8 @@ class CurveChain:
         """Return whole-number values (size,) at all table points, interpolated from the values
         ``totals`` (m,) at the optimised points.
 
-        Values change in equal steps between these points and are constant beyond them.
+        Between optimised points the values change in equal steps, rounded to whole numbers. Beyond
+        them the values are constant.
         """
         full = np.empty(self.size, dtype=np.int64)
         full[: self.kept[0]], full[self.kept[-1] :] = totals[0], totals[-1]
@@ -118,7 +119,7 @@ class ChainTarget:
     """The wanted curve at sample points: interpolation ``rows``, ``weights`` (p,) and wanted values
     ``aims`` (p,), mm or deg.
 
-    ``constant``: whether the constant is added at these points.
+    ``constant``: whether the reversal value is added at these points.
     """
 
     rows: Rows
@@ -140,8 +141,8 @@ def build_chain(
     value zero; ``kept``: points outside the travel that are optimised too; ``closed``: both ends
     have the same value.
 
-    Normal equations of hat functions, which couple only neighbouring points (de Boor 1978, chapter
-    III).
+    The objective consists of the normal equations of hat functions. They couple only neighbouring
+    points (de Boor 1978, chapter III).
     """
     diagonal, off, linear, coupling = (
         np.zeros(size),
@@ -194,7 +195,8 @@ def build_chain(
 def _solved(chain: CurveChain, wishes: tuple[ChainTarget, ...]) -> CurveChain:
     """Return the chain with its optimal values filled in.
 
-    On input, the fields of the optimum and its constant hold the linear terms of the objective.
+    In the given chain, ``optimum`` and ``constant`` contain the linear terms of the objective
+    instead.
     """
     linear, pull = chain.optimum, chain.constant
     constant = 0.0
@@ -225,8 +227,8 @@ def _solved(chain: CurveChain, wishes: tuple[ChainTarget, ...]) -> CurveChain:
 def _inverse_diagonal(chain: CurveChain) -> FloatArray:
     """Return the diagonal of the inverse of the matrix H, without computing the inverse.
 
-    From the pivots of the elimination from both ends: 1 / (forward + backward - H_ii) (Meurant,
-    SIAM J. Matrix Anal. Appl. 13, 1992).
+    It is 1 / (forward + backward - H_ii), with the pivots of the elimination from either end
+    (Meurant, SIAM J. Matrix Anal. Appl. 13, 1992).
     """
     forward, backward = chain.diagonal.copy(), chain.diagonal.copy()
     for index, off in enumerate(chain.off):
@@ -241,8 +243,8 @@ def _diagonal_share(chain: CurveChain) -> float:
     """Return the smallest eigenvalue of H after its diagonal is scaled to 1. It bounds H from below
     by its diagonal.
 
-    Of D^-1/2 H D^-1/2, D = diag(H): H - share D has none below zero (Horn and Johnson, Matrix
-    Analysis, 2nd ed. 2013, section 4.2).
+    The scaled matrix is D^-1/2 H D^-1/2 with D = diag(H). H - share D then has no negative
+    eigenvalue (Horn and Johnson, Matrix Analysis, 2nd ed. 2013, section 4.2).
     """
     from scipy.linalg import eigvalsh_tridiagonal
 
@@ -263,8 +265,8 @@ def _diagonal_share(chain: CurveChain) -> float:
 class ChainLimits:
     """The limits of the values of a curve: whole multiples of ``step`` (mm or deg) plus a shift.
 
-    ``increments``: least and largest number of steps between nodes; ``low``, ``high`` (m,): the
-    value range, mm or deg.
+    ``increments``: smallest and largest change between neighbouring table points, in steps.
+    ``low``, ``high`` (m,): the value range, mm or deg.
     """
 
     step: float
@@ -278,8 +280,9 @@ class LimitMultipliers:
     """Lagrange multipliers of the limits of a curve. Any multipliers give a valid lower bound (weak
     duality; Boyd and Vandenberghe 2004, section 5.2.2).
 
-    ``climb`` (m-1,) of the increments and ``bound`` (m,) of the range, > 0 at the upper, < 0 at the
-    lower limit; ``close`` of "the last value equals the first".
+    ``climb`` (m-1,) belongs to the increments, ``bound`` (m,) to the value range. A multiplier is
+    positive at an upper limit and negative at a lower limit. ``close`` belongs to the condition
+    that the last value equals the first.
     """
 
     climb: FloatArray
@@ -316,10 +319,10 @@ class LimitMultipliers:
 class Relaxation:
     """A lower bound of the objective over real table values, as a function of the reversal value c.
 
-    Dual function (Boyd and Vandenberghe 2004, section 5.1.2): the Lagrange function L(v, c) = f +
-    y'(Av - limits) <= f has its minimum over v, ``base - tilt (c - c0) + curve (c - c0)^2 / 2``, at
-    v = ``centre - (c - c0) follow``. For every v within the limits, f >= that minimum + (v -
-    minimum point)'H(v - minimum point)/2.
+    The bound is the dual function (Boyd and Vandenberghe 2004, section 5.1.2). The Lagrange
+    function is L(v, c) = f + y'(Av - limits) <= f. Its minimum over v is ``base - tilt (c - c0) +
+    curve (c - c0)^2 / 2``, at v = ``centre - (c - c0) follow``. For every v within the limits, f >=
+    that minimum + (v - minimum point)'H(v - minimum point)/2.
     """
 
     base: float
@@ -361,7 +364,8 @@ def relax(chain: CurveChain, push: LimitMultipliers) -> Relaxation:
     """Return the lower bound for the Lagrange multipliers ``push``, without the constant term of
     the limits (`priced` subtracts it).
 
-    It is the least of a quadratic Lagrange function (Boyd and Vandenberghe 2004, section 5.2.4).
+    The bound is the minimum of a quadratic Lagrange function (Boyd and Vandenberghe 2004, section
+    5.2.4).
     """
     force = push.force(chain)
     moved, follow = chain.solve(force), chain.solve(chain.coupling)

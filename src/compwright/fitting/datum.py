@@ -1,6 +1,7 @@
 """Choice of the constant of a correction with which the table is zero at the reference.
 
-A constant in both directions moves only the zero of the axis, not its errors, so it can be chosen.
+The constant can be chosen, because the same constant in both directions only moves the zero of the
+axis. It does not change the errors of the axis.
 """
 
 from __future__ import annotations
@@ -20,10 +21,10 @@ def with_datum(
     wanted: WantedCorrection, layout: UnknownsLayout, capacity: Capacity
 ) -> tuple[WantedCorrection, tuple[Finding, ...]]:
     """Return ``wanted`` (totals, mm or deg), shifted so that the best table for it is 0 at the
-    reference.
+    reference, and the findings about the reference.
 
-    Also returns the findings about the reference. The best table of ``layout`` is zero in the zero
-    state.
+    The best table of ``layout`` is then zero in the control's zero state (at the reference, after
+    the reference return).
     """
     zeroed, place, findings = zero_in_the_zero_state(wanted, layout.nodes, capacity)
     if layout.shape == "single":
@@ -37,9 +38,9 @@ def zero_in_the_zero_state(
     """Return ``wanted`` shifted so that a table with points ``nodes`` is zero in the control's zero
     state (at the reference, after the reference return).
 
-    Also returns the position that is zero (mm or deg) and the findings about the reference. Where
-    the reference lies outside the table and the control keeps the end value there, the end node is
-    zero.
+    Also returns the position that is zero (mm or deg) and the findings about the reference. The
+    reference may be outside a table whose end value the control keeps there. Then the table is zero
+    at this end.
     """
     place = wanted.reference
     findings: tuple[Finding, ...] = ()
@@ -59,12 +60,11 @@ def _offset_from_mean(
     wanted: WantedCorrection, place: float, layout: UnknownsLayout, capacity: Capacity
 ) -> float:
     """Return by how much the wanted correction at ``place`` exceeds the best table with one
-    constant reversal value, mm or deg.
+    constant reversal value, mm or deg, in the reference-return direction.
 
-    It applies to the reference-return direction. The curve of the fit is the mean of both
-    directions plus or minus half of the reversal value (least squares: Draper and Smith,
-    Applied Regression Analysis, 3rd ed. 1998, chapter 1). A curve that is forced to the wanted
-    value at the reference instead would bend on both sides of it.
+    The curve of the fit is the mean of both directions plus or minus half of the reversal value
+    (least squares: Draper and Smith, Applied Regression Analysis, 3rd ed. 1998, chapter 1). If the
+    curve were forced to the wanted value at the reference, it would bend on both sides of it.
     """
     home = wanted.reference_return
     reversal = wanted.total(home) - wanted.total(home.opposite)

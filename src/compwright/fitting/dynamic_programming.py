@@ -1,9 +1,9 @@
 """Search for the best whole-number table values of a curve by dynamic programming.
 
-Each node value is a whole number of steps within a given window. Several cases ("lanes") are solved
-at once; a lane is one reversal value, shift, or start value of a closed curve. All values are in
-steps of the lattice. Bellman, Dynamic Programming (1957); the decisions are stored and traced back
-as in Viterbi's algorithm (Forney, Proceedings of the IEEE 61, 1973).
+Each table value is a whole number of steps within a given window. Several cases ("lanes") are
+solved at once. A lane is one reversal value, one shift, or one start value of a closed curve. All
+values are in steps of the lattice. Sources: Bellman, Dynamic Programming (1957). The decisions are
+stored and traced back as in Viterbi's algorithm (Forney, Proceedings of the IEEE 61, 1973).
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ def reachable_windows(
     """Return ranges of values, in steps, narrowed to those that the allowed increments reach from
     the neighbouring points.
 
-    ``low``, ``high`` (n, m): smallest and largest value of each point for each of n curves.
+    ``low``, ``high`` (n, m): smallest and largest value of each of m points for each of n cases.
     """
     along = np.append(0.0, np.cumsum(chain.span.astype(np.float64)))
     down, up = limits.increments[0] * along, limits.increments[1] * along
@@ -39,8 +39,8 @@ def closed_lanes(
     """Return ranges of values for closed curves, whose ends have the same value. Each range is
     repeated for every value that both its ends allow, with both ends fixed at this value.
 
-    ``lanes``: the rows of ``low`` and ``high`` to use. Returns the row from which each copy was
-    made, and the smallest and largest values of the copies (copies, m), in steps.
+    ``lanes``: the rows of ``low`` and ``high`` to use. Returns three arrays: the row from which
+    each copy was made, and the smallest and the largest values of the copies (copies, m), in steps.
     """
     owners: list[int] = []
     starts: list[float] = []
@@ -63,9 +63,10 @@ def cheapest_totals(
     ``high``, and these values. ``targets`` (n, m): table values of the optimum over real numbers,
     in steps.
 
-    Objective: (T - target)'H(T - target)/2. Forward over the nodes: the smallest cost for each
-    value of the node (Bellman 1957). Backward: the values that gave it (Forney 1973). All lanes use
-    the widest window of each node; outside its own window the cost of a lane is infinite.
+    The objective is (T - target)'H(T - target)/2 for the table values T. Forward over the table
+    points, the smallest cost of each possible value is computed (Bellman 1957). Backward, the
+    values that gave this cost are traced (Forney 1973). All n cases use the widest window of each
+    point. Outside its own window the cost of a case is infinite.
     """
     first, last = np.min(low, axis=0), np.max(high, axis=0)
     costs = np.empty((targets.shape[0], 0))
@@ -108,12 +109,13 @@ def _arrive(
     targets: FloatArray,
 ) -> tuple[FloatArray, IntArray]:
     """Return the smallest cost (n, w) of each value at the point ``node``, and the increment from
-    the previous point that leads to it. ``costs``: those of the previous point; ``here``: values
-    minus the optimum ``targets``.
+    the previous point that leads to it.
 
-    ``window``: first value at the previous point, first value here, their number w. With e the
-    deviation from the target here and d the increment, the deviation at the previous point is e +
-    target here - target there - d: the coupling term is linear in d.
+    ``window``: first value at the previous point, first value at this point, number w of values at
+    this point. ``costs``: costs of the values at the previous point. ``here``: values at this point
+    minus the optimum ``targets``. Let e be the deviation from the target at this point, and d the
+    increment. The deviation at the previous point is e + target here - target there - d. The
+    coupling term is therefore linear in d.
     """
     before, now, count = window
     span = int(chain.span[node - 1])

@@ -13,8 +13,8 @@ from compwright.records.estimate import WantedCorrection
 def over_one_period(wanted: WantedCorrection, period: float) -> WantedCorrection:
     """Return ``wanted`` over one ``period`` (mm or deg) from its reference, with equal end values.
 
-    Several turns are averaged with equal weights at each position. Positions that no turn covers
-    are bridged by a straight line.
+    Turns that cover the same position are averaged with equal weights. Positions that no turn
+    covers are bridged by a straight line.
     """
     begin = wanted.reference
     inside = begin + np.mod(wanted.positions - begin, period)

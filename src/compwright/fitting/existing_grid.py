@@ -1,6 +1,6 @@
 """The existing table points of the control, and whether a new table can use exactly these points.
 
-Other functions of a control may depend on these nodes and their numbers. If the nodes stay, the
+Other functions of a control may depend on these points and their numbers. If the points stay, the
 effect of these functions does not change.
 """
 
@@ -30,9 +30,10 @@ def existing_nodes(
 ) -> FloatArray | None:
     """Return the existing table points (k,), mm or deg, or None if other points are to be chosen.
 
-    A repeating grid begins at the reference. None where there is no grid, or the job requires
-    another one. An end in the job shortens the grid, or extends it at its own interval. Raises
-    CapacityError, with the reason, where the grid cannot be used.
+    The result is None if the control has no existing points, or if the job requires other points.
+    On an endless axis the points begin at the reference. An end in the job shortens the grid, or
+    extends it with the grid's own interval. Raises CapacityError, with the reason, if the grid
+    cannot be used.
     """
     if not (request.keeps and capacity.there):
         return None
@@ -126,7 +127,7 @@ def _to_named_ends(
 ) -> FloatArray:
     """Return the table points cut or extended to the ends stated in the job.
 
-    Where nodes may lie anywhere, an end between two nodes becomes a node.
+    If the control allows any spacing, an end between two points becomes a point.
     """
     for name, end, sign in (("start", request.start, -1), ("end", request.end, 1)):
         if end is None:

@@ -1,10 +1,10 @@
 """Fit of the table of one axis: its points, the best values within the control's limits, their
 rounding, and the rms error that each limit costs.
 
-Least expected square: the best answer under a square loss is the mean of what is believed
-(Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, section 2.4). A quadratic
-program, and for the least range a linear one: Boyd and Vandenberghe, Convex Optimization (2004),
-sections 4.4 and 6.1.1.
+The fit minimises the expected squared deviation. The best answer under a square loss is the mean of
+what is believed (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, section
+2.4). This is a quadratic program; for the least range it is a linear program (Boyd and
+Vandenberghe, Convex Optimization, 2004, sections 4.4 and 6.1.1).
 """
 
 from __future__ import annotations
@@ -65,16 +65,16 @@ def fit_table(
     """Return the best table for ``wanted`` (totals, mm or deg) within the control's limits and the
     job's ``request``. With ``costs``, the table states what each limit costs.
 
-    Goal ``expected``: least mean square of table minus wanted correction over the travel and both
-    directions. This is the expected squared deviation plus a constant that no table changes
-    (Rasmussen and Williams 2006, section 2.4). Goals ``A``, ``E``, ``M``: least mean of that
-    parameter over the tests in ``wanted.scenarios`` (ISO 230-2:1997, 2.20, 2.21, 2.23); without
-    them, least range of the wanted correction.
+    Goal ``expected`` is the least mean square of table minus wanted correction over the travel and
+    both directions. This is the expected squared deviation plus a constant that no table changes
+    (Rasmussen and Williams 2006, section 2.4). Goals ``A``, ``E``, ``M`` are the least mean of that
+    parameter over the tests in ``wanted.scenarios`` (ISO 230-2:1997, 2.20, 2.21, 2.23). Without
+    scenarios they are the least range of the wanted correction.
 
     The correction is zero in the zero state. A single slope is always fitted with goal
-    ``expected``; so are whole increments where rounding cancels the gain of the goal. A finding
-    reports both. Raises CapacityError where the control cannot hold the requested table or no
-    certified solution was found.
+    ``expected``. Whole increments are fitted with goal ``expected`` if rounding cancels the gain of
+    the job's goal. A finding reports both. Raises CapacityError if the control cannot hold the
+    requested table or no certified solution was found.
     """
     _refuse(capacity, request)
     if capacity.line is not None:
@@ -253,7 +253,8 @@ class _Fit:
         """Return the best table values for the ``goal``, before rounding. ``usual``: the values of
         least mean square.
 
-        ``wanted``: the wanted correction, including short periods that the nodes cannot follow.
+        ``wanted``: the wanted correction, including short periods that the table points cannot
+        follow.
         """
         if goal == "expected":
             return usual
@@ -344,8 +345,8 @@ def _limits(
     """Return the rms error (mm or deg) that each limit of the control adds over the travel, as
     computed from ``usual``, the table of least mean square.
 
-    Each is the root of the difference of two mean squares, with and without the limit, so that they
-    add as squares.
+    Each rms error is the root of the difference of two mean squares, with and without the limit.
+    The errors therefore add as squares.
     """
     capacity, layout = fit.capacity, fit.layout
     costs: list[tuple[str, float]] = [("spacing too wide for the period", grid.left_out)]

@@ -54,9 +54,9 @@ def optimise_goal(
     tests, and the numbers that prove this optimum (certificate). ``start`` (n,): the table values
     of least mean square under the same ``limits``.
 
-    The result lies on the straight line from ``start`` to the optimum of the linear program; all
-    points of it keep the limits, which are convex. Without ``wanted.scenarios`` the range of the
-    mean error curve is minimised. Raises CapacityError where no solution is certified.
+    The result is on the straight line from ``start`` to the optimum of the linear program. All
+    points of this line keep the limits, which are convex. Without ``wanted.scenarios`` the range of
+    the mean error curve is minimised. Raises CapacityError if no solution is certified.
     """
     if wanted.scenarios is None:
         deviations = _of_the_mean(goal, wanted, layout, capacity)
@@ -79,11 +79,11 @@ def optimise_goal(
 
 
 def _halves(scenarios: Scenarios) -> tuple[IntArray, IntArray]:
-    """Return the indices of two halves of the simulated tests: for the optimisation, and to judge
-    its result.
+    """Return the indices of two halves of the simulated tests: one for the optimisation, one to
+    judge its result.
 
-    No target is in both, because a table can be wrong between targets without a test at them
-    showing it.
+    No target belongs to both halves. A table can be wrong between targets, and a test at the same
+    targets would not show it.
     """
     targets = scenarios.positions.reshape(scenarios.count, -1)
     others = np.any(targets[1:] != targets[:-1], axis=1)
@@ -92,10 +92,11 @@ def _halves(scenarios: Scenarios) -> tuple[IntArray, IntArray]:
 
 
 def _smooth_changes(layout: UnknownsLayout) -> SparseMatrix:
-    """Return a matrix (n, j) that interpolates changes at j table points to all n table values.
+    """Return a matrix (n, j) that interpolates changes at j positions to all n table values.
 
-    Straight lines between these nodes. Changes of single nodes are not allowed: no simulated target
-    may be near a node, or one so near that a large change of the node hardly moves it.
+    Between these positions the changes follow straight lines. Single table points cannot change
+    alone, because the simulated tests would not limit such a change. There may be no simulated
+    target near the point, or one that a large change of the point hardly moves.
     """
     nodes = layout.nodes
     k = nodes.size
@@ -140,7 +141,7 @@ def mean_over(
 ) -> float:
     """Return the mean of parameter ``goal`` over the simulated tests with a ``table``, mm or deg.
 
-    Only the tests that the optimisation did not use.
+    Only the tests that the optimisation did not use are included.
     """
     where = scenarios.positions
     nothing = np.zeros(where.size)
@@ -165,7 +166,7 @@ def as_wanted(
     """Return the correction that the table values ``x`` (n,) give, in the form of a
     `WantedCorrection`.
 
-    A table of whole increments is then fitted to it.
+    The form allows a table of whole increments to be fitted to this correction.
     """
     nodes, where = layout.nodes, wanted.positions
     inside = nodes[(nodes > where[0]) & (nodes < where[-1])]
@@ -240,7 +241,7 @@ def _of_the_mean(
     """Return the expected error that a table leaves, arranged like the deviations of one simulated
     test without scatter.
 
-    A step of the control's correction counts with the values on both sides.
+    Where the control's correction has a step, the values on both sides of the step count.
     """
     nodes, where, rule = layout.nodes, wanted.positions, capacity.interpolation
     inside = nodes[(nodes >= where[0]) & (nodes <= where[-1])]

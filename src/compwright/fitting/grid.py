@@ -1,9 +1,7 @@
 """Choice of the table points, at positions that the control can express exactly.
 
-They are the existing nodes, those given in the job, or as many as the error needs.
-
-All arithmetic on positions is in whole quanta of the position, so that start + i * step is exact
-for every i.
+The points are the existing ones, those given in the job, or as many as the error needs. All
+arithmetic on positions is in whole resolution steps. So start + i * step is exact for every i.
 """
 
 from __future__ import annotations
@@ -28,8 +26,9 @@ from compwright.records.fitted import TableRequest
 def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -> HeldGrid:
     """Return the points for a table. Existing points are kept if the job allows it.
 
-    Raises CapacityError where the control cannot hold the requested grid (with the limit and what
-    would fit) or the existing grid cannot be used; UsageError where start is not below end.
+    Raises CapacityError if the control cannot hold the requested grid (with the limit and what
+    would fit) or the existing grid cannot be used. Raises UsageError if the spacing is not positive
+    or start is not below end.
     """
     spacing = request.named_spacing
     if spacing is not None and not spacing > 0.0:
@@ -71,9 +70,8 @@ def possible_grids(
     """Return the equally spaced grids of at most ``most`` points that the control can hold,
     coarsest first.
 
-    One of each number of points, those with the reference at a node before others.
-
-    Raises CapacityError where no end that the job names fits.
+    There is one grid for each number of points. A grid with a point at the reference is preferred.
+    Raises CapacityError if no end that the job names fits.
     """
     most = min(most, most_points(capacity))
     if capacity.anchored or capacity.period is not None:

@@ -1,7 +1,7 @@
 """The interpolation error of table points, and whether the control's increments are large enough.
 
-Computed, not estimated. The error grows with the square of the spacing times the curvature (de
-Boor, A Practical Guide to Splines, 1978, chapter III).
+The error is computed from the wanted correction, not estimated. It grows with the square of the
+spacing times the curvature (de Boor, A Practical Guide to Splines, 1978, chapter III).
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ def good_enough(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity)
     control's resolution or a share of the noise, and the control's increments can follow the
     correction.
 
-    Its increments must also be small enough for the smallest magnification.
+    The increments must be able to follow the correction at the smallest magnification.
     """
     # Steps are cheap to make finer, and their loss is a range as wide as a step: no more than
     # rounding costs anyway.
@@ -66,7 +66,8 @@ def magnification_needed(nodes: FloatArray, wanted: WantedCorrection, lattice: L
 def grid_loss(nodes: FloatArray, wanted: WantedCorrection, interpolation: Interpolation) -> float:
     """Return the rms interpolation error between table points over both directions, mm or deg.
 
-    It is the wanted correction minus its interpolation at the nodes (de Boor 1978, chapter III).
+    The error is the wanted correction minus its interpolation between the points (de Boor 1978,
+    chapter III).
     """
     where = wanted.positions
     rows = rows_at(where, nodes, below="hold", above="hold", interpolation=interpolation)

@@ -1,8 +1,9 @@
 """Search for the best table of whole increments over all magnifications, by branch and bound.
 
-The unknowns are whole totals T[i], in units of magnification times unit, with increments and values
-within the control's limits. Magnifications whose lower bound exceeds the best table found so far
-are skipped (Land and Doig, Econometrica 28, 1960). Solution at one magnification: `lattice_part`.
+The unknowns are whole numbers T[i], in units of magnification times unit. Their increments and
+values are within the control's limits. Magnifications whose lower bound exceeds the best table
+found so far are skipped (Land and Doig, Econometrica 28, 1960). `lattice_part` solves the problem
+at one magnification.
 """
 
 from __future__ import annotations
@@ -50,8 +51,8 @@ class LatticeSolution:
     """The best table of whole increments: its curves, ``magnification`` and ``objective`` (mean
     square). ``bound``: a lower bound of the objective for real-number values.
 
-    ``before``: the next smaller magnification and a lower bound of its objective; None where there
-    is none.
+    ``before``: the next smaller magnification and a lower bound of its objective; None if there is
+    no smaller one.
     """
 
     parts: tuple[LatticeValues, ...]
@@ -72,7 +73,8 @@ def best_totals(
     limits allow no table. ``unit``: size of one increment at magnification 1, mm or deg. Of equally
     good ``magnifications`` (ascending) the smallest is taken.
 
-    Best bound first (branch and bound; Land and Doig, Econometrica 28, 1960).
+    The magnification with the least lower bound is searched first (branch and bound; Land and Doig,
+    Econometrica 28, 1960).
     """
     search = _LatticeSearch(parts, unit, increments)
     best: LatticeSolution | None = None
@@ -106,8 +108,8 @@ def relaxed_bound(
 ) -> float:
     """Return a lower bound of the mean square over real numbers within the limits, mm² or deg².
 
-    It lies below the minimum only by the accuracy of OSQP (weak duality; Boyd and Vandenberghe,
-    Convex Optimization, 2004, section 5.2.2).
+    The bound is below the minimum only by the accuracy of OSQP (weak duality; Boyd and
+    Vandenberghe, Convex Optimization, 2004, section 5.2.2).
     """
     return _LatticeSearch(parts, unit, increments).without_whole_numbers(magnification)
 
@@ -122,7 +124,7 @@ def _worth_a_look(
     """Return whether a magnification with the lower bound ``bound`` can possibly give a better
     table than the ``best`` table so far and an objective up to ``ceiling``.
 
-    A larger one must be better by more than `EQUAL`.
+    A magnification larger than that of ``best`` must be better by more than `EQUAL`.
     """
     if best is None or magnification < best.magnification:
         return bound <= ceiling
@@ -140,9 +142,10 @@ def _better(new: LatticeSolution, best: LatticeSolution | None, unit: float) -> 
 
 @dataclass(frozen=True, slots=True)
 class _Relaxed:
-    """The best lower bound of one curve so far; ``pushes`` sets of Lagrange multipliers were tried.
+    """The best lower bound of one curve so far, as a function of the reversal value.
 
-    ``least``: its smallest value over all reversal values.
+    ``least``: the smallest value of this bound over all reversal values. ``pushes``: number of sets
+    of Lagrange multipliers that were tried.
     """
 
     relaxation: Relaxation
@@ -164,7 +167,8 @@ class _Whole:
 class _LatticeSearch:
     """Search state with lower bounds and solutions of all curves of a table.
 
-    ``pushes``: the multipliers found so far; each set gives a lower bound at every magnification.
+    ``pushes``: for each curve, the Lagrange multipliers found so far. Each set of multipliers gives
+    a lower bound at every magnification.
     """
 
     def __init__(
@@ -205,7 +209,8 @@ class _LatticeSearch:
     def first_ceiling(self, magnifications: tuple[int, ...]) -> float:
         """Return the objective of some valid table, which is an upper bound of the optimum.
 
-        The best of rounding at a few magnifications, each about twice the one before.
+        Rounded tables are tried at a few magnifications, each about twice the one before. The best
+        of them counts.
         """
         ceiling, last = np.inf, 0
         for one in magnifications:
@@ -250,7 +255,7 @@ class _LatticeSearch:
         """Return a lower bound of the objective of the curve with this ``index`` over whole-number
         values; infinite if it is above ``room``, the largest objective of interest.
 
-        A result for a larger ``room`` is used again for a smaller one.
+        A result that was computed for a larger ``room`` is used again for a smaller one.
         """
         part, relaxed = self.parts[index], self.relaxed(index, magnification)
         relaxation = relaxed.relaxation

@@ -1,18 +1,21 @@
 """Fit of one curve of whole increments: lower bounds of its mean square, and the exact optimum.
 
-The optimum comes from dynamic programming (Bellman, Dynamic Programming, 1957) within windows that
-are proved wide enough (Fincke and Pohst, Mathematics of Computation 44, 1985).
+The optimum comes from dynamic programming (Bellman, Dynamic Programming, 1957) within windows of
+table values. These windows are proved wide enough (Fincke and Pohst, Mathematics of Computation 44,
+1985).
 
-Why the windows contain the optimum: a `Relaxation` with minimum g at x gives f(v) >= g + (v -
-x)'H(v - x)/2 for every v within the limits. Let U be the mean square of a known table within the
-limits. A better v has (v - x)'H(v - x) <= 2 (U - g). By Cauchy and Schwarz (v[i] - x[i])^2 <=
-(H^-1)[i, i] (v - x)'H(v - x). Node i is therefore searched within sqrt(2 (U - g) (H^-1)[i, i]) of
-x[i], and only where its neighbours' windows reach. The known table lies in every window. A large U
-or a low g makes the windows wider, never wrong; at most they extend to the control's limits.
+Why the windows contain the optimum: let g be the minimum of a `Relaxation`, at x. Then f(v) >= g +
+(v - x)'H(v - x)/2 for every v within the limits. Let U be the mean square of a known table within
+the limits. A better v has (v - x)'H(v - x) <= 2 (U - g). By Cauchy and Schwarz, (v[i] - x[i])^2 <=
+(H^-1)[i, i] (v - x)'H(v - x). Table point i is therefore searched within sqrt(2 (U - g) (H^-1)[i,
+i]) of x[i], and only where its neighbours' windows reach. The known table is in every window. A
+large U or a low g makes the windows wider, never wrong. At most they extend to the control's
+limits.
 
-Which cases are skipped: H - share * diag(H) is positive semidefinite, so that f(v) >= g + share *
-sum(H[i, i] (distance from x[i] to the lattice)^2) / 2. A magnification, a reversal value or a shift
-of the second table whose lower bound exceeds U is left out.
+Which cases are skipped: H - share * diag(H) is positive semidefinite. Therefore f(v) >= g + share *
+sum(H[i, i] (distance from x[i] to the lattice)^2) / 2. This is a lower bound for each
+magnification, reversal value, and shift of the second table. A case whose lower bound exceeds U is
+skipped.
 """
 
 from __future__ import annotations
@@ -43,10 +46,11 @@ _LANES: Final = 16
 class LatticePart:
     """One curve of a table of whole increments.
 
-    ``constant``: (sign * step, least, largest): the reversal value is sign * step * B with a whole
-    number B between the limits; None: no reversal value. ``anchor``: index of the reference node.
-    ``offsets``: smallest and largest value there, in units, of a second table; None: the value
-    there is zero. ``magnified``: the offset is in magnified units.
+    ``low``, ``high``: the value range, mm or deg. ``constant``: (sign * step, least, largest). The
+    reversal value is then sign * step * B, with a whole number B from least to largest; None: no
+    reversal value. ``anchor``: index of the table point at the reference. ``offsets``: smallest and
+    largest value of a second table at this point, in units; None: this value is zero.
+    ``magnified``: these units are multiplied by the magnification.
     """
 
     chain: CurveChain
@@ -86,7 +90,8 @@ class LatticePart:
 class Variants:
     """Combinations of reversal value and offset to try for one curve, as arrays (n,).
 
-    ``count``: whole reversal value; its distance from the optimum; the shift; a lower bound.
+    ``count``: reversal value in whole steps. ``distance``: reversal value minus its optimum, mm or
+    deg. ``shift``: offset, mm or deg. ``bound``: a lower bound of the objective.
     """
 
     count: IntArray
@@ -187,10 +192,11 @@ def whole_bounds(
     counts: IntArray,
 ) -> tuple[FloatArray, FloatArray]:
     """Return the distances (n,) of the reversal values ``counts`` (n,), whole numbers of steps,
-    from the optimum, and lower bounds (shifts * n,) of the objective over whole numbers for each
-    of the offsets ``shifts`` and reversal values.
+    from the optimum, and lower bounds (shifts * n,) of the objective over whole numbers for each of
+    the offsets ``shifts`` and reversal values.
 
-    Bounds: all of the first offset, then of the next.
+    The bounds are ordered by offset: first all reversal values with the first offset, then with the
+    next.
     """
     step = part.constant[0] if part.constant else 0.0
     distance = counts.astype(np.float64) * step - part.chain.constant
@@ -314,9 +320,10 @@ def _within(
     variants: Variants,
     ceiling: float,
 ) -> LatticeValues | None:
-    """Return the best solution among the ``variants`` with an objective up to ``ceiling``.
+    """Return the best solution among the ``variants`` with an objective up to ``ceiling``, or None
+    if there is none.
 
-    The windows contain every such solution (Fincke and Pohst 1985).
+    The searched windows contain every such solution (Fincke and Pohst 1985).
     """
     chain = part.chain
     spare = np.maximum(0.0, with_slack(ceiling) - relaxation.bound(variants.distance))

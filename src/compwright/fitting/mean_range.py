@@ -1,8 +1,8 @@
 """Minimisation of the mean range of simulated tests by a linear program, with numbers that prove
 the optimum (a certificate).
 
-Solved with cvxpy (Diamond and Boyd, J. Machine Learning Research 17, 2016). A solver that stopped
-early or reports its result as inaccurate has failed.
+The program is solved with cvxpy (Diamond and Boyd, J. Machine Learning Research 17, 2016). If the
+solver stops early or reports its result as inaccurate, there is no solution.
 """
 
 from __future__ import annotations
@@ -38,8 +38,8 @@ class Deviations:
     """The deviations of simulated tests, D x + ``base`` (r,), as a function of the table values x;
     mm or deg.
 
-    ``half`` (r,): half width of the band about each (k s for goal A, else 0). Rows of one test have
-    the same number in ``test`` (r,), which counts from 0.
+    ``half`` (r,): half width of the band about each deviation (k s for goal A, else 0). ``test``
+    (r,): number of the test to which each row belongs, from 0.
     """
 
     D: SparseMatrix
@@ -91,11 +91,11 @@ def solve_ranges(
     ``shown``, and the numbers that prove this optimum (certificate). A range that is larger by
     ``slack`` (mm or deg) counts as equal.
 
-    Among all values within ``slack`` (mm or deg) of the smallest mean range, those of least mean
-    square are returned; where the solver fails there, those of the smallest range. Both have the
-    same certificate: its ``gap`` is the distance to a lower bound that holds whatever the solver
-    did (weak duality; Boyd and Vandenberghe 2004, section 5.2.2). Source: section 6.1.1. Raises
-    CapacityError where no solution is certified.
+    Of all values within ``slack`` of the smallest mean range, those of least mean square are
+    returned. If the solver fails at this, the values of the smallest range are returned. The
+    certificate is of the same kind in both cases. Its ``gap`` is the distance to a lower bound that
+    is valid whatever the solver did (weak duality; Boyd and Vandenberghe 2004, section 5.2.2).
+    Source of the method: section 6.1.1. Raises CapacityError if no solution is certified.
     """
     n = limits.q.size
     size = max(float(np.max(np.abs(shown.base))), 10.0 * slack)
@@ -134,7 +134,8 @@ def _linear_program(
     """Return the arrays c, G, h of the linear program for the smallest mean range of the deviations
     ``shown``: minimise c'z subject to Gz <= h.
 
-    z: table values, then the largest and the smallest deviation of each test, in units of ``size``.
+    z contains the table values, then the largest deviation of each test, then the smallest. All are
+    in units of ``size``.
     """
     n, tests, rows = limits.q.size, shown.tests, shown.D.shape[0]
     wide = (rows, n + 2 * tests)

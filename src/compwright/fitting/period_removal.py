@@ -1,8 +1,8 @@
 """Removal of known periods from the wanted correction, for table points too far apart for them.
 
-Least squares of cosine and sine at known frequencies (Bloomfield, Fourier Analysis of Time Series,
-2nd ed. 2000, chapter 2) together with a piecewise straight curve (de Boor, A Practical Guide to
-Splines, 1978, chapter III).
+Cosine and sine at known frequencies are fitted by least squares (Bloomfield, Fourier Analysis of
+Time Series, 2nd ed. 2000, chapter 2). A piecewise straight curve is fitted at the same time (de
+Boor, A Practical Guide to Splines, 1978, chapter III).
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ def without_periods(
     """Return ``wanted`` without the first two harmonics of ``periods``, and the rms (mm or deg) of
     the removed part.
 
-    The harmonics are fitted to the mean of both directions together with a piecewise straight curve
-    whose nodes lie further apart than the longest period, so that a smooth error is not mistaken
-    for a periodic one (Bloomfield 2000, chapter 2).
+    The harmonics are fitted to the mean of both directions, together with a piecewise straight
+    curve. The bends of this curve are further apart than the longest period. A smooth error is
+    therefore not mistaken for a periodic one (Bloomfield 2000, chapter 2).
     """
     middle = 0.5 * (wanted.positive + wanted.negative)
     periodic = _periodic_part(wanted.positions.tobytes(), middle.tobytes(), tuple(periods))
@@ -47,7 +47,8 @@ def without_periods(
 def _periodic_part(positions: bytes, values: bytes, periods: Sequence[float]) -> FloatArray | None:
     """Return the harmonics of ``periods`` in the ``values`` (g,) at ``positions`` (g,).
 
-    None where the positions show no period. Arguments are bytes, so that results can be cached.
+    The result is None if the positions are too far apart to show any period. Positions and values
+    are given as the bytes of the arrays, so that results can be cached.
     """
     where, middle = np.frombuffer(positions), np.frombuffer(values)
     waves = _waves(where, periods)

@@ -1,7 +1,8 @@
 """The fit of a table as a quadratic problem (Boyd and Vandenberghe, Convex Optimization, 2004,
 section 4.4).
 
-Its parts: the control's interpolation, the wanted correction, and the control's limits.
+The problem is made from the control's interpolation, the wanted correction, and the control's
+limits.
 """
 
 from __future__ import annotations
@@ -55,9 +56,9 @@ def rows_at(
     ``nodes`` (k,), k >= 2. ``below``, ``above``: whether the correction beyond this end of the
     table keeps the end value or is zero.
 
-    Linear: straight lines (de Boor, A Practical Guide to Splines, 1978, chapter III). Step: the
-    nearest node's value; exactly in the middle that of the upper node, as in the record
-    `AxisCompensation`.
+    ``interpolation`` ``linear``: straight lines (de Boor, A Practical Guide to Splines, 1978,
+    chapter III). ``step``: the value of the nearest point. Exactly in the middle between two
+    points, the value of the upper point applies, as in the record `AxisCompensation`.
     """
     right = np.clip(np.searchsorted(nodes, positions, side="right"), 1, nodes.size - 1)
     if interpolation == "step":
@@ -104,7 +105,8 @@ def hat_matrix(
 def bends(nodes: FloatArray, interpolation: Interpolation) -> FloatArray:
     """Return the positions where the control's curve through points ``nodes`` (k,) bends or jumps.
 
-    These are the nodes (k,), or their midpoints with the two ends (k + 1,).
+    With linear interpolation these are the table points (k,). With steps they are the midpoints and
+    the two ends (k + 1,).
     """
     if interpolation == "linear":
         return nodes
@@ -117,9 +119,9 @@ def quadrature(
     """Return points (q,) and weights (q,) with sum 1 that compute the mean over the travel, from
     the first to the last of ``positions``.
 
-    Two Gauss points in every piece between positions and bends, middle +- half / sqrt(3)
-    (Abramowitz and Stegun, Handbook of Mathematical Functions, 1964, table 25.4): exact for the
-    squared difference of two piecewise straight curves.
+    Each piece between neighbouring positions or bends has two Gauss points, middle +- half /
+    sqrt(3) (Abramowitz and Stegun, Handbook of Mathematical Functions, 1964, table 25.4). They are
+    exact for the squared difference of two piecewise straight curves.
     """
     breaks = bends(nodes, interpolation)
     inside = breaks[(breaks > positions[0]) & (breaks < positions[-1])]
@@ -135,7 +137,9 @@ class UnknownsLayout:
     """The order of the unknowns: the table values of the reference-return direction, then the table
     values of the other direction or one constant difference.
 
-    ``reversal``: what the single constant may be: ``free`` (two tables), ``backlash``, or ``none``.
+    ``nodes`` (k,): table points, mm or deg. ``home``: the reference-return direction. ``reversal``:
+    how the control can hold the constant difference: ``free`` (two tables), ``backlash`` (backlash
+    value), or ``none``.
     """
 
     nodes: FloatArray
@@ -174,10 +178,10 @@ class UnknownsLayout:
 class QuadraticProblem:
     """A quadratic problem: minimise x'Px/2 + q'x + constant subject to lower <= Ax <= upper.
 
-    Boyd and Vandenberghe 2004, section 4.4; x (n,), P (n, n), A (c, n); mm or deg. The objective is
-    the mean square of table minus wanted correction over the travel and both directions. Rows of A
-    with ``lower`` equal to ``upper`` are equalities: the zero state, and equal ends of an endless
-    axis.
+    The shapes are x (n,), P (n, n), A (c, n); x is in mm or deg. The objective is the mean square
+    of table minus wanted correction over the travel and both directions. Rows of A with ``lower``
+    equal to ``upper`` are equalities: the zero state, and equal ends of an endless axis. Source:
+    Boyd and Vandenberghe 2004, section 4.4.
     """
 
     P: SparseMatrix

@@ -21,9 +21,10 @@ def reference_grids(
     """Return the grids that the control accepts, coarsest first, or only one if the job states the
     spacing.
 
-    The reference is always a node, because the control counts from there. At an end that the job
-    leaves open the grid extends beyond the travel by less than one spacing. Raises CapacityError
-    with all faults where start, end or spacing in the job do not fit, and with values that fit.
+    The reference is always a table point, because the control counts from there. At an end that the
+    job leaves open, the grid extends beyond the travel by less than one spacing. Raises
+    CapacityError with all faults if start, end or spacing in the job do not fit. The faults state
+    values that fit.
     """
     if capacity.period is not None:
         return _endless_grids(capacity.period, wanted, capacity, request, most)

@@ -1,7 +1,7 @@
 """Table points with the spacing stated in the job, or the reason why this spacing does not fit,
 with the nearest spacings that fit.
 
-All arithmetic is in whole quanta of the position.
+All arithmetic is in whole resolution steps of the position.
 """
 
 from __future__ import annotations
@@ -65,7 +65,8 @@ def _reaching_grid(
     """Return table points with the interval ``step`` (in resolution steps) over the range ``span``,
     for a control that accepts only certain intervals.
 
-    One node is at the reference or at an end given in the job; open ends are exceeded.
+    One point is at an end given in the job or, without such an end, at the reference. At an open
+    end the points extend beyond the range.
     """
     anchor = (
         span.low
@@ -83,7 +84,8 @@ def _reaching_grid(
 def _freely_spaced(span: Span, spacing: float, capacity: Capacity, unit: str) -> FloatArray:
     """Return table points for a control in which each point has a position of its own.
 
-    Each is the nearest position that the control can express; the last section may be shorter.
+    Each point is at the nearest position that the control can express. The last section may be
+    shorter than the ``spacing``.
     """
     quantum = capacity.position_quantum
     sections = int(np.ceil((span.high - span.low) * quantum / spacing - 1e-9))

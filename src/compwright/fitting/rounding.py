@@ -1,6 +1,6 @@
 """Rounding of table values to whole multiples of the control's resolution.
 
-The error of rounding is at most half a quantum and about quantum / sqrt(12) rms (Bennett, Bell
+The rounding error is at most half a resolution step, and about step / sqrt(12) rms (Bennett, Bell
 System Technical Journal 27, 1948).
 """
 
@@ -26,8 +26,8 @@ def round_curve(
 ) -> FloatArray:
     """Return ``values`` (k,) rounded to whole multiples of ``quantum`` within the value range.
 
-    Totals are rounded, because rounding errors of increments would add up. Limits are whole
-    multiples of ``quantum``, so that rounding cannot violate them.
+    The values are totals. Rounding increments instead would add up the rounding errors. The limits
+    are rounded inward to whole multiples of ``quantum``, so that rounding cannot violate them.
     """
     low, high = np.ceil(value_range[0] / quantum - 1e-6), np.floor(value_range[1] / quantum + 1e-6)
     counts = np.clip(to_quanta(values, quantum), low, high)

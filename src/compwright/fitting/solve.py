@@ -1,7 +1,7 @@
 """Solution of the quadratic problem with OSQP, refined to machine accuracy by an active-set method.
 
-A solver that stopped early or reports its result as inaccurate has failed. OSQP: Stellato et al.,
-Mathematical Programming Computation 12 (2020).
+If OSQP stops early or reports its result as inaccurate, there is no solution. OSQP: Stellato et
+al., Mathematical Programming Computation 12 (2020).
 """
 
 from __future__ import annotations
@@ -49,8 +49,8 @@ class SolvedUnknowns:
 def solve_quadratic(problem: QuadraticProblem) -> SolvedUnknowns:
     """Return the optimum of a quadratic problem, with the numbers that prove that it is optimal.
 
-    Raises CapacityError where there is none or the certificate fails. Optimality conditions: Boyd
-    and Vandenberghe, Convex Optimization, 2004, section 5.5.3.
+    Raises CapacityError if there is no optimum or the certificate fails. Optimality conditions:
+    Boyd and Vandenberghe, Convex Optimization, 2004, section 5.5.3.
     """
     limited = (problem.lower < problem.upper) & (
         np.isfinite(problem.lower) | np.isfinite(problem.upper)
@@ -127,9 +127,9 @@ def _active_set(problem: QuadraticProblem, y: FloatArray) -> tuple[BoolArray, Fl
     """Return a mask (c,) of the limits that the solution reaches, and the value (c,) of each limit:
     the upper one if the solution reaches it, else the lower one.
 
-    Newton steps from the multipliers ``y`` (c,): reached limits become equations. A limit whose
-    multiplier has the wrong sign is released, a violated limit is added (Hintermüller, Ito and
-    Kunisch, SIAM J. Optim. 13, 2002).
+    Newton steps start from the multipliers ``y`` (c,). In each step, the limits that are reached
+    become equations. A limit whose multiplier has the wrong sign is released, and a violated limit
+    is added (Hintermüller, Ito and Kunisch, SIAM J. Optim. 13, 2002).
     """
     equal = problem.lower == problem.upper
     stiffness = float(np.mean(problem.P.diagonal()))
@@ -149,12 +149,13 @@ def _active_set(problem: QuadraticProblem, y: FloatArray) -> tuple[BoolArray, Fl
 
 
 def _least_distance_set(problem: QuadraticProblem) -> tuple[BoolArray, FloatArray]:
-    """Return the limits (c,) that the solution reaches, by a slower method that always ends.
+    """Return the limits that the solution reaches, as in `_active_set`, by a slower method that
+    always ends.
 
     Limits are whole resolution steps, so several are often reached at one point. The multipliers
-    are then not unique, and the Newton steps of `_active_set` may repeat. A least-distance problem,
-    solved by non-negative least squares, adds one independent limit at a time (Lawson and Hanson,
-    Solving Least Squares Problems, 1974, chapter 23, algorithms NNLS and LDP).
+    are then not unique, and the Newton steps of `_active_set` may repeat. Here a least-distance
+    problem is solved by non-negative least squares. This adds one independent limit at a time
+    (Lawson and Hanson, Solving Least Squares Problems, 1974, chapter 23, algorithms NNLS and LDP).
     """
     from scipy.optimize import nnls
 
@@ -183,8 +184,9 @@ def _with_equations(
     """Return the optimum with the ``active`` limits as equations (right sides ``bound``), and the
     multipliers (c,).
 
-    Source of the conditions: Boyd and Vandenberghe 2004, section 10.1.1; solved with iterative
-    refinement (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. 2002, chapter 12).
+    The conditions are those of Boyd and Vandenberghe 2004, section 10.1.1. They are solved with
+    iterative refinement (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. 2002,
+    chapter 12).
     """
     rows = problem.A.taken(active)
     n, c = problem.q.size, rows.shape[0]
@@ -209,11 +211,11 @@ def _with_equations(
 def _factored(matrix: SparseMatrix) -> Callable[[FloatArray], FloatArray]:
     """Return a function that solves ``matrix`` x = right, for a problem with equality conditions.
 
-    A small number is subtracted on the diagonal of the equations. The matrix is then quasi-definite
-    and has triangular factors in any order, without row exchanges (Vanderbei, SIAM J. Optim. 5,
-    1995). Nodes and their limits are neighbours in the order, which keeps the band narrow (Cuthill
-    and McKee, Proc. 24th National Conference ACM, 1969). The constant between the directions comes
-    last, because it is coupled with nearly all nodes.
+    The caller has subtracted a small number on the diagonal of the equations. The matrix is
+    therefore quasi-definite and has triangular factors in any order, without row exchanges
+    (Vanderbei, SIAM J. Optim. 5, 1995). The order puts table points next to their limits, which
+    keeps the band narrow (Cuthill and McKee, Proc. 24th National Conference ACM, 1969). The
+    constant between the directions comes last, because it is coupled with nearly all points.
     """
     from scipy.sparse.csgraph import reverse_cuthill_mckee
     from scipy.sparse.linalg import splu
@@ -238,8 +240,8 @@ def least_squares(matrix: SparseMatrix, weights: FloatArray, values: FloatArray)
     """Return the unknowns (n,) that minimise the sum of ``weights`` times (``matrix`` x -
     ``values``)².
 
-    By the normal equations (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 5.3).
-    Unknowns that the values do not determine become equal to their neighbours.
+    The normal equations are solved (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section
+    5.3). Unknowns that the values do not determine become equal to their neighbours.
     """
     from scipy.sparse.linalg import splu
 

@@ -1,6 +1,6 @@
 """Sparse matrices in numpy alone, so that the proof of an optimum does not depend on a solver.
 
-Every sum is taken in the order of the entries, whatever the processor.
+Every sum is taken in the order of the entries, so that each processor gives the same result.
 """
 
 from __future__ import annotations

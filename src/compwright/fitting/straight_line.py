@@ -1,7 +1,8 @@
 """Fit for a control without a table: a slope about the reference, and a backlash value.
 
-A weighted straight line through the mean of both directions (Draper and Smith, Applied Regression
-Analysis, 3rd ed. 1998, chapter 1), centred, so that slope and constant do not depend on each other.
+A weighted straight line is fitted to the mean of both directions (Draper and Smith, Applied
+Regression Analysis, 3rd ed. 1998, chapter 1). Positions are counted from their mean, so that slope
+and constant do not depend on each other.
 """
 
 from __future__ import annotations
@@ -34,10 +35,8 @@ def fit_line(
     """Return the slope and the backlash value that leave the smallest mean square over the travel.
 
     The slope is a whole multiple of ``quantum`` (mm/mm, deg/deg) (Draper and Smith 1998, chapter
-    1).
-
-    Both together are the exact optimum over whole multiples within their ranges. Raises
-    CapacityError where the job asks for the grid of a table.
+    1). Slope and backlash value together are the exact optimum over whole multiples within their
+    ranges. Raises CapacityError if the job asks for the points of a table.
     """
     _refuse_grid(request, capacity)
     line = _FittedLine(wanted)
@@ -98,7 +97,8 @@ class _FittedLine:
     """The mean square error that a straight line leaves: of constant + slope * x + reversal -
     wanted.
 
-    The datum is free: it moves the zero of the axis and does not change its errors.
+    The constant (the datum) may have any value, because it only moves the zero of the axis. It does
+    not change the errors of the axis.
     """
 
     def __init__(self, wanted: WantedCorrection) -> None:
@@ -126,7 +126,7 @@ class _FittedLine:
         """Return the best slope within the range ``slopes`` and the best reversal value within the
         range ``reversals``, not yet rounded.
 
-        The datum is free, so that each is found without the other.
+        Each is found without the other, because the datum may have any value.
         """
         slope = (
             0.5
@@ -139,8 +139,9 @@ class _FittedLine:
     def best(self, quantum: float, capacity: Capacity) -> tuple[float, float]:
         """Return the best slope and backlash value as whole multiples of their resolutions.
 
-        Each is the multiple nearest to its optimum within its range. This is exact, because with a
-        free datum the mean square is a parabola of the slope plus a parabola of the reversal.
+        Each is the multiple nearest to its optimum within its range. This is exact: as the datum
+        may have any value, the mean square is a parabola of the slope plus a parabola of the
+        reversal value.
         """
         low, high = (
             np.ceil(capacity.value_range[0] / quantum - _HAIR),

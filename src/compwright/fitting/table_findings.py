@@ -57,8 +57,8 @@ def edge_findings(
     """Return the findings about the two ends of the table. ``kept``: the table keeps the existing
     points of the control.
 
-    They concern the correction where the table does not cover the travel, and points beyond the
-    travel. An endless table has no ends.
+    The findings report the correction where the table does not cover the travel, and table points
+    beyond the travel. An endless table has no ends and no such findings.
     """
     if table.period is not None:
         return ()

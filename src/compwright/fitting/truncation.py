@@ -1,6 +1,7 @@
 """Detection of wanted corrections that are far too large for the control.
 
-Far too large: its value range or increments cut off more than the noise of a reading.
+A correction is far too large if the control's value range or increments cut off more of it than the
+noise of a reading.
 """
 
 from __future__ import annotations
@@ -32,8 +33,8 @@ def truncation_faults(
 ) -> Iterator[Fault]:
     """Yield a fault for each limit that cuts off a significant part of the wanted correction.
 
-    Significant: its rms over the travel exceeds a resolution step and the noise of one reading.
-    With a smaller loss the table is the best one under that limit.
+    The part is significant if its rms over the travel exceeds both a resolution step and the noise
+    of one reading. If less is cut off, the table is used, as the best one under that limit.
     """
     factor, unit = outside_factor(wanted.kind.unit), shown_unit(wanted.kind.unit)
     least = max(capacity.quantum if capacity.line is None else 0.0, wanted.noise)

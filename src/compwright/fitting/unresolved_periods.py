@@ -1,8 +1,10 @@
 """Periods of the wanted correction that are too short for the table points.
 
-Least squares with three nodes per period leave 25 % of a sine's rms, a little above two nodes 63 %,
-with two nodes 12 to 98 % depending on the phase. Fewer than two nodes per period show a longer wave
-instead (Shannon, Proceedings of the IRE 37, 1949, section II), which increases the remaining error.
+A table fitted by least squares cannot reproduce a short sine completely. With three points per
+period it leaves 25 % of the sine's rms. With a little more than two points it leaves 63 %; with two
+points 12 to 98 %, depending on the phase. With fewer than two points per period the table shows a
+longer wave instead (Shannon, Proceedings of the IRE 37, 1949, section II). This wave increases the
+remaining error.
 """
 
 from __future__ import annotations
@@ -33,10 +35,10 @@ _FOLLOW: Final = 2.0
 class HeldGrid:
     """Table points together with the correction that is fitted on them.
 
-    ``nodes`` (k,) mm or deg. ``wanted``: the correction with only the part of short periods that
-    the nodes can follow; ``left_out``: rms of the other part. ``points_loss``: rms that more points
-    would remove, 0 where their number is not the limit. ``kept``: the nodes are the control's
-    existing grid.
+    ``nodes`` (k,): table points, mm or deg. ``wanted``: the correction with only the part of short
+    periods that the points can follow. ``left_out``: rms of the other part of the short periods.
+    ``points_loss``: rms that more points would remove; 0 if the number of points is not the limit.
+    ``kept``: the points are the control's existing ones.
     """
 
     nodes: FloatArray
@@ -68,8 +70,8 @@ def resolved_part(
     """Return ``wanted`` (mm or deg) with only that part of short periods that the table points
     ``nodes`` (k,) can reproduce.
 
-    That part has the smallest mean square over the travel (Draper and Smith, Applied Regression
-    Analysis, 3rd ed. 1998, chapter 1); it is zero for periods that the nodes cannot follow.
+    This part leaves the smallest mean square over the travel (Draper and Smith, Applied Regression
+    Analysis, 3rd ed. 1998, chapter 1). It is zero for periods that the points cannot follow at all.
     """
     lost = unresolved_periods(nodes, wanted.periods)
     if not lost:
@@ -108,7 +110,8 @@ def _projected(
 ) -> FloatArray:
     """Return the table values (k,) at ``nodes`` that approximate a ``wave`` (g,) best, mm or deg.
 
-    The wave is given at the positions of ``wanted``; on an endless axis both ends are equal.
+    The wave is given at the positions of ``wanted``. On an endless axis the first and the last
+    value are equal.
     """
     data = sample_correction(replace(wanted, positive=wave, negative=wave), nodes, capacity)
     matrix, free = data.matrix, nodes.size

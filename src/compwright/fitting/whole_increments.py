@@ -50,7 +50,8 @@ GOAL_LEFT: Final = "CW-F010"
 class WholeIncrementFit:
     """The data of a fit of whole increments: the wanted correction ``aim``, table points ``nodes``.
 
-    ``aim``: totals, zero in the zero state, mm or deg.
+    ``aim``: totals, zero in the zero state, mm or deg. ``samples``, ``weights`` (q,): points and
+    weights of the mean over the travel. ``rows``: the control's interpolation at ``samples``.
     """
 
     aim: WantedCorrection
@@ -176,9 +177,9 @@ def fit_whole_increments(
     direction), the numbers that prove that it is optimal (certificate), the error that each limit
     of the control adds, and the finding about the magnification.
 
-    Costs are rms, mm or deg. ``aim``: wanted totals, zero in the zero state. The table is the exact
-    optimum of the mean square over the travel and both directions. Raises CapacityError where the
-    limits allow no table at all.
+    ``aim``: wanted totals, zero in the zero state, mm or deg. The errors are rms, mm or deg. The
+    table is the exact optimum of the mean square over the travel and both directions. Raises
+    CapacityError if the limits allow no table at all.
     """
     samples, weights = quadrature(aim.positions, grid.nodes, capacity.interpolation)
     rows = rows_at(
@@ -329,8 +330,8 @@ def goal_finding(goal: Goal, why: Literal["slope", "increments", "no_gain"]) -> 
     """Return the finding that the fit minimised the mean square instead of the parameter ``goal``,
     such as A or E, for the reason ``why``; an empty tuple if the job has no such goal.
 
-    Reasons: the control has one ``slope``, it has whole ``increments``, or rounding leaves
-    ``no_gain``.
+    The reasons: the control has only a ``slope``; the control has whole ``increments``; or, after
+    rounding, there is ``no_gain``.
     """
     if goal == "expected":
         return ()
