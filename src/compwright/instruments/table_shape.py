@@ -57,7 +57,7 @@ def _names_in(lines: Sequence[str], first: int, delimiter: str) -> bool:
     """Return whether the row with index ``first``, which contains numbers or names such as ``+1``,
     is the header row.
 
-    A header has a word where the next row has a number.
+    It is the header row if at least one of its cells is a word where the next row has a number.
     """
     if first + 1 >= len(lines):
         return False

@@ -1,11 +1,12 @@
 """Reader of text files with lines ``TGT_DATA[i]=value`` of the ecmc test tools (ESS, PSI).
 
-``REF_DATA_FWD[i,j]=``, ``REF_DATA_BWD[i,j]=``.
+The readings are in lines ``REF_DATA_FWD[i,j]=`` and ``REF_DATA_BWD[i,j]=``. There is one
+``KEY=value`` per line. The indices start at 1: i counts targets, j counts cycles. The reference
+values are absolute readings in the unit of the key ``UNIT`` (mm if the key is absent, as the form
+itself states).
 
-One ``KEY=value`` per line, indices from 1: i counts targets, j cycles. The reference values are
-absolute readings in the unit of the key ``UNIT`` (mm when it is absent, as the form itself states).
-Layout from eleven published files; forward and backward are taken as labelled there: forward is the
-approach in positive direction.
+The layout is that of eleven published files. FWD (forward) is the approach in positive direction,
+as these files label it.
 """
 
 from __future__ import annotations
@@ -53,7 +54,8 @@ _DEGREES = {"degree": "deg", "degrees": "deg", "°": "deg"}
 class TargetData:
     """The contents of a target data file: kind of axis, readings (mm or deg) and header.
 
-    ``alone``: the name of the readings if they are those of one direction; else empty.
+    ``alone``: if the file has readings of one direction only, their name (``REF_DATA_FWD`` or
+    ``REF_DATA_BWD``); else empty.
     """
 
     kind: AxisKind
@@ -69,7 +71,7 @@ class _TargetColumn:
     """The entries ``NAME[i,j]=value`` with one ``NAME``, in the order of the file, with their line
     numbers.
 
-    ``j`` 0 if there is only one index.
+    If an entry has only one index, its ``j`` is 0.
     """
 
     i: array[int] = field(default_factory=lambda: array("q"))
@@ -152,13 +154,11 @@ def spans_in(line: str) -> Spans:
 
 
 def read_target_data(lines: Iterable[tuple[int, str]], faults: FaultList) -> TargetData:
-    """Return the readings in the lines (without comments and blank lines).
+    """Return the readings in the lines (without comments and blank lines). Every fault is added to
+    ``faults``.
 
-    Every fault is added to ``faults``.
-
-    Faults: a line that is no assignment, wrong indices, an entry given twice, an index that is
-    missing or has no target, ``CYCLES`` or ``POSITIONS`` that disagree with the entries, an unknown
-    unit.
+    Faults: a line is not an assignment, an index is wrong or missing or has no target, an entry is
+    given twice, ``CYCLES`` or ``POSITIONS`` disagrees with the entries, or the unit is unknown.
     """
     found = _found(lines, faults)
     marks = DecimalMarks(faults)

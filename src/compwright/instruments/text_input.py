@@ -41,9 +41,9 @@ def read_lines(content: bytes, file: str) -> list[str]:
     """Return the lines of a text file without their ends (LF, CRLF or CR). Line n of the file is
     item n - 1.
 
-    UTF-8 with or without byte order mark, UTF-16 with one. Raises InputError for an empty file, a
-    binary file (with its type if its first bytes show it) and text in another encoding, with the
-    line of the first wrong byte.
+    The text is UTF-8 with or without a byte order mark, or UTF-16 with one. Raises InputError for
+    an empty file, for a binary file (with its type if its first bytes show it), and for text in
+    another encoding (with the line of the first wrong byte).
     """
     _refuse_other_files(content, file)
     return _lines(_decode(content, file), file)
@@ -53,8 +53,8 @@ def read_any_lines(content: bytes, file: str, encoding: str | None = None) -> tu
     """Return the lines of a text file and the name of its encoding, which may be an old Windows
     code page.
 
-    Without ``encoding`` by `encoding_of`. Raises InputError for a binary file and for bytes that
-    are invalid in that encoding.
+    If ``encoding`` is not given, it is determined by `encoding_of`. Raises InputError for a binary
+    file and for bytes that are invalid in that encoding.
     """
     _refuse_other_files(content, file)
     name = encoding or encoding_of(content)
@@ -79,8 +79,9 @@ def read_any_lines(content: bytes, file: str, encoding: str | None = None) -> tu
 def encoding_of(content: bytes) -> str:
     """Return the most probable encoding of ``content``.
 
-    UTF-16 by its byte order mark; UTF-8; else cp1251 if most bytes beyond ASCII are in words of
-    Cyrillic letters, gbk if all are in pairs, cp1252 for the rest.
+    A byte order mark shows UTF-16. Otherwise valid UTF-8 is taken as UTF-8. For other content there
+    are three code pages: cp1251 if most bytes beyond ASCII are in words of Cyrillic letters, gbk if
+    all these bytes are in pairs, else cp1252.
     """
     if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return "utf-16"
@@ -154,8 +155,8 @@ def unfinished_number(lines: Sequence[str]) -> str:
     """Return the last number of a file if the file may have been cut off within it, so that digits
     may be missing; else "".
 
-    A number is complete if all others at the end of a line like it have the same number of
-    decimals, at least one.
+    The number is complete if the numbers at the ends of all similar lines have the same number of
+    decimals as it, and at least one.
     """
     last = _LAST_NUMBER.fullmatch(_last_cell(lines[-1]))
     if last is None or not last.group():

@@ -28,8 +28,8 @@ def times_of(
     """Return the form in which a column gives times (such as date and time, or a number), and the
     times (n,): in seconds, or the numbers as they are written.
 
-    NaN, after noting the fault, for a cell without a time, or in another form than the first.
-    Without cells the form is "number".
+    A cell without a time, or with a time in another form than the first cell, is a fault and gives
+    NaN. If there are no cells, the form is "number".
     """
     found: list[float] = []
     first: Clock | None = None

@@ -40,7 +40,7 @@ class WorkbookSheet:
     """The lines of one sheet. Line n of the sheet is item n - 1; a row without cells is an empty
     line.
 
-    ``hidden``: the parts that a spreadsheet program does not show.
+    ``hidden``: the rows, columns and sheets that a spreadsheet program does not show.
     """
 
     name: str
@@ -56,9 +56,9 @@ def is_workbook(content: bytes) -> bool:
 def sheets_of(content: bytes, file: str) -> tuple[WorkbookSheet, ...]:
     """Return the sheets of a workbook that are not empty.
 
-    A formula counts with the result that the spreadsheet saved. Raises InputError for a zip archive
-    other than a workbook, one that is damaged or too large, a formula without a result, and if
-    openpyxl (the extra ``excel``) is missing.
+    The value of a formula is the result that the spreadsheet program saved. Raises InputError for a
+    zip archive that is not a workbook, for a workbook that is damaged or too large, for a formula
+    without a saved result, and if openpyxl (the extra ``excel``) is not installed.
     """
     formulas = _check_size(content, file)
     try:

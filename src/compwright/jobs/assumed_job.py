@@ -1,9 +1,9 @@
 """Write a job file for a run that was started without one: given options, and assumed values with
 reasons.
 
-A value with a key of the job file is written under that key. An option of the control that was left
-at its default is written as a comment: as a key it would count as known, and results would no
-longer list it as assumed.
+A value with a key of the job file is written under that key. An option of the control that has its
+default value is written as a comment. If it were a key, it would count as known, and the results
+would no longer list it as assumed.
 """
 
 from __future__ import annotations
@@ -86,11 +86,11 @@ def assumed_job(
     assumed: Sequence[Assumption],
     by_files: Mapping[str, object],
 ) -> str:
-    """Return as text the job file of a run that was started without a job file. ``by_files``:
-    values of axis keys from the control's files.
+    """Return as text the job file of a run that was started without a job file.
 
-    ``data``: the values of its command line, in the form of a job; ``options``: every option of the
-    control with its final value; ``assumed``: what a run lists as assumed.
+    ``data``: the values of its command line, in the form of a job. ``options``: every option of the
+    control with its final value. ``assumed``: the assumptions that the run lists. ``by_files``:
+    values of axis keys from the control's files.
     """
     ((axis, section),) = data["axes"].items()
     left = [entry for entry in assumed if entry.fact.startswith(_OPTION)]

@@ -31,7 +31,7 @@ def axis_contradictions(
     """Yield the contradictions between keys in the ``section`` of one axis, and between these and
     the job's keys ``states``, ``standard`` and ``thermal``.
 
-    ``states``: the names that its tests may be measured in.
+    ``states``: the names of the control's states in which the tests can have been measured.
     """
     yield from _geometry(section, path)
     yield from _tests(section, path, states)
@@ -112,7 +112,7 @@ def _thermal(section: Mapping[str, Any], path: KeyPath, of_job: Any) -> Iterator
     """Yield faults in the temperatures and expansion coefficients of an axis and its tests.
     ``of_job``: the job's key ``thermal``, whose values they override.
 
-    Angles do not expand.
+    A rotary axis must have no expansion coefficient, because angles do not expand.
     """
     of_axis = section.get("thermal")
     stated: list[tuple[KeyPath, Any, bool]] = [((), of_axis, "thermal" in section)]

@@ -63,13 +63,14 @@ def job_from_options(
     """Return the job that the options of ``run`` describe: one axis, and one test of all ``files``.
     ``further``: a function that makes additional checks of the job's data.
 
-    ``travel`` is ``LO:HI`` in mm or deg; ``states`` are the control's own files, or the single word
-    ``none``, or empty (the control's contents are then unknown). Of ``options`` (``K=V``) the keys
-    address, axis_number, kind, reference, reference_return, encoder_system, screw_pitch (a number
-    or numbers with commas), spacing and mode describe the axis; ``active`` (yes or no) states
-    whether the compensation in the files of the state was active; all others are options of the
-    controller and their values stay text. Raises UsageError with every fault at once, each naming
-    its option.
+    ``travel`` is ``LO:HI`` in mm or deg. ``states`` are the control's own files, or the single word
+    ``none``, or empty (the control's contents are then unknown).
+
+    ``options`` are texts ``K=V``. These keys describe the axis: address, axis_number, kind,
+    reference, reference_return, encoder_system, screw_pitch (a number, or numbers with commas),
+    spacing and mode. ``active`` (yes or no) states whether the compensation in the files of the
+    state was active. All other keys are options of the controller, and their values stay text.
+    Raises UsageError with every fault at once; each fault names its option.
     """
     section: dict[str, Any] = {
         "travel": [_number(end) for end in travel.split(":")],

@@ -1,7 +1,7 @@
 """Check the keys of a job together, for example that the axes and states that the keys name exist.
 
-They work on the plain data as read, so that their faults are listed together with those of the
-schema. Values of the wrong type are left to the schema.
+The checks read the job's data before they are converted, so that their faults are listed together
+with those of the schema. The schema reports values of the wrong type.
 """
 
 from __future__ import annotations

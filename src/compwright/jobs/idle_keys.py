@@ -9,12 +9,11 @@ from compwright.records.job import Acknowledgement, Job
 
 
 def idle_keys(job: Job, *, systems: bool, numbers: bool, motions: bool) -> list[Finding]:
-    """Return findings on the keys of axes in a job that have no effect on this control: on
-    measuring systems, axis numbers or the motion in a test, unless ``systems``, ``numbers`` or
-    ``motions`` is True.
+    """Return findings on the keys of axes in a job that have no effect on this control.
 
-    ``systems``: the control's files distinguish measuring systems; ``numbers``: they count axes by
-    another number than the address; ``motions``: backlash at rapid traverse may have its own value.
+    ``systems``: the control's files distinguish measuring systems. ``numbers``: the control's files
+    have an axis number that differs from the address. ``motions``: backlash at rapid traverse can
+    have its own value. If one of them is False, the keys for it have no effect.
     """
     keys = []
     for name, entry in job.axes.items():

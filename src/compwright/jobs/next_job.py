@@ -1,8 +1,8 @@
 """Make the job of the next round from the last job and the control files that were read back after
 loading.
 
-It works on the plain data of a job file, so that everything else stays as the engineer wrote it:
-axes, options, grid, uncertainty, expansion, limits.
+Only what changes is changed in the data of the job file. All else stays as the engineer wrote it:
+axes, options, grid, uncertainty, expansion and limits.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ TEMPERATURES = ("T_m", "T_d")
 class NextAxis:
     """What the job of the next round states differently for one axis, such as its tests.
 
-    ``before``: its tests, the one after loading first. ``resolved``: keys of the axis that the job
-    leaves open and the files of the last round answered. ``limited``: the test to which the limits
-    belong, where that is not the first one any more.
+    ``before``: its tests; the test after loading is the first. ``resolved``: keys of the axis that
+    the last job did not give and the control's files of the last round answered. ``limited``: the
+    test to which the limits apply, if it is not the first one any more.
     """
 
     before: Sequence[Mapping[str, Any]]
@@ -39,8 +39,8 @@ class NextAxis:
 class NextRound:
     """What the job of the next round states differently from the last job.
 
-    ``paths``: the copies of profiles, drift tests and the logo, by their paths in the last
-    job; ``squareness``: the planes that are corrected again.
+    ``paths``: the paths of the copies of profiles, drift tests and the logo, by their paths in the
+    last job. ``squareness``: the planes whose squareness is corrected again.
     """
 
     format: str
@@ -124,8 +124,9 @@ def next_job(data: Mapping[str, Any], then: NextRound) -> dict[str, Any]:
     """Return the data of the next job, made from the ``data`` of the last job and from ``then``,
     what is different in the next job.
 
-    Direct measurements between axes are left out: they were taken before, and what corrects them
-    is in the control. Of ``apply`` remains what ``then`` looks at again.
+    Direct measurements between axes are left out. They were taken before loading, and the control
+    now contains their correction. The key ``apply`` keeps only the corrections that ``then`` makes
+    again.
     """
     job = {key: value for key, value in data.items() if key not in {"cross", "circles", "apply"}}
     job["controller"] = {**data["controller"], "format": then.format}
@@ -201,9 +202,8 @@ def _uncertainty(section: Mapping[str, Any], paths: Mapping[str, str]) -> dict[s
 
 
 def _applied(section: Mapping[str, Any], then: NextRound) -> dict[str, Any]:
-    """Return the key ``apply`` of the next job.
-
-    It holds the squareness of planes with repeated circles, and the source of lost motion.
+    """Return the key ``apply`` of the next job: the squareness of planes whose circles are
+    repeated, and the source of lost motion.
     """
     planes = section.get("squareness", {})
     kept = {plane: bent for plane, bent in planes.items() if plane in then.squareness}

@@ -75,11 +75,10 @@ def read_job(content: bytes, file: str, further: Further = _nothing_further) -> 
     """Return the job in a job file, with its paths as written. ``further``: a function that makes
     additional checks of the job's data.
 
-    ``file`` is its name for messages.
-
-    Raises UsageError with every fault at once, each with file, ``line N, key.path``, expected and
-    found: text that is not YAML, keys given twice, unknown keys (with the nearest known one), wrong
-    types and ranges, names that do not exist, and alone a job written for a newer version.
+    ``file``: the name of the job file in messages. Raises UsageError with every fault at once; each
+    has file, ``line N, key.path``, expected and found. Faults: the text is not YAML, a key is given
+    twice or unknown (with the nearest known key), a value has a wrong type or range, a name does
+    not exist. If the job was written for a newer version of compwright, this is the only fault.
     """
     try:
         document, faults = read_yaml_with_faults(content, file)

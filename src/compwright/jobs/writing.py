@@ -1,7 +1,7 @@
 """Write a job file as text, from values found in the control's files or from plain data.
 
-In a prefilled file every known value has its source; every unknown one is left empty, with a
-comment.
+In a job file with values from the control's files, a comment gives the source of each known value.
+An unknown value is left empty, with a comment.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def job_text(
     """Return the text of a new job file (schema version 1) from values found in the control's
     files. ``active``: whether compensation was active; None: unknown.
 
-    Unknown values are empty keys, so that `run` asks for them.
+    The keys of unknown values are empty, so that `run` asks for these values.
     """
     lines = [
         "compwright: 1",

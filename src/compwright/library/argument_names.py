@@ -27,7 +27,7 @@ def in_argument_names(function: Callable[P, T]) -> Callable[P, T]:
     """Return ``function`` wrapped so that its error messages name arguments (``force=True``)
     instead of options (``--force``).
 
-    Options without an argument of this name, and whole commands, stay as they are.
+    Options for which the function has no argument, and whole commands, are not changed.
     """
 
     @wraps(function)

@@ -42,9 +42,10 @@ def read(source: PathName | Any, *, profile: PathName | None = None) -> list[Mea
     """Read the tests of a measurement file, of every file of a folder, or of a pandas table; return
     them as a list.
 
-    A table has the columns of the plain CSV form and its keys in ``attrs``. Deviations are measured
-    minus target in mm or deg, as in the file: not yet in machine coordinates. ``profile``: the
-    mapping profile of a table of another program. Raises InputError with every fault of every file.
+    A pandas table has the columns of the plain CSV form, and the comment keys of that form in
+    ``attrs``. Deviations are measured minus target in mm or deg, as in the file: not yet in machine
+    coordinates. ``profile``: the mapping profile of a table of another program. Raises InputError
+    with every fault of every file.
     """
     session = Session()
     mapping = None if profile is None else load_profile(session, Path(profile))
@@ -64,10 +65,10 @@ def evaluate(
     """Evaluate a test, or a file with one test, to a standard. ``spread``: standard deviations are
     calculated from all readings (``std``) or from their range (``range``).
 
-    ``standard``: an id such as ``iso230-2:2014`` (the default of positioning tests),
-    ``gost27843``, ``vdi3441`` or ``iso230-4:2005`` (of circular tests). Parameters are in um or
-    arcsec. Raises InputError for a test that cannot be evaluated, UsageError for an unknown
-    standard, one of the other kind of test, and a file with several tests.
+    ``standard``: an id such as ``iso230-2:2014`` (the default of positioning tests), ``gost27843``,
+    ``vdi3441`` or ``iso230-4:2005`` (of circular tests). Parameters are in um or arcsec. Raises
+    InputError for a test that cannot be evaluated. Raises UsageError for an unknown standard, for a
+    standard of the other kind of test, and for a file with several tests.
     """
     if not isinstance(test, PositioningTest | CircularTest):
         tests = read(test)
@@ -105,14 +106,15 @@ def estimate(
     offset: float = 0.0,
 ) -> EstimatedError:
     """Estimate the error of an axis (measured minus target) with its uncertainty from its tests.
-    ``sense``, ``offset``: the conversion from instrument to machine coordinates.
 
     ``travel``: mm or deg, machine coordinates; default: from the first to the last target.
-    ``screw_pitch``: known periods of the error, mm or deg. Tests in the instrument's coordinates
-    are mapped: machine = sense * instrument + offset; ``sense`` -1 also swaps the approaches and
-    the sign. The compensation that was active during the tests is part of the error. Raises
-    UsageError without a test, for circles, tests of several axes and an empty travel, InputError
-    for readings at fewer than two targets.
+    ``screw_pitch``: known periods of the error, mm or deg. ``sense`` and ``offset`` convert the
+    instrument's coordinates: machine = sense * instrument + offset. A ``sense`` of -1 also
+    exchanges the directions of approach and the sign of the deviations. Compensation that was
+    active during the tests is part of the error.
+
+    Raises UsageError if there is no test, for circular tests, for tests of several axes and for an
+    empty travel. Raises InputError for readings at fewer than two targets.
     """
     from compwright.estimation.axis import estimate_axis
     from compwright.estimation.noise import infer_noise
@@ -188,8 +190,8 @@ def verify(
     """Compare the tests after loading (``after``) with the plan, and with ``loaded``, the files
     read back from the control. No file is written.
 
-    ``after``: the tests, or their files, each a path or ``"TEST=FILE"``; ``plan``: the folder of a
-    run or its ``plan.json``, default: that of the job. Raises UsageError and InputError, also where
+    ``after``: the tests, or their files, each a path or ``"TEST=FILE"``. ``plan``: the folder of a
+    run or its ``plan.json``; default: that of the job. Raises UsageError and InputError, also if
     the plan belongs to another job.
     """
     from compwright.workflow.commands.verify import plan_path, verification_of
@@ -211,8 +213,9 @@ def decode(
 ) -> DecodedFiles:
     """Return the corrections that a control makes after the given files are loaded.
 
-    ``format``: an id of ``compwright formats list`` or the path of a definition; ``options``: as
-    ``controller.options`` of a job; ``axis``: only this address. Raises UsageError and InputError.
+    ``format``: an id of ``compwright formats list`` or the path of a definition. ``options``: as
+    ``controller.options`` of a job. ``axis``: the address of the only axis to decode; default: all
+    axes. Raises UsageError and InputError.
     """
     from compwright.workflow.commands.decode import decoded_files
 

@@ -74,7 +74,7 @@ class Evaluation(DocumentResult):
     def __getitem__(self, name: str) -> float | None:
         """Return a parameter in `unit`, or None if the standard does not define it for the test.
 
-        Raises KeyError for a name that is no parameter of this kind of test.
+        Raises KeyError for a name that is not a parameter of this kind of test.
         """
         return self.parameters[name]
 
@@ -97,15 +97,15 @@ class Evaluation(DocumentResult):
     def diagnosis(self) -> dict[str, Any]:
         """The error causes that a circular test shows, each with its value, ``std_error`` and unit.
 
-        Empty for a positioning test.
+        It is empty for a positioning test.
         """
         return deepcopy(dict(self._document.get("diagnosis") or {}))
 
     def to_frame(self) -> Any:
         """Return the targets of a positioning test as a pandas table, one row per target.
 
-        Positions in mm or deg, deviations in `unit`. Raises UsageError for a circular test, and
-        where pandas is not installed.
+        Positions are in mm or deg, deviations in `unit`. Raises UsageError for a circular test, and
+        if pandas is not installed.
         """
         targets = self._document.get("targets")
         if targets is None:
@@ -121,7 +121,8 @@ class Evaluation(DocumentResult):
     def plot(self, ax: Any = None) -> Any:
         """Draw the means of both directions into matplotlib axes. Returns the axes.
 
-        Raises UsageError without matplotlib, and for a circular test.
+        ``ax``: the axes to draw into; default: new axes. Raises UsageError if matplotlib is not
+        installed, and for a circular test.
         """
         from compwright.reporting.charts import result_chart, title_of
         from compwright.reporting.panels import draw_on_axes
@@ -143,8 +144,8 @@ class Evaluation(DocumentResult):
 class EstimatedError:
     """The error of an axis (measured minus target) with its uncertainty at any position.
 
-    ``unit``: um or arcsec; positions in mm or deg, machine coordinates. The error is known up to a
-    constant: the instrument's datum.
+    ``unit``: um or arcsec. Positions are in mm or deg, machine coordinates. The error is known
+    except for a constant, because the zero of the instrument is arbitrary.
     """
 
     axis: str
@@ -195,7 +196,8 @@ class EstimatedError:
     def plot(self, ax: Any = None) -> Any:
         """Draw the error ± 2 standard uncertainties into matplotlib axes. Returns the axes.
 
-        Raises UsageError without matplotlib.
+        ``ax``: the axes to draw into; default: new axes. Raises UsageError if matplotlib is not
+        installed.
         """
         from compwright.reporting.charts import estimate_chart
         from compwright.reporting.panels import draw_on_axes
@@ -242,8 +244,8 @@ class LoadedJob:
 class JobPlan(DocumentResult):
     """The tables and the prediction of a job, before `write` stores them on the disk.
 
-    ``exit_code``: that of ``compwright run`` for the same job: 0 where every limit is predicted to
-    be met and nothing is in doubt, 1 where not, 2 where no table is made because the state of the
+    ``exit_code``: that of ``compwright run`` for the same job. 0: every limit is predicted to be
+    met, and nothing is in doubt. 1: otherwise. 2: no table is made, because the state of the
     control is not given.
     """
 
@@ -300,8 +302,8 @@ class JobPlan(DocumentResult):
         """Write all files that ``compwright run`` writes; if that fails, write no file. Returns the
         paths.
 
-        ``folder``: default: that of the job. ``force``: replace an earlier result. Raises
-        StorageError where files exist or cannot be written.
+        ``folder``: the folder of the results; default: that of the job. ``force``: replace an
+        earlier result. Raises StorageError if files exist already or cannot be written.
         """
         from compwright.workflow.commands.run import write_planned
 
@@ -380,8 +382,8 @@ class DecodedFiles(DocumentResult):
 class AxisCorrection:
     """The correction that the control adds to an axis, by position and approach.
 
-    ``unit``: um or arcsec; None where the files do not tell whether the axis is linear or rotary
-    (then thousandths of the unit of its positions).
+    ``unit``: um or arcsec. It is None if the files do not show whether the axis is linear or
+    rotary; values are then in thousandths of the unit of its positions.
     """
 
     address: str

@@ -103,8 +103,8 @@ def _fit(
     states why the control cannot hold a table. ``task``: axis, limits of the control and decision
     rule.
 
-    One table is used where the second could hold the drift of the test and the job leaves the
-    choice.
+    If the job leaves the number of tables open, a single table is used where the second one might
+    contain the drift of the test.
     """
     work, capacity, rule = task
     found = _requested_fit(work, capacity, rule)
@@ -134,8 +134,8 @@ def _requested_fit(
     """Return the wanted correction and the fitted tables of an axis, or the CapacityError that
     states why the control cannot hold a table.
 
-    The table for a goal is taken where the tests of the prediction show that it gains, or where it
-    is the usual one.
+    If the job has a goal, its table is used only if the simulated tests of the prediction show that
+    it is better than the usual table, or if both are the same.
     """
     planned = work.planned
     if planned.active is None:
@@ -192,9 +192,8 @@ def _pays(
 
 def _not_held(error: CapacityError, name: str, work: AxisWork, file: str) -> CapacityError:
     """Return the error that the control cannot hold the table of an axis. If there are doubts about
-    the readings, the error lists them first.
-
-    Readings with a wrong unit or sign are the usual cause.
+    the readings, the error lists them first, because readings with a wrong unit or sign are the
+    usual cause.
     """
     doubted = [
         Fault(

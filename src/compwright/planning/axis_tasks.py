@@ -1,7 +1,7 @@
 """Work on one axis in stages, as functions of one argument that another process can run.
 
-Arguments and results need only this room, neither commands nor formats, so that such a process
-starts quickly.
+Arguments and results are records of this package and of packages below it. They need neither
+commands nor formats, so that such a process starts quickly.
 """
 
 from __future__ import annotations

@@ -73,12 +73,12 @@ class CapacityOf(Protocol):
 class AxisWork:
     """The data of one axis during a run: job, tests, estimate, table, prediction.
 
-    ``as_found``: the present correction of the control, by the judge; ``refused``: why its table is
-    not written; ``chosen``: the table on a grid of our own choice, where the existing grid stays
-    and this may cost something; ``alternative``: where the job's goal differs from the least
-    expected square, the table that was not taken. ``doubts``: about tests that contradict the
-    first, or look unlike their description; ``at_targets``: the estimate at the targets of the
-    first test.
+    ``as_found``: the present correction of the control, as the virtual control decodes it.
+    ``refused``: why the table of the axis is not written. ``chosen``: the table on a grid that
+    compwright chose, if the existing grid stays and this may cost accuracy. ``alternative``: if the
+    job's goal differs from the least expected square, the table that was not used. ``doubts``:
+    about tests that contradict the first test or look unlike their description. ``at_targets``: the
+    estimate at the targets of the first test.
     """
 
     entry: AxisJob
@@ -187,8 +187,8 @@ def start_axis(
     that agree. ``states``: the known states of the control, by name; ``as_found``: the correction
     that is active at present.
 
-    Raises UsageError for tolerances that fit no test, InputError where the tests that count cover
-    less than half of the travel.
+    Raises UsageError for limits that fit no test. Raises InputError if the tests in use cover less
+    than half of the travel.
     """
     axis = entry.axis
     measured = [planned.test for planned in tests]
@@ -291,7 +291,7 @@ def _predicted_test(
     """Return the prediction of a repetition of the test with index ``place``, under the correction
     ``new``. ``fresh``: simulated repetitions at new targets, if they exist already.
 
-    It has guard bands where a guarded decision needs them.
+    If the job decides with guard bands, the prediction contains them.
     """
     planned, result = work.planned, work.results[place]
     test = planned.tests[place]
@@ -347,9 +347,9 @@ def why_no_gain(work: AxisWork, new: Correction) -> Sentence | None:
     """Return the reason why the correction ``new``, read back from the written files, would not
     improve the axis enough, or None if the improvement is large enough.
 
-    It is compared with the present correction of the control and with the gain that the job
-    requires. Outlying readings, which no table changes, and traverses that were not made do not
-    count.
+    The improvement is the difference from the present correction of the control. It is compared
+    with the gain that the job requires. Outlying readings and traverses that were not made are left
+    out, because no table changes them.
     """
     changes = [difference(each, work.active) for each in (new, work.as_found)]
     first = work.results[0]

@@ -39,8 +39,8 @@ def laser_values(
     diameter of a circle, from its positioning test, converted to the corrections ``during`` the
     circular test.
 
-    ``index`` 0: the axis is the circle's first one. The laser's own uncertainty per metre counts
-    where the job gives it.
+    ``index``: 0 if the axis is the circle's first one, 1 if it is the second. If the job gives the
+    laser's own uncertainty per metre, it is included.
     """
     radius, middle = work.planned.test.nominal_radius, work.planned.centre[index]
     ends = np.array([middle - radius, middle + radius])

@@ -16,7 +16,7 @@ from compwright.records.circular import CircularResult, CircularTest, Diagnosis
 def diagnose_circle(test: CircularTest, standard: str) -> CircularResult:
     """Return the test evaluated to ``standard``, with the causes of its deviations.
 
-    Where the causes cannot be determined, without them and with the reason. Raises InputError for a
+    If the causes cannot be determined, the result has the reason instead. Raises InputError for a
     test that cannot be evaluated.
     """
     result = evaluate_circle(test, standard)

@@ -2,11 +2,12 @@
 equations.
 
 Every circle gives a squareness, two scales, two lost motions and a servo mismatch. The machine has
-one squareness per plane, and one scale, one lost motion, one lag and one shrinking per axis. The
-shrinking separates the lag of the position loop from the scale: a first-order lag T makes the
-travel of its axis smaller by (v T / R)² / 2, so that circles at two feeds or two radii tell both
-(ISO 230-4:1996, B.3.2). Linear least squares with priors of machine-tool size (Tarantola, Inverse
-Problem Theory, 2005, chapter 3).
+one squareness per plane, and one scale, one lost motion, one lag and one shrinking per axis.
+
+The shrinking separates the lag of the position loop from the scale. A first-order lag T makes the
+travel of its axis smaller by (v T / R)² / 2, so circles at two feeds or two radii show both (ISO
+230-4:1996, B.3.2). The solution is that of linear least squares with priors of machine-tool size
+(Tarantola, Inverse Problem Theory, 2005, chapter 3).
 """
 
 from __future__ import annotations
@@ -79,8 +80,8 @@ class CircleNetwork:
     """The machine errors that fit all circular tests ``circles`` best, and the measured values in
     which these tests contradict each other.
 
-    ``values`` by unknown; ``contradictions``: the observations in which the circles contradict each
-    other, by kind and, of squareness, plane.
+    ``values``: the machine errors, by the name of the unknown. ``contradictions``: the measured
+    values that contradict each other, by kind and, for squareness, by plane.
     """
 
     circles: tuple[str, ...]
@@ -211,7 +212,7 @@ def network_findings(circles: Sequence[CircleWork]) -> Iterator[Finding]:
     """Yield the findings about the machine errors from circular tests in the same state of the
     control.
 
-    What ``run`` says of the squareness of a plane is in `planning.cross`.
+    Findings about a correction of squareness are made in `planning.cross`.
     """
     states: dict[str, list[CircularResult]] = {}
     for work in circles:

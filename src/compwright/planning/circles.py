@@ -71,7 +71,7 @@ def as_shown_at_feed(effect: CircularEffect) -> CircularEffect:
     """Return a scale error or mismatch as measured at the feed of the circular test: with the
     effect of servo lag, which the diagnosis subtracts.
 
-    The standard error is that of the fit alone.
+    The standard error is that of the fit; it does not contain the uncertainty of the lag.
     """
     off, error = (effect.more.get(name) or 0.0 for name in ("lag_taken_off", "lag_error"))
     variance = max(effect.std_error**2 - error**2, 0.0)
@@ -147,8 +147,8 @@ def start_circles(
 ) -> tuple[CircleWork, ...]:
     """Evaluate and diagnose the circular tests of a job.
 
-    Raises InputError with the faults of all of them, UsageError for limits on parameters that a
-    test does not have.
+    Raises InputError with the faults of all tests. Raises UsageError for a limit on a parameter
+    that a test does not have.
     """
     errors: list[CompwrightError] = []
     works = []
@@ -240,9 +240,9 @@ def worse_circle_findings(predictions: Mapping[str, CirclePrediction]) -> tuple[
     """Return a finding for every circular test whose circular deviation is predicted to become
     worse with the new tables.
 
-    Worse is what lies above the measured value in 95 of 100 fresh tests and by more than `WORSE`:
-    the next set-up of the bar alone changes G by some hundredths. Noise makes both values larger,
-    and would hide the growth.
+    Worse means that 95 of 100 simulated repetitions lie above the measured value, by more than
+    `WORSE`. The margin is needed because the next set-up of the bar alone changes G by some
+    hundredths. Noise makes the measured and the predicted value larger, and hides a small growth.
     """
     return tuple(
         _worse(name, circle, found)
@@ -255,8 +255,8 @@ def undecided_circle_findings(predictions: Mapping[str, CirclePrediction]) -> tu
     """Return a finding for every circular test that has limits, but whose causes of deviation are
     unknown.
 
-    Its predicted band then holds the noise of the samples alone: of fresh tests on short arcs 0 to
-    52 % were within the 90 % bands.
+    Its predicted band then contains the noise of the samples alone, and is too narrow: of simulated
+    repetitions on short arcs only 0 to 52 % were within the 90 % bands.
     """
     return tuple(
         Finding.of("CW-P134", "warning", causes=_without_causes(name, circle.before.test))
@@ -269,8 +269,9 @@ def _growing(circle: CirclePrediction) -> str | None:
     """Return the name of the circular deviation that the new tables make worse, or None if there is
     none.
 
-    The deviation of both runs together decides, if there is one: lag and squareness may cancel in
-    one run, so that this run alone looks worse when one of the two errors is corrected.
+    If there is a deviation of both runs together, only this one is judged. In one run lag and
+    squareness may cancel each other, so that this run alone becomes worse when one of the two
+    errors is corrected.
     """
     has = [
         name

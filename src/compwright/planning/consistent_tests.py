@@ -1,7 +1,7 @@
 """Selection of the tests of an axis that agree with its first test and were made in a known state
 of the control.
 
-The correction that was active in each is subtracted before the comparison.
+The correction that was active in each test is subtracted before the comparison.
 """
 
 from __future__ import annotations
@@ -35,9 +35,10 @@ def with_active_corrections(
     """Return the tests, each with the correction that was active in the test. It follows from the
     test's motion (feed or rapid) and from the state of the control (``states`` by name).
 
-    None where its difference from the first test is unknown, or where a test after the first has
-    readings at a single target, which say nothing about the error. Tests in one unknown state and
-    at one motion show the same error, whatever was active.
+    The correction of a test is None in two cases: its difference from that of the first test is
+    unknown, or the test is not the first and has readings at a single target, which do not show the
+    error. Tests in the same unknown state and at the same motion show the same error, whatever
+    correction was active.
     """
     return tuple(
         replace(test, acted=_active_values(test, tests[0], axis, states))
@@ -90,8 +91,8 @@ def select_consistent(
     """Return three results: the tests, with those marked as unused that contradict the first test;
     the error estimated from the tests in use; and the doubts about the unused tests.
 
-    ``observed``: the same tests with the active correction subtracted; ``active``: the correction
-    during the first.
+    ``observed``: the same tests with the active correction subtracted. ``active``: the correction
+    that was active during the first test.
     """
 
     @cache
@@ -114,8 +115,8 @@ def _disagreeing(
     """Yield index and doubt of each test that contradicts the first test. ``alone`` returns the
     error estimated from a single test.
 
-    Each of the two tests predicts the other: a short test predicts little of a long one, the long
-    one much of it.
+    Each of the two tests is used to predict the other, because a short test predicts only a small
+    part of a long one, and a long test most of a short one.
     """
     for place, other in enumerate(tests[1:], start=1):
         if other.acted is None:
@@ -135,7 +136,7 @@ def _doubt(
     """Return the doubt that the test ``shown`` contradicts the test ``telling``, or None if both
     tests agree.
 
-    Only the directions in which a test was taken count. Each test has its own noise.
+    Only the directions of approach that both tests have are compared. Each test has its own noise.
     """
     (source, error), (test, own) = telling, shown
     targets = test.test.targets
@@ -160,9 +161,8 @@ def _doubt(
 def _only_there(
     shown: tuple[PlannedTest, MeasuredError], telling: tuple[PlannedTest, MeasuredError]
 ) -> tuple[float, ...]:
-    """Return the periods found in the test ``shown`` and not in ``telling``.
-
-    The targets of ``telling`` hide these periods, or its readings do not show them.
+    """Return the periods found in the test ``shown`` and not in ``telling``: its targets hide these
+    periods, or its readings do not show them.
     """
     one, other = (
         visible_periods(

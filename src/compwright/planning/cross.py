@@ -1,10 +1,12 @@
 """Corrections between axes: squareness from circular tests, squareness and straightness from direct
 measurements.
 
-All values here are changes of the present correction. The angle of a circle is that of the machine
-with the corrections that were active between its axes during the measurement; a state with other
-tables has another angle. Signs: squareness > 0 means more than 90° between the two positive axes;
-the bent axis gets + squareness times the distance of the other one from its reference.
+All values here are changes of the present correction. A circle shows the squareness of the machine
+together with the corrections between its axes that were active during the measurement. In a state
+with other tables it shows another squareness.
+
+Signs: squareness > 0 means more than 90° between the two positive axes. The corrected axis gets +
+squareness times the distance of the other axis from its reference.
 """
 
 from __future__ import annotations
@@ -126,7 +128,8 @@ class _Planner:
     def _measured(self, request: CrossRequest) -> PlannedCross:
         """Return the change of the correction between two axes, from a direct measurement.
 
-        Minus the deviation, plus the correction during the measurement, minus the present one.
+        It is the correction that was active during the measurement, minus the measured deviation,
+        minus the present correction.
         """
         where = np.array(request.positions)
         pair = (request.input, request.output)
@@ -366,10 +369,8 @@ def angle_of(work: CircleWork, state: ActiveCorrections) -> float:
 
 
 def _nodes(axis: Axis, where: FloatArray) -> FloatArray:
-    """Return equally spaced table points over the travel that match the measured points. Their
-    interval is a whole number of micrometres.
-
-    They hold the points as well as such a step allows.
+    """Return equally spaced table points over the travel that match the measured points as well as
+    possible. Their interval is a whole number of micrometres.
     """
     low, high = axis.travel
     if where.size == 2:

@@ -54,8 +54,8 @@ def find_doubts(
     """Return the doubts among the findings ``noticed``, each once. ``given``: the acknowledgements
     of the job.
 
-    An acknowledgement for one axis leaves a doubt open that concerns other axes too. A doubt about
-    all axes concerns those of the job.
+    If a doubt concerns several axes, an acknowledgement for one of them does not remove it. A doubt
+    about all axes concerns all axes of the job.
     """
     every = frozenset(axes_of_job)
     still: list[ScopedFinding] = []

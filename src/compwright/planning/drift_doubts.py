@@ -1,11 +1,11 @@
 """Findings about drift within a run, which has the same effect as a reversal error that varies
 along the travel.
 
-A run goes up through the m targets and down again (ISO 230-2, standard test cycle): 2 m readings at
-equal times, target i (0 .. m - 1) in + as number i, in - as number 2 m - 1 - i. An axis that drifts
-by D from the first of n runs to the last moves by D / (n - 1) within each. Its reversal (mean in +
-minus mean in -) then changes by -(2 m - 1 - 2 i) / (2 m) of that: one half on average, nearly all
-of it at the low end, nearly nothing at the high end.
+In the standard test cycle of ISO 230-2 a run goes up through the m targets and down again: 2 m
+readings at equal times. Target i (0 .. m - 1) is reading i in + and reading 2 m - 1 - i in -. An
+axis that drifts by D from the first of n runs to the last moves by d = D / (n - 1) within each run.
+Its reversal (mean in + minus mean in -) at target i then changes by -d (2 m - 1 - 2 i) / (2 m): by
+half of d on average, by nearly d at the low end, and by nearly nothing at the high end.
 """
 
 from __future__ import annotations
@@ -39,8 +39,9 @@ def drift_or_reversal(work: AxisWork, fresh: FreshTests) -> Iterator[Finding]:
     """Yield a finding if a table may contain drift of the test instead of the error of the axis.
     ``fresh``: simulated repetitions of the first test, which contain its drift.
 
-    CW-P153: the second table that the job requires; CW-P154: the constant between the directions,
-    which is the backlash value, or that of two curves where the control has none.
+    CW-P153 concerns the second table that the job requires. CW-P154 concerns the constant
+    difference between the directions: the backlash value, or the difference of the two curves if
+    the control has no backlash value.
     """
     planned, test = work.planned, work.results[0].test
     runs = min(int(np.max(test.readings(way), initial=0.0)) for way in Direction)

@@ -28,7 +28,7 @@ def goal_findings(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterato
     """Yield the finding CW-P152: A, E and M of the simulated tests ``fresh`` with the chosen table
     ``new`` and, for comparison, with the fitted table that was not chosen.
 
-    Only if the job has a goal other than the least expected square.
+    It is yielded only if the job has a goal other than the least expected square.
     """
     planned, goal = work.planned, work.entry.table.goal
     if work.alternative is None or planned.fitted is None:

@@ -1,7 +1,7 @@
 """Guard bands for decisions about a future test: the expanded uncertainty of its parameters (ISO
 14253-1).
 
-It includes the share that earlier tests have put into the table.
+It includes the uncertainty of the earlier tests, because their errors are now in the table.
 """
 
 from __future__ import annotations
@@ -36,12 +36,14 @@ def guard_bands(
     uncertainty, or the standard is VDI 3441.
 
     It is the U of the measured test after the change (`expanded_uncertainties`), because U depends
-    on the remaining curve. Temperature, misalignment and set-up are drawn twice: for the test from
-    which the table is made, whose error stays in the machine, and for the fresh one. The instrument
-    and the coefficient of expansion are the same in both: the table contains their error and the
-    fresh test does not show it, so they count once. U is at least the amount by which the declared
-    slopes of both tests move the ends of the band: a guarded decision accepts and rejects nothing
-    that a simple one leaves undecided.
+    on the remaining curve. Errors of temperature, misalignment and set-up are drawn twice: once for
+    the test from which the table is made, and once for the repetition. The errors of the instrument
+    and of the expansion coefficient are the same in both tests. The table contains them, and the
+    repetition does not show them, so they are drawn once.
+
+    U is at least the amount by which the declared slopes of both tests move the ends of the band.
+    Therefore a guarded decision neither accepts nor rejects what a simple decision leaves
+    undecided.
     """
     test, kind = result.test, result.test.kind
     budget = job.budget(kind)

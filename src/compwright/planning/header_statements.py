@@ -35,7 +35,7 @@ def statement_findings(
     """Yield a finding where the headers of an axis' files contradict each other or the job's state
     of the control.
 
-    ``states``: by name, those whose content is known.
+    ``states``: the states whose content is known, by name.
     """
     for planned in tests:
         yield from _differences(planned.test, axis)
@@ -68,7 +68,7 @@ def after_test_doubts(result: _Result, axes: Sequence[str]) -> _Result:
     """Return the ``result`` of a test after loading, with a doubt if the header of the measurement
     file states that compensation was off.
 
-    ``axes``: those of which the plan loads a table; none: nothing to compare.
+    ``axes``: the axes for which the plan loads a table. If there are none, no doubt is added.
     """
     stated = _stated(result.test.header)
     if not axes or False not in stated:

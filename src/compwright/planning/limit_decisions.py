@@ -34,7 +34,7 @@ def accept_decisions(
     """Return the decision about each limit of an axis (µm or arcsec) from the predicted values: by
     the values alone (``rule`` ``simple``) or with their uncertainty as guard band (``guarded``).
 
-    Accepted is what keeps its limit at the same targets and at new ones, where the prediction
+    A limit is accepted if it is met both at the same targets and at new ones, where the prediction
     includes the periods that the test cannot show.
     """
     accept = entry.accept
@@ -57,8 +57,9 @@ def circle_decisions(
     """Return the decision about each limit of a circular test (µm) from the predicted values: by
     the values alone (``rule`` ``simple``) or with their uncertainty as guard band (``guarded``).
 
-    As `accept_decisions` does. Its U is that of the measured circle, because the tables hardly
-    change its size. Undecided where the causes in the circle are not known (CW-P134).
+    The decision follows the rule of `accept_decisions`. U is that of the measured circle, because
+    the tables hardly change it. The decision is undecided if the causes in the circle are not known
+    (CW-P134).
     """
     if accept is None:
         return {}
@@ -110,8 +111,8 @@ def measured_decisions(
     undecided if its readings are not ``believed``, and never accept if the test is not ``proven``
     to show as much as the test that it repeats.
 
-    A guarded decision needs the uncertainty of this test only: the tests before are contained in
-    the table, which is active and measured with it.
+    A guarded decision uses the uncertainty of this test only. The errors of the earlier tests are
+    in the table, so this test measures them.
     """
     if entry.accept is None:
         return {}
@@ -238,10 +239,9 @@ def check_limits(job: Job, entry: AxisJob, results: tuple[PositioningResult, ...
 def limit_faults(
     job: Job, accept: Acceptance, result: PositioningResult | CircularResult, place: str
 ) -> list[Fault]:
-    """Return a fault for each limit on a parameter that ``result`` does not contain. ``place``: the
-    section of the job that the fault names, such as ``axes.X``.
-
-    Also for a guarded decision without uncertainty.
+    """Return a fault for each limit on a parameter that ``result`` does not contain, and for a
+    guarded decision without uncertainty. ``place``: the section of the job that the fault names,
+    such as ``axes.X``.
     """
     faults = [
         Fault(

@@ -47,12 +47,12 @@ def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> LimitingC
     the correction ``new``. ``fresh``: simulated repetitions of the first test at new targets. None:
     no parameter can be judged.
 
-    It is the first of A, E, ... that the first test has.
+    The parameter is the first of A, E, ... that the first test has. The contribution of a cause is
+    the change of the parameter when this cause alone is removed.
 
-    Each cause is removed alone, while all others stay. The part of the known error that the table
-    does not hold is the sum of the causes that `shortfalls` names: to remove one is to add what it
-    lacks. No median contains the periods that the test leaves open (`FreshTests.band`): their value
-    is what they would add.
+    The causes that `shortfalls` names add up to that part of the known error that the table does
+    not correct. The median of the prediction does not contain the periods that the test leaves open
+    (`FreshTests.band`): the contribution of these is the amount that they would add.
     """
     name = judged_parameter(work.results[0])
     if name is None:

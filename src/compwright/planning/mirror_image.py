@@ -1,23 +1,23 @@
 """Detection of tests whose deviations are the mirror image of the table that is stated as active.
 That table was probably not active in the test.
 
-Then the table was made from this very test: it was not active in the test, and a further table
-would remove the same error twice.
+The mirror image arises if the table was made from this very test. The table was then not active in
+the test, and a further table would remove the same error twice.
 
-Compared are the means of both directions without their straight line. A temperature changes the
-line, a partly copied backlash value the distance of the directions; neither changes the rest. A
-test that was taken with its table shows what the table leaves: little of the table's own shape,
-plus or minus a quarter (`planning.sign_and_unit_doubts`), and hardly ever all of it with the
-opposite sign.
+The means of both directions are compared without their straight line. Temperature changes the line,
+and a wrongly copied backlash value changes the distance between the directions; neither changes the
+rest. A test that was taken with an active table shows what the table leaves: little of the table's
+own shape, plus or minus a quarter (`planning.sign_and_unit_doubts`), and hardly ever all of it with
+the opposite sign.
 
-Two smooth curves may also look alike by chance, the more easily the fewer bends they have: the
-doubt states that probability, and there is none where it is large.
+Two smooth curves may also look alike by chance, and more easily if they have few bends. The doubt
+states the probability of this, and there is no doubt if it is large.
 
-A table that changes an older one is the mirror image of the test where the older one is small
-relative to the change. Where it is not, shapes cannot decide: the plan of that run can
-(`workflow.inputs.own_output`). Nor can the scatter that test and table then share: simulated with
-11 targets, 1 to 4 % of such tests are recognised where 1 % of new tests, of an error that has
-grown, are doubted.
+If the table changes an older table, it is the mirror image of the test only where the older one is
+small relative to the change. Where it is not, the shapes cannot decide, but the plan of that run
+can (`workflow.inputs.own_output`). The scatter that test and table share cannot decide either: in
+simulations with 11 targets, 1 to 4 % of such tests are recognised, and 1 % of new tests are doubted
+although only their error has grown.
 """
 
 from __future__ import annotations
@@ -65,7 +65,8 @@ def mirror_image_doubts(
     """Yield index and doubt (CW-P161) of each test whose deviations mirror the active table.
     ``observed``: the same tests, each with its active correction subtracted.
 
-    The table is that of its state, or what that one has more than the table of another state.
+    The table is that of the test's state. If another state has a table too, the difference of both
+    tables is tried as well.
     """
     for place, (planned, bare) in enumerate(zip(tests, observed, strict=True)):
         if planned.measured_in not in states or planned.test.targets.size < _FEWEST:
@@ -91,10 +92,11 @@ def chance_of_mirror(
     table: FloatArray, shown: FloatArray, targets: FloatArray, noise: float
 ) -> float:
     """Return the probability that ``table`` (m,) mirrors the deviations ``shown`` (m,) by chance.
+    It is 1 if ``table`` does not mirror them.
 
-    1 where it is none. Both at ``targets`` (m,), mm or deg; ``noise``: standard deviation of a
-    mean. By chance: a curve of as many bends, in a random direction of their space (the cap of a
-    sphere), of a random size within a decade.
+    Both are at ``targets`` (m,), mm or deg. ``noise``: standard deviation of a mean. A curve by
+    chance has as many bends, a random direction in the space of such curves (the cap of a sphere),
+    and a random size within a decade.
     """
     along = np.linspace(-1.0, 1.0, targets.size) if targets.size < 2 else targets - targets.mean()
     bent, seen = (

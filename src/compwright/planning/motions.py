@@ -1,8 +1,9 @@
 """Tests of one axis in different motions (at cutting feed, at rapid traverse), for which a control
 may use different backlash values.
 
-A table is made for the motion of the first test (``Axis.motion``). A new one changes both values
-equally, so that their difference is active in a test at the other motion before and afterwards.
+A table is made for the motion of the first test (``Axis.motion``). A new table changes both
+backlash values by the same amount. So their difference is active, before and after loading, in
+every test at the other motion.
 """
 
 from __future__ import annotations
@@ -48,7 +49,8 @@ def with_backlash(
     """Return the tests, each with its backlash value minus the backlash value for the usual motion
     of the axis (cutting feed or rapid traverse).
 
-    The values come from the control's present state, else from the state of the test.
+    The values are those of the control's present state or, if that is unknown, of the state of the
+    test.
     """
     return tuple(
         replace(

@@ -1,6 +1,6 @@
 """Findings about periodic errors that the measured targets can hide and that new targets can show.
 
-These are periods that are possible or that the readings do not exclude.
+The periods are those that the estimate holds possible, and those that the readings do not exclude.
 """
 
 from __future__ import annotations

@@ -31,8 +31,8 @@ def point_count_tradeoff(
     """Return the parameter ``name`` of the simulated tests ``fresh`` for the written table ``new``
     and for tables with other numbers of points; an empty tuple if there is no choice.
 
-    Every table is fitted to what is wanted under the control's own limits, on equally spaced nodes
-    that it can hold.
+    Every table is fitted to the wanted correction under the control's own limits, on equally spaced
+    points that the control can hold.
     """
     wanted, fitted, capacity = work.planned.wanted, work.planned.fitted, work.capacity
     if wanted is None or fitted is None or capacity is None or capacity.line is not None:
