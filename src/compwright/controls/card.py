@@ -130,7 +130,8 @@ def _backlash(table: AxisCompensation | None, held: DecodedState, axis: Axis) ->
     """Return an axis' backlash in mm or deg, including backlash that its table values contain.
     ``held``: the control's files, decoded, in which the ``table`` is.
 
-    They contain it if the control's parameter is evaluated in the curve of one direction.
+    The table values contain backlash if the control includes its backlash parameter in the curve of
+    one direction.
     """
     in_curves = held.state.facts_of(axis.address).stated.get("backlash_in_curves")
     own = 0.0 if table is None else table.backlash
@@ -147,7 +148,9 @@ def _typed_before(
 ) -> str:
     """Return the old backlash as the text to type into the parameter; 0 if none was active.
 
-    ``new``: the new table, whose points are used if the old table has fewer than two.
+    ``old``: the control's old files, decoded. ``new``: the new table; None if there is none. The
+    text is made from a table with the old backlash. If the old table has fewer than two points,
+    this is a table of zeros at the points of ``new``.
     """
     table = old.state.axes.get(axis.address, no_compensation(axis.address, axis.kind))
     if new is not None and table.positions.size < 2:
@@ -216,7 +219,7 @@ def changes_document(
 ) -> dict[str, Any] | None:
     """Return as plain data the values that the new files ``entered`` change in the ``old`` files.
 
-    None if there are no such files.
+    Returns None if there are no old or no new files.
     """
     if not old or not entered:
         return None
@@ -283,7 +286,8 @@ def _with_values(
     such as file names. ``written``: the axes that get tables, by name; ``loaded``: the written
     files, decoded.
 
-    A slave gets the same table or the same change, with axis number and files of its own.
+    A gantry slave has an axis number and files of its own. It gets the same table as its master, or
+    the same change.
     """
     axes: list[tuple[Axis, Mapping[str, str]]] = []
     for work in written.values():
@@ -354,7 +358,7 @@ def restore_texts(
     files with the old values, if there are any; else ``files``, the control's old files.
     ``between``: there are new cross-axis tables.
 
-    ``steps``: `restore_steps` give the rest.
+    ``steps``: the card also contains the steps of `restore_steps`.
     """
     if not files:
         nothing = control_text("The job says that nothing was active.")

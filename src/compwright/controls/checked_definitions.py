@@ -30,7 +30,8 @@ from compwright.records.correction import ControlFile
 class CheckedDefinition:
     """A definition file with all its faults.
 
-    ``definition`` is None if the file cannot be read. ``judged``: a virtual control for it exists.
+    ``definition``: the definition; None if the file cannot be read. ``judged``: a virtual control
+    for it exists.
     """
 
     file: str
@@ -42,8 +43,9 @@ class CheckedDefinition:
 def checked_definitions(session: Session, paths: Sequence[Path]) -> Iterator[CheckedDefinition]:
     """Yield the definitions in ``paths``, each checked. Raises InputError for unreadable files.
 
-    Files or folders; none: those that ship; checked: keys, corrections worked by hand by both
-    readers, its sample.
+    ``paths``: files or folders; without paths, the supplied definitions are checked. Three parts of
+    a definition are checked: its keys, its sample, and its corrections worked out by hand, which
+    both file readers must find.
     """
     ids: dict[str, str] = {}
     ships = set(dict(storage.definition_files(session)).values())
@@ -118,7 +120,9 @@ class HandWorked:
     """The largest deviation of the corrections that one of compwright's two file readers finds from
     the corrections worked out by hand, for one hand-worked example.
 
-    ``count``: how many corrections; ``reader``: ``formats`` or ``controllers``.
+    ``format``: id of the definition. ``expectation``: name of the example. ``reader``: package of
+    the file reader, ``formats`` or ``controllers``. ``count``: number of corrections.
+    ``difference``: the largest deviation, in ``unit``.
     """
 
     format: str

@@ -1,7 +1,7 @@
 """A control for a command: its definition, its options, and its files decoded by two file readers.
 
-Every set of files is read by ``formats`` (from the definition) and by ``controllers`` (the judge).
-Where the two do not agree nothing is done with the files.
+Every set of files is read by ``formats`` (from the definition) and by ``controllers`` (the judge,
+an independent reader). If the two results differ, the files are refused.
 """
 
 from __future__ import annotations
@@ -60,7 +60,11 @@ def _shown(value: object) -> str:
 class Origin:
     """The place (job, plan or command line) that states the name and options of a control.
 
-    ``folder``: what the path of a definition is relative to; ``carried``: the one in the plan.
+    - ``file``: the job or plan; empty for the command line.
+    - ``format_place``: key or option that names the control. ``before_option``: what precedes the
+      name of an option in messages.
+    - ``folder``: the folder to which the path of a definition is relative.
+    - ``carried``: the texts of the definition that the plan contains.
     """
 
     file: str = ""
@@ -87,7 +91,7 @@ JOB_PLACE = "controller.format"
 def origin_of(job: Job, folder: Path) -> Origin:
     """Return the place at which a job names its control.
 
-    ``folder``: the folder of its relative paths.
+    ``folder``: the folder to which paths in the job are relative.
     """
     if not job.file:
         return replace(COMMAND_LINE, folder=folder)
@@ -151,7 +155,8 @@ class Control:
     def in_state(self, state: ControlState) -> Control:
         """Return the control with the options, such as the length unit, that its own files state.
 
-        Raises UsageError where an option that was given contradicts the files.
+        ``state``: the decoded files. Raises UsageError if an option given by the user contradicts
+        the files.
         """
         try:
             return replace(self, format=self.format.in_state(state, strict=True))
@@ -162,8 +167,9 @@ class Control:
         """Return an assumption for each option that has its default value because neither job,
         command line nor files state it.
 
-        ``axes``: those of a job; without them, all axes of the states. An option that the job or
-        the files state for each of these axes is not left at its default.
+        ``states``: the decoded files. ``axes``: the axes of a job; without them, all axes of the
+        states. If the job or the files state an option for each of these axes, its default is not
+        in use and gives no assumption.
         """
         answered = {
             name for state in states for facts in state.facts.values() for name in facts.stated
@@ -277,12 +283,14 @@ def decode(
     compwright has just written the files; ``active``: the job's answer whether the tables were
     active, required if ``asking``.
 
-    ``axes`` or ``address`` names the axis of a table that does not. ``active`` applies if the files
-    do not state it; ``asking`` without it is a UsageError. ``carried_out``: all values of the
-    state's programs are known to have been executed. ``drafting``: a job is drafted from the files,
-    and tables that no job changes exclude no axis. Raises InputError when the files cannot be read,
-    contradict themselves or can be read in two ways: two different readings are not a state to
-    build on. In files written by compwright that is a fault of its own (CompwrightError).
+    A table that names no axis belongs to the axis in ``axes`` or ``address``. ``active`` applies if
+    the files do not state whether a table is active; without it, ``asking`` gives a UsageError.
+    ``carried_out``: all values of the programs among the files were executed. ``drafting``: a job
+    is drafted from the files, so tables that no job changes exclude no axis.
+
+    Raises InputError if the files cannot be read, contradict themselves, or give different results
+    with the two readers. For files written by compwright (``written``), different results are an
+    internal error: CompwrightError.
     """
     if not files:
         return DecodedState(files=(), state=ControlState(format=control.id, axes={}), judge=None)

@@ -1,7 +1,7 @@
 """Copy a control's files without private names, and check that each copy is decoded as the original
 is.
 
-The contents show the control.
+The contents of a file show to which control it belongs.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ def control_copies(
     """Return the checked copies of control files. ``cuts``: by file name, the record of the texts
     that are removed from the file; ``format_id``: the control, if it is known.
 
-    Raises UsageError for a control that is not known.
+    Raises UsageError for an unknown ``format_id``.
     """
     faults: list[Fault] = []
     likely = _likely(session, files, format_id)
@@ -150,7 +150,7 @@ def _as_read(file: ControlFile, likely: Sequence[Definition]) -> tuple[Definitio
     """Return the first of the ``likely`` definitions by which a file can be read without a fault,
     and the contents of the file. Raises InputError if there is none.
 
-    The error has the first definition's faults.
+    The error contains the faults found with the first definition.
     """
     first: tuple[Fault, ...] = ()
     for definition in likely:
@@ -189,11 +189,12 @@ def _likely(
 ) -> dict[str, list[Definition]]:
     """Return for each file the controls that could have written it, the most probable first.
 
-    By its beginning: first the one with most statements in this file, then the one with most in the
-    other files.
+    Controls are ordered by the number of their statements in the first part of the file. If equal,
+    the order follows the statements in the other files of the same archive.
 
-    Statements without a word of their own are in files of many kinds: a file of nothing else is a
-    control's by its ending, where ``format_id`` says so, or as a text out of a container.
+    A file without such statements, for example a table of bare numbers, can belong to many
+    controls. It is assigned to a control in three cases: ``format_id`` names the control; the
+    ending of its name or another file shows that it is a table; or it was in an archive.
     """
     known = (
         [definition_named(session, format_id, Path())]
@@ -267,8 +268,8 @@ def _same_decoding(
     """Return whether both file readers of compwright find the same corrections in the copies and in
     the originals.
 
-    True where the originals alone do not make a state of a control. ``renamed``: new names of axes
-    by the old ones, in capitals.
+    ``old``: the originals. ``new``: the copies. ``renamed``: new names of axes by their old names
+    in capitals. The result is also true if the originals alone cannot be decoded.
     """
     for likely, options in _ways_to_read(shipped, control_id):
         try:
@@ -343,8 +344,8 @@ def texts_in(file: ControlFile) -> tuple[ControlFile, ...]:
     """Return the text files in an archive that state the control's settings; empty if ``file`` is
     no archive.
 
-    A copy of the container itself cannot be made: its checksum is not understood. Raises InputError
-    for one that cannot be opened.
+    The texts are copied one by one, because the checksum of the archive itself is unknown. Raises
+    InputError for an archive that cannot be opened.
     """
     if not is_container(file):
         return ()

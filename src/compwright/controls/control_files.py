@@ -88,7 +88,8 @@ def files_for_job(
     """Return the files that a job uses, and a message for each file in a folder that is ignored
     because it has no data of this control.
 
-    A folder of which all is taken stays a folder; a file that is named is always taken.
+    ``files``: files and folders. A file in ``files`` is always used. If all files of a folder are
+    used, or none has data, the folder itself is returned.
     """
     taken: list[Path] = []
     aside: list[Path] = []
@@ -108,7 +109,9 @@ def files_for_job(
 def control_entries(session: Session, path: Path) -> list[Path]:
     """Return ``[path]`` for a file, and for a folder its files.
 
-    Raises InputError for a folder of results, for several such folders, and for none.
+    If a folder contains only one folder with files, the files of that folder are returned. Raises
+    InputError for a folder of results, for a folder with several such folders, and for a folder
+    without files.
     """
     entries = _entries(session, path, _DEEPEST)
     if not entries:  # nothing to read is not "nothing is active": that is the word none

@@ -30,9 +30,12 @@ READ_BACK_WITHIN = 2e-6
 class CrossOutcome:
     """The result of writing corrections between axes: all files to load, and the new state.
 
-    ``after``: None if nothing was written: the corrections between axes are the old ones.
-    ``totals``: the resulting corrections between the axes of ``planned``, read back by the judge,
-    by the names of the job. ``sheets``: entry sheets, in addition to the card.
+    - ``planned``: the planned corrections; those that could not be written are marked.
+    - ``after``: the written files, decoded; None if nothing was written, so that the old
+      corrections remain.
+    - ``totals``: the resulting corrections between the axes of ``planned``, as the independent file
+      reader decodes them, with the axis names of the job.
+    - ``steps``: further steps of the card. ``sheets``: entry sheets, in addition to the card.
     """
 
     files: tuple[ControlFile, ...]
@@ -57,9 +60,10 @@ def write_planned(
     ``tables`` that contain the new axis tables, and read all files back. ``as_found``: the
     control's files before; ``tabled``: names of the axes with a new axis table.
 
-    ``control``: as it is in the state ``as_found``. What the control cannot hold is not written: a
-    finding and a step of the card say so, and what would help. Raises CompwrightError (a fault of
-    our own) when something else comes back than was written.
+    ``control``: the control with the options of the state ``as_found``. ``axes``: axes of the job
+    by name. A correction that the control cannot store is not written: a finding and a step of the
+    card report it with a remedy. Raises CompwrightError (an internal error) if the files read back
+    differ from the plan.
     """
     if not planned:
         return CrossOutcome(files=tables)

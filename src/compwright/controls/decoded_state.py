@@ -1,7 +1,8 @@
 """Records of the corrections that compwright's two independent file readers decoded from a
 control's files.
 
-A user's own control has no independent reader (judge): the values of its one reader are used.
+A control with a definition of the user's own has no independent reader (judge). The values of its
+only reader are used instead.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ class SingleReader:
     ) -> FloatArray:
         """Return the correction of the axis ``corrected`` with the axis ``base`` at ``positions``.
 
-        Arriving in ``direction``.
+        ``direction``: the direction in which the axis ``base`` approaches the positions.
         """
         added = (
             entry.at(positions, direction)

@@ -34,7 +34,8 @@ def definition_named(session: Session, name: str, folder: Path) -> Definition:
     """Return the definition that ``name`` states: a supplied one by its id, or a user's own by its
     path after its checks. ``folder``: the folder to which this path is relative.
 
-    Raises UsageError for an unknown id (saying which exist) and with every fault of a file.
+    Raises UsageError for an unknown id, with the known ids. Raises UsageError with every fault of
+    the user's file.
     """
     if not is_path(name):
         return _shipped(session, name)
@@ -49,8 +50,9 @@ def definition_named(session: Session, name: str, folder: Path) -> Definition:
 def own_definition(session: Session, path: Path) -> Definition:
     """Return the definition in a user's file, with its keys checked.
 
-    What it extends is in the same folder, or ships. Raises InputError with every fault, and for an
-    id that ships: results and folders are named by it.
+    The definition that it extends must be in the same folder or be supplied with compwright. Raises
+    InputError with every fault. The id of a supplied definition is a fault too, because results and
+    folders are named by the id.
     """
     definition = load_definition(
         _content(session, path), str(path), _neighbour_files(session, path.parent), own=True
@@ -94,7 +96,8 @@ def carried_definition(session: Session, texts: Texts) -> Definition:
 def files_of_definition(texts: Texts) -> dict[str, bytes]:
     """Return the user's own files of a definition in a plan, without supplied definitions.
 
-    Raises InputError where one lies outside of the definition's folder.
+    ``texts``: file names and contents of the definition. Raises InputError if a file is outside of
+    the definition's folder.
     """
     name = PureWindowsPath(texts[0][0]).name
     found = {}

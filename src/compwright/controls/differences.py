@@ -1,7 +1,7 @@
 """Compare two sets of a control's files: the corrections of the axes, and each value under the name
 that the control uses for it.
 
-One axis that cannot be read hides no other.
+If one axis cannot be read, the other axes are compared all the same.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class AxisReadings:
     """The compensation (``state``) of those axes that could be read; ``state`` is None if no axis
     could be read.
 
-    ``refused``: by address, why another axis could not.
+    ``refused``: for each other axis, by address, the error because of which it could not be read.
     """
 
     state: ControlState | None
@@ -43,7 +43,8 @@ def read_axis_by_axis(
     """Return the compensation in ``files`` after reading each axis separately (with ``among`` only
     these axes); axes for which ``read`` raises an error of the type ``caught`` are listed with it.
 
-    An axis on which nothing is active, by the others, is skipped.
+    ``read``: the function that reads one axis by its address. An axis is skipped if the axes read
+    before it show that nothing is active on it.
     """
     refused: dict[str, InputError | UsageError] = {}
     state: ControlState | None = None
@@ -77,8 +78,8 @@ _MOST_FAULTS = 2
 class ComparedSide:
     """One of two compared sets of files: all its values, and its state if it can be read.
 
-    None: it cannot be read; ``findings`` give the reason. ``unread``: the axes that could not be
-    read, while others could.
+    ``state``: None if no axis can be read; ``findings`` state the reason. ``unread``: the axes that
+    could not be read although others could.
     """
 
     files: tuple[ControlFile, ...]
@@ -110,8 +111,8 @@ class Placed:
 class CorrectionChange:
     """The largest change of an axis' correction: position, direction, old and new value, mm or deg.
 
-    ``at`` which position (of the axis that moves), arriving in which ``direction``; what it ``was``
-    and is ``now``.
+    ``at``: position of the axis that moves. ``direction``: direction in which it approaches this
+    position. ``was``: old correction. ``now``: new correction.
     """
 
     kind: AxisKind
@@ -130,9 +131,10 @@ class CorrectionChange:
 class Differences:
     """The differences between two sets of files: single values, then corrections by axis address.
 
-    ``entries``: those that compensate first. ``cross`` by moving and corrected axis; ``complete``:
-    both sides could be read completely, so the list is complete; ``uncompared``: the axes with
-    different entries whose correction could not be compared.
+    - ``entries``: the differing values; values that compensate are first.
+    - ``cross``: changed corrections between axes, by moving and corrected axis.
+    - ``complete``: all axes of both sets could be read, so the list of differences is complete.
+    - ``uncompared``: axes with differing values whose correction could not be compared.
     """
 
     entries: tuple[Placed, ...]
@@ -152,7 +154,7 @@ def compared_side(
     """Return one set of files for a comparison, read as far as possible. ``name``: the set's name
     in findings; ``naming``: the other set of files, which may contain the names of the axes.
 
-    Raises InputError where the files enter nothing at all, or cannot be opened.
+    Raises InputError if the files contain no value of the control, or cannot be opened.
     """
     entries = control.format.listing.file_values(control.definition, files, naming)
     if not entries:
@@ -200,7 +202,8 @@ def _with_data(
     """Return the files that contain compensation, and the names (one text) of the files that
     contain no value of the control.
 
-    A folder may contain notes too. A later file may repeat an entry.
+    ``entries``: all values of the files. A file whose values all occur again in a later file is not
+    named among them.
     """
     relevant = {entry.file for entry in entries.values() if entry.relevant}
     used = {entry.file for entry in entries.values()}

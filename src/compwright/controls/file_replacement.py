@@ -55,7 +55,8 @@ def with_new_tables(
     """Return the control's own files with the new ``tables`` in place of the old ones. ``tabled``:
     addresses of the axes that get a new table; their old entry sheets are left out.
 
-    Left out too: lines of files that the user changes by hand.
+    For a control whose files the user changes by hand, the lines that the new tables replace are
+    left out too.
     """
     new = {sheet.axis for file in tables if (sheet := _sheet(file)) is not None} | set(tabled)
     kept = [file for file in own if (sheet := _sheet(file)) is None or sheet.axis not in new]
@@ -76,7 +77,7 @@ def contents_after_loading(
     """Return the control's contents after loading: the files ``back`` that the user read back from
     the control, together with an archive in the files ``before`` if it was not read back.
 
-    The values of the files ``back`` replace those in the archive.
+    Values in the files ``back`` replace those in the archive.
     """
     if holds_archive(before) and not holds_archive(back):
         return merged_files(before, back)
@@ -94,8 +95,9 @@ def loadable_files(
     files made from them. ``image``: the written files, decoded; if given, smaller files must have
     the same effect.
 
-    Raises UsageError if the files cannot be had in the requested form, and CompwrightError (a fault
-    of our own) if small files have another effect.
+    ``as_found``: the control's files before. ``axes``: the axes of the job. Raises UsageError if
+    the files cannot be made in the requested form. Raises CompwrightError (an internal error) if
+    the smaller files have another effect.
     """
     try:
         delivery = control.format.delivered(files, as_found.files, axes)

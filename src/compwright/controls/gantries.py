@@ -48,7 +48,8 @@ def partner_questions(
     """Return two lists of faults of gantries: two different tables, for which the job must decide
     what the slave gets; and a difference that has changed since the first test.
 
-    The job decides by ``gantry_table`` what the slave gets.
+    ``states``: the decoded files by name of the state. The key ``gantry_table`` of the job decides
+    what the slave gets.
     """
     questions: list[Fault] = []
     faults: list[Fault] = []
@@ -129,7 +130,7 @@ def with_partners(
     """Return the fitted tables, and a table for each gantry slave that gets the same change as the
     table of its master. ``as_found``: the control's files before.
 
-    Raises CapacityError where the control cannot hold one.
+    Raises CapacityError if the control cannot store the table of a slave.
     """
     made = list(fitted)
     faults: list[Fault] = []
@@ -149,7 +150,8 @@ def check_partners(axes: Sequence[tuple[Axis, FittedTable]], loaded: DecodedStat
     """Raise CompwrightError if the independent file reader (virtual control) finds a wrong table on
     a gantry slave.
 
-    A fault of our own; ``axes``: as `with_partners` returns them.
+    Such a table is an internal error. ``axes``: axes and tables as `with_partners` returns them.
+    ``loaded``: the written files, decoded.
     """
     tables = {axis.address: table.compensation for axis, table in axes}
     faults = []
@@ -274,8 +276,9 @@ def _changed(
 ) -> FittedTable:
     """Return a gantry slave's new table: its old one plus the change of its master's table.
 
-    Over the travel. Point by point if that is good enough; else point by point or fitted, whichever
-    moves the axes apart the least.
+    The change applies over the travel. First it is added at each point of the slave's table. If
+    this moves the two axes apart by more than `_SKEW`, a table is also fitted. The table that moves
+    the axes apart the least is returned. Raises CapacityError if the control can store neither.
     """
     old, own = _both(axis, as_found.state)
     new, capacity = table.compensation, control.format.capacity(partner)
@@ -339,8 +342,9 @@ def _by_node(
     ``old`` to ``new``; None if the control cannot store the sum. ``idle``: the points of the
     slave's inactive table.
 
-    Steps are treated as lines between their points: a step at another place would move the axes
-    apart by the whole step. Beyond the points around the travel the change is constant.
+    ``capacity``: limits of the slave's table. Between points, the master's table is taken as
+    linear, even if the control applies it in steps: a step at another position would move the axes
+    apart by the whole step. The change is constant outside the points that enclose the travel.
     """
     grid = _grid(own, idle)
     if capacity.there and own.period is None:

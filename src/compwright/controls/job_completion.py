@@ -37,8 +37,8 @@ def named_axes(
     addresses. ``by_name``: a function that returns address and evidence for each axis name in the
     control's files.
 
-    It is called only if the control cannot have an address of the job. Raises UsageError if the
-    files do not give such an address, and for two axes at one address.
+    ``by_name`` is called only if the control has no axis with the address in the job. Raises
+    UsageError if the files do not state the address either, and for two axes with the same address.
     """
     axes: dict[str, AxisJob] = {}
     assumed: list[Assumption] = []
@@ -181,8 +181,8 @@ def with_counted_turns(
     """Return the job in which rotary axes that travel several turns are treated as endless, and the
     assumptions made for that.
 
-    Measured over less than half of their travel, where the control's table takes that turn again
-    and again.
+    ``tests``: the tests by axis name. An axis is treated as endless if its tests cover less than
+    half of its travel, and the control repeats its table at every turn.
     """
     axes, assumed = dict(job.axes), []
     for name, entry in job.axes.items():
@@ -210,7 +210,8 @@ def unknown_zeros(job: Job, control: Control, state: ControlState | None) -> Ite
     """Yield a fault for each axis in the job's ``fixed_positions`` if neither job nor files state
     where homing sets its correction to 0.
 
-    Only the control's homing sets it, and neither files nor job state it.
+    ``state``: the decoded files; None without files. A control whose files have no home offset
+    gives no fault.
     """
     if "home_offset" not in control.definition.bindings:
         return
@@ -328,7 +329,8 @@ def keys_with_effect(definition: Definition) -> dict[str, bool]:
     """Return, for three groups of job keys by name, whether the keys have an effect on this
     control.
 
-    Measuring systems, axis numbers, backlash at rapid traverse; used by `idle_keys`.
+    The groups are ``systems`` (measuring systems), ``numbers`` (axis numbers) and ``motions``
+    (backlash at rapid traverse). `idle_keys` uses the result.
     """
     return {
         "systems": "system" in definition.fields,

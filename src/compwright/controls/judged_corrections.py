@@ -77,7 +77,7 @@ def judged_cross(
     """Return each axis pair's correction as the independent file reader decodes it, at the
     positions ``at`` or, without them, at the table points.
 
-    Each pair of axes once, with the sum of all its active tables.
+    Each pair of axes occurs once, with the sum of all its active tables.
     """
     pairs: dict[tuple[str, str], list[CrossCompensation]] = {}
     for entry in decoded.state.cross:

@@ -30,10 +30,9 @@ def refuse_other_control(
 ) -> None:
     """Raise InputError if the files belong to another control than the ``given`` one.
 
-    ``place``: where its format was given.
-
-    Files with one statement of it, however damaged, are its own. Entry sheets have one form for all
-    controls and show none.
+    ``place``: the option or key that names the control, for the message. Files belong to the given
+    control if they contain at least one of its statements, even a damaged one. Entry sheets are not
+    examined, because they have the same form for all controls.
     """
     texts = tuple(text for text in unpacked(files, []) if not is_entry_sheet(text))
     if any(_reads(given, text) for text in texts):

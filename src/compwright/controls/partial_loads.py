@@ -101,7 +101,8 @@ def partial_load(before: FileValues, planned: FileValues, back: FileValues) -> P
     """Return which planned files were loaded and which were not; None if the values read ``back``
     do not show such a partial load. ``before``: the values in the control's old files.
 
-    None: all were, none was, something else is wrong, or a value belongs to no file by its name.
+    The result is None if all files or none were loaded, if a file was loaded only in part, or if
+    another value is wrong. It is also None if the file of a changed value is unknown.
     """
     new_in: dict[str, None] = {}
     old_in: dict[str, None] = {}

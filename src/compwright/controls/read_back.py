@@ -1,6 +1,7 @@
 """Compare the contents read back from a control with the contents expected by the plan.
 
-The state that was patched, with the plan's files in their place.
+The expected contents are the control's old files in which the files of the plan replace the old
+ones.
 """
 
 from __future__ import annotations
@@ -30,8 +31,10 @@ from compwright.records.plan import PlannedCross
 class ReadBackDifferences:
     """The values read back that are not as expected.
 
-    ``own``: by the name of an axis of the plan; ``others``: all others; ``doubts``: tables between
-    axes and switches that were not read back.
+    - ``own``: differences by the name of an axis of the plan.
+    - ``others``: differences that belong to no axis of the plan.
+    - ``doubts``: findings on cross-axis tables and switches that were not read back, and on new
+      couplings of axes.
     """
 
     own: Mapping[str, tuple[Difference, ...]]
@@ -57,8 +60,8 @@ def pairs_not_read_back(
     read back; it names a missing value. ``whole``: the differences between the planned files and
     the files read back (``found``).
 
-    A control may name one of the axes in a value, or none: these count where no table of the pair
-    was read back.
+    ``planned``: the plan's corrections between axes. A control may name only one of the two axes in
+    a value, or none. Such values are considered only if no table of the pair was read back.
     """
     lost = _not_read(whole)
     missing = {}
@@ -87,7 +90,8 @@ def newly_coupled(
     """Return, for each written cross-axis table, a finding that names a parameter that couples one
     of its axes with another axis in the ``found`` files, and not in those of the plan.
 
-    By addresses of the axis pair.
+    The findings are returned by axis pair (addresses of the moving and the corrected axis).
+    ``planned``: the plan's corrections between axes. ``expected``: the files of the plan.
     """
     coupled = {}
     for entry in planned:
@@ -114,9 +118,10 @@ def read_back_differences(
     """Return the differences between read-back and expected contents. ``names``: names of the job's
     axes by address; ``planned``: the plan's corrections between axes.
 
-    Files that were not read back are ignored; so is a value that was in no file before, unless its
-    file was. A neighbour's table of which a part is missing differs, as does a value between axes
-    that is missing in its file.
+    Files that were not read back are ignored. A value that is not in the plan's files is reported
+    only if it is in one of these files and is not 0. The missing part of a table of another axis is
+    a difference if the rest was read back. A missing value of a cross-axis table is a difference if
+    its file was read back.
     """
     whole = differences(control, expected, found)
     known = {entry.file for entry in expected.entries.values()}

@@ -73,7 +73,7 @@ def _apart(
     """Yield a fault for each direction in which two readings of a table (``mine``, ``theirs``)
     differ at one of the positions ``where``; the fault names the worst position.
 
-    ``table``: its name, the message, the unit.
+    ``table``: name of the table, text of the message, unit.
     """
     name, words, unit = table
     for direction in Direction:
@@ -154,7 +154,9 @@ def table_positions(nodes: FloatArray, travel: tuple[float, float]) -> FloatArra
     """Return the positions at which two tables are compared: the probe positions between the
     outermost ends of table and travel, and both ends of the travel.
 
-    Beyond both, a plan's table keeps its end values, whatever the control does (it may repeat).
+    ``nodes`` (k,): points of the table. ``travel``: lower and upper end, mm or deg. Positions
+    outside are not compared, because a planned table keeps its end value there, while the control's
+    table may repeat.
     """
     ends = np.concatenate([nodes, travel])
     where = probe_positions(nodes)
