@@ -28,15 +28,19 @@ _UNITS: Final = {"squareness": "um/m", "scale_error": "um/m", "backlash": "um"}
 def circular_document(result: CircularResult) -> dict[str, Any]:
     """Return one circular result as an entry of ``results``; null for undefined parameters.
 
-    ``centre`` and ``mean_radius_deviation`` have null for a direction that was not measured;
-    ``diagnosis``, ``plain`` and ``correlation`` are null as long as no diagnosis was made.
-    ``correlation`` holds the rows of the matrix in the order of ``correlation_names``.
+    ``centre`` and ``mean_radius_deviation`` are null for a direction that was not measured.
+    ``diagnosis``, ``plain``, ``correlation`` and ``fitted`` are null if no diagnosis was made.
+    ``correlation``: rows of the correlation matrix, in the order of ``correlation_names``.
 
-    Further keys: ``set_up`` (where the circle lies in the machine, mm), ``minimum_zone``
-    (centre µm, radii minus nominal µm), ``runs`` (angles deg and deviations µm as measured, in
-    their order), ``fitted`` (the same as the causes make it, with ``residuals`` µm, measured minus
-    fitted; samples at equal steps), ``header``, ``correlation_names``, ``residual`` (rms µm) and
-    ``correlation_length`` (samples).
+    Some further keys:
+
+    - ``set_up``: centre of the circle in the machine, mm.
+    - ``minimum_zone``: its centre, µm, and its radii minus the nominal radius, µm.
+    - ``runs``: angles, deg, and deviations, µm, as measured and in the measured order.
+    - ``fitted``: for each run, the deviations computed from the diagnosed causes, µm, at equally
+      spaced samples. ``residuals``: measured minus computed deviation, µm.
+    - ``residual``: root mean square of the residuals, µm. ``correlation_length``: their correlation
+      length, samples.
     """
     test = result.test
     findings = (*result.findings, *(result.diagnosis.findings if result.diagnosis else ()))
@@ -88,8 +92,10 @@ def machine_document(
     together, and the causes on which the tests contradict each other. ``stated``: name and serial
     number of the machine.
 
-    ``values`` with standard error by cause and axis or plane; ``contradictions``: of a cause the
-    circles with their axes, value and error.
+    - ``circles``: names of the tests.
+    - ``values``: value and standard error of each cause by axis or plane.
+    - ``contradictions``: each cause with its tests; for each test its name, the axis or plane,
+      value and standard error.
     """
     return {
         **stated,
@@ -223,7 +229,7 @@ def _effect(effect: CircularEffect, *, given: bool) -> dict[str, Any]:
 def _plain(value: object) -> Any:
     """Return the results that the instrument's software printed, as values that JSON allows.
 
-    Numbers stay as they are, what JSON cannot hold becomes text or null.
+    Numbers stay as they are. Values that JSON does not allow become text or null.
     """
     if isinstance(value, Mapping):
         return {str(key): _plain(entry) for key, entry in value.items()}

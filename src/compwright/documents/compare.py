@@ -22,7 +22,8 @@ SCHEMA = "compwright/compare/1"
 class Difference:
     """One value that differs from the plan, as the control's text or in ``unit`` (um, arcsec).
 
-    ``axis`` of the plan, the address of another one, or empty; None: not there.
+    ``axis``: name of an axis of the plan, or address of another axis; empty for no axis.
+    ``planned``, ``loaded``: the two values; None if the files do not contain the value.
     """
 
     axis: str
@@ -36,8 +37,8 @@ class Difference:
 class ComparedAxis:
     """The comparison of one axis with the plan: the correction read back and differing values.
 
-    A ``read_back`` in words: why the correction from the values read back is unknown. ``look_at``:
-    sentences on what to check on the control.
+    ``read_back``: the comparison of the correction; a text states why the correction read back is
+    unknown. ``look_at``: sentences on what to check on the control.
     """
 
     address: str
@@ -51,9 +52,9 @@ class ComparedAxis:
 class Others:
     """Differences between control and plan that belong to no axis of the plan.
 
-    ``differences``: compensation of other axes or of the machine; ``elsewhere``: values that are
-    not known to compensate; ``not_read_back``: names of values that compensate and were not among
-    the files.
+    - ``differences``: values that compensate other axes or the machine.
+    - ``elsewhere``: differing values that are not known to compensate.
+    - ``not_read_back``: names of values that compensate and are missing in the files read back.
     """
 
     differences: tuple[Difference, ...] = ()

@@ -37,8 +37,9 @@ def decode_document(
     positions in their given order. ``unknown``: the addresses of axes of unknown kind (linear or
     rotary).
 
-    ``cross``: what one axis' position adds to another. Corrections of axes of unknown kind are
-    thousandths of the unit of their positions, and ``unit`` is null.
+    ``assumed``: facts that the files do not state. ``cross``: corrections of one axis by the
+    position of another. Corrections of an axis of unknown kind are in thousandths of the unit of
+    its positions, and their ``unit`` is null.
     """
     return {
         "schema": SCHEMA,

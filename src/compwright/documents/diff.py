@@ -20,9 +20,11 @@ MOST_EXAMPLES = 5
 class EntryDifference:
     """A value that differs between two backups, ``old`` and ``new`` as the control writes values.
 
-    ``quantity``: its name up to the value; ``group``: what many such are counted by; ``addresses``:
-    the axes that it belongs to; ``old``, ``new`` None: not there; ``at``: the position of a value
-    of a table.
+    - ``quantity``: name of the value. ``group``: name under which similar differences are counted.
+    - ``addresses``: the axes to which the value belongs.
+    - ``old``, ``new``: None if the backup does not contain the value.
+    - ``meaning``: what the value means. ``compensates``: it belongs to a compensation.
+    - ``at``: position of a value of a table, mm or deg; else None.
     """
 
     quantity: str
@@ -59,7 +61,8 @@ def diff_document(
     """Return the JSON document of a comparison of two backups. ``known``: the corrections of all
     axes could be compared; ``unknown``: the addresses of axes for which they could not.
 
-    ``names``: names of the axes in the control's files, by address.
+    ``names``: names of the axes by address. ``entries``: differing values. ``corrections``,
+    ``cross``: the largest change of each axis' correction, and of each correction between two axes.
     """
     compensating = [entry for entry in entries if entry.compensates]
     named = (address for entry in compensating for address in entry.addresses)

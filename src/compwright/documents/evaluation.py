@@ -42,13 +42,19 @@ def evaluation_document(
 def result_document(result: PositioningResult) -> dict[str, Any]:
     """Return one positioning result for JSON; null for undefined parameters, with the reason.
 
-    Among its keys: ``name``, ``coverage`` (k), ``spread`` (std or range), ``header`` (what the
-    file says about the test) and in each target the readings ``deviations_positive`` and
-    ``deviations_negative`` in the order of the runs, null where missing; where they were reduced to
-    20 °C, ``expansion_removed``: what was taken from each (``removed_positive`` and
-    ``removed_negative`` where a record of the environment gives each its own), and ``thermal``: by
-    which coefficients (µm/(m K)), temperatures (°C) and fixed point (mm). ``extremes``: of A,
-    E, M and R the highest and lowest value. ``budget``: the contributors behind ``uncertainty``.
+    Some of its keys:
+
+    - ``name``: name of the test. ``coverage``: coverage factor k. ``spread``: std or range.
+      ``header``: what the file states about the test.
+    - ``deviations_positive`` and ``deviations_negative`` of each target: the readings in the order
+      of the runs, null where missing.
+    - ``expansion_removed`` of each target: the expansion subtracted from its readings, if they were
+      reduced to 20 °C. ``removed_positive`` and ``removed_negative``: the expansion of each
+      reading, if an environment record states it.
+    - ``thermal``: coefficients (µm/(m K)), temperatures (°C) and fixed point (mm) of this
+      reduction.
+    - ``extremes``: highest and lowest value for A, E, M and R.
+    - ``budget``: contributions to ``uncertainty``.
     """
     test = result.test
     factor = outside_factor(test.kind.unit)
@@ -95,7 +101,8 @@ def in_short(entry: Mapping[str, Any]) -> dict[str, Any]:
     """Return the JSON entry of a test without its long parts (targets, readings, header), for
     summaries of many tests.
 
-    Without what its size grows with. Of a thousand tests in one answer that is not JSON.
+    The parts left out are those whose size depends on the number of readings, and texts of the
+    file.
     """
     return {key: value for key, value in entry.items() if key not in _AT_LENGTH}
 

@@ -17,11 +17,14 @@ _SEVERITIES: Final = ("error", "warning", "info")
 def summary_document(document: Mapping[str, Any]) -> dict[str, Any]:
     """Return the summary of an evaluation document.
 
-    ``tests``, ``files`` (read) and ``unread`` (those that an error names) are counts. ``groups``,
-    by kind, axis and unit: ``kind``, ``axis`` (of a circle its plane), ``unit``, ``tests``, and
-    ``sizes``: by parameter the number of tests that have it, ``smallest``, ``median`` and
-    ``largest``, and ``file`` of the largest; a test counts in one of them. ``findings``, the
-    gravest and most frequent first: ``code``, ``severity``, ``tests`` and ``file``, the first.
+    - ``tests``, ``files``, ``unread``: number of tests, of files read and of files with an error.
+    - ``groups``: one entry for each kind of test, axis (or plane of a circle) and unit, with the
+      number of ``tests`` and ``sizes``.
+    - ``sizes`` of a group: for each parameter the number of ``tests``, the ``smallest``, ``median``
+      and ``largest`` value, and the ``file`` of the largest. Each test is counted with only one
+      parameter.
+    - ``findings``: ``code``, ``severity``, number of ``tests`` and first ``file`` of each finding.
+      Severe findings come first, then frequent ones.
     """
     results = document["results"]
     return {

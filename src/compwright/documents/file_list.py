@@ -1,9 +1,8 @@
 """The file ``.compwright-files.json``, which lists what commands wrote into a folder.
 
-``compwright/files/1``, each file with its SHA-256, its size and the command.
-
-It is hidden, so that the folder can be handed on as it is, and carries no dates: same input, same
-bytes.
+Its schema is ``compwright/files/1``. Each entry is a file with its SHA-256, its size and the
+command that wrote it. The file is hidden, because the folder may be passed on as it is. It contains
+no dates, so that the same input gives the same bytes.
 """
 
 from __future__ import annotations

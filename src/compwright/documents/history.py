@@ -27,7 +27,7 @@ _MOST = 99.0
 class TestSeries:
     """The tests of one axis or plane, ascending by date, and the changes between successive tests.
 
-    ``key``: identifies the machine, also where it has no name.
+    ``key``: identifies the machine, even if it has no name. ``what``: the axis or plane.
     """
 
     key: str

@@ -21,9 +21,9 @@ _UNSEEN: Final = re.compile(
 def to_json(document: Mapping[str, Any]) -> str:
     """Return ``document`` as JSON text with an indentation of two blanks and a final newline.
 
-    Keys keep their order. Characters that cannot be encoded (a file's name that is no UTF-8) and
-    control characters are written as escapes. Raises ValueError for NaN or infinity: an unknown
-    value is null in a document.
+    Keys keep their order. Control characters, and characters that UTF-8 cannot encode, are written
+    as escapes; a file name can contain such characters. Raises ValueError for NaN or infinity,
+    because an unknown value must be null.
     """
     text = encoded("".join(_pieces(document, "\n"))).decode("utf-8")
     return _UNSEEN.sub(lambda found: f"\\u{ord(found[0]):04x}", text) + "\n"
@@ -32,8 +32,9 @@ def to_json(document: Mapping[str, Any]) -> str:
 def _pieces(value: Any, line: str) -> Iterator[str]:
     """Yield the JSON text of a value piece by piece. ``line``: line break and indentation.
 
-    The standard library writes indented text number by number, in Python. Rows of numbers are most
-    of a document; they are written by its fast encoder, which does not indent.
+    With an indentation, the standard library writes each number separately, which is slow. So a row
+    of numbers is written by its fast encoder without indentation, and the line breaks are inserted
+    afterwards.
     """
     inside = f"{line}  "
     if isinstance(value, dict) and value:

@@ -21,8 +21,9 @@ def older_record(
 ) -> dict[str, Any]:
     """Return a record made from older documents. None: the result folder has no such document.
 
-    Files cannot be checked. Raises KeyError, TypeError, ValueError or AttributeError for documents
-    that violate their schema.
+    ``errors``: the function that returns standard errors (see `measured_test`). The record cannot
+    show whether the files of the folder were changed. Raises KeyError, TypeError, ValueError or
+    AttributeError for documents that violate their schema.
     """
     plan = plan or {}
     results = (evaluation or {}).get("results", ())

@@ -1,6 +1,6 @@
 """The file ``plan.json``: corrections before rounding (mm or deg), and copies of control files.
 
-``compwright/plan/1``.
+Its schema is ``compwright/plan/1``.
 """
 
 from __future__ import annotations
@@ -111,7 +111,8 @@ def listed_files(content: bytes) -> Mapping[str, str]:
 def read_plan(content: bytes, file: str) -> Plan:
     """Read a plan. Raises InputError with every fault at once (file, key path, expected, found).
 
-    When it is not one, is of a newer schema, or does not hold what a plan promises.
+    Faults are a file that is no plan, a newer schema, and contents that violate the rules of a
+    plan.
     """
     data = read_json(content, file, SCHEMA, "plan", "plan.json of a run")
     try:

@@ -1,7 +1,7 @@
 """Rules for the parts of a plan that types cannot express, such as order and matching names.
 
-A plan may have been edited, or cut and pasted, before it comes back; a record that breaks its word
-would end as a fault of compwright's own somewhere later, or, worse, as a table.
+A user may have edited a plan before it is read again. A plan that violates a rule would later cause
+an internal error or, worse, a wrong table.
 """
 
 from __future__ import annotations

@@ -42,8 +42,9 @@ def prediction_document(
     """Return the prediction of a run as JSON. ``cross``: corrections of an axis by another axis;
     ``judged``: whether two independent programs read the written files back, or one alone.
 
-    ``doubts``: what to clear up before the tables are loaded; ``acknowledged``: those of them that
-    the job acknowledges.
+    ``axes``, ``circles``: predictions by name of the axis or of the circular test. ``doubts``:
+    questions to be resolved before the tables are loaded. ``acknowledged``: the doubts that the job
+    acknowledges.
     """
     return {
         "schema": SCHEMA,
@@ -66,8 +67,8 @@ def acknowledged_outside(acknowledged: Iterable[Acknowledged]) -> list[dict[str,
 def cross_outside(entry: CrossCompensation) -> dict[str, Any]:
     """Return the correction of one axis by another for JSON, in µm or arcsec.
 
-    ``correction`` is that of both directions; where they differ, that of +, and both are in
-    ``correction_positive`` and ``correction_negative``.
+    ``correction`` applies to both directions. If they differ, it is the correction for +, and both
+    are given in ``correction_positive`` and ``correction_negative``.
     """
     factor = outside_factor(entry.output_kind.unit)
     positive, negative = ((curve * factor).tolist() for curve in (entry.positive, entry.negative))
@@ -262,7 +263,8 @@ def _accept(accept: Mapping[str, AcceptDecision]) -> dict[str, Any]:
 def _evidence(evidence: PeriodEvidence, factor: float) -> dict[str, Any]:
     """Return the evidence for periodic errors and the least detectable amplitudes, for JSON.
 
-    ``factor``: to the unit outside; None: none.
+    ``factor``: from mm or deg to the unit of the JSON (µm or arcsec). An amplitude is null if no
+    amplitude can be detected.
     """
     return {
         "periods": evidence.periods.tolist(),

@@ -1,8 +1,7 @@
 """The file ``record.json``: inputs, software, decisions and results of a result folder.
 
-``compwright/record/1``.
-
-It carries no dates but those that the measurement files state: same input, same bytes.
+Its schema is ``compwright/record/1``. It contains only the dates that the measurement files state,
+so that the same input gives the same bytes.
 """
 
 from __future__ import annotations
@@ -52,7 +51,8 @@ def run_record(
     """Return the record of a run (``record.json``): inputs, software, decisions and results.
     ``about``: the entries on software, machine, control and rules.
 
-    ``files``: all that the run writes; ``measured_in``, ``errors``: as `measured_test` takes them.
+    ``files``: all files that the run writes, by name. ``evaluation``, ``prediction``: the documents
+    of the run. ``measured_in``, ``errors``: see `measured_test`.
     """
     plan = files.get("plan.json")
     return {
@@ -147,7 +147,9 @@ def verified_record(
 ) -> dict[str, Any]:
     """Return the record of a run with a verification, in place of an earlier verification.
 
-    ``evaluation``: of the tests after loading; ``files``: all that ``verify`` writes.
+    ``record``: the record of the run. ``inputs``, ``files``: all files that ``verify`` reads and
+    writes. ``verification``: the document of ``verify``. ``evaluation``: the document of the tests
+    after loading. ``errors``: see `measured_test`.
     """
     before = [entry for entry in record["tests"] if entry["taken"] == "before"]
     after = [measured_test(result, "after", {}, errors) for result in evaluation["results"]]
@@ -183,8 +185,8 @@ def verified_record(
 def kept_verification(record: Mapping[str, Any], earlier: Mapping[str, Any]) -> dict[str, Any]:
     """Return the record of a repeated run, with the earlier verification if the plan is the same.
 
-    It keeps the earlier verification where that belongs to the same plan; else only the copies of
-    the measurements after loading, which may exist nowhere else.
+    If the plan is different, only the copies of the measurements after loading are kept, because
+    they may exist nowhere else.
     """
     of_verify = [entry for entry in earlier["files"] if entry.get("by") == "verify"]
     own = {entry["file"] for entry in record["files"]}

@@ -25,9 +25,10 @@ def measured_test(
     """Return a record's entry of one test, made from the test's entry in an evaluation document.
     ``taken``: whether the test was made ``before`` or ``after`` loading.
 
-    ``measured_in``: the state by ``axis test`` or the circle's name; ``errors``: gives the standard
-    errors of a positioning result. ``date`` is that of the file, empty where it has none; ``s`` the
-    pooled standard deviation of a reading.
+    ``measured_in``: name of the control's state by ``axis test``, or by the name of a circular
+    test. ``errors``: the function that returns the standard errors of a positioning result. In the
+    entry, ``date`` is the date in the file, empty without one. ``s`` is the pooled standard
+    deviation of a reading.
     """
     header = {str(key).lower(): str(value) for key, value in result.get("header", {}).items()}
     common = {

@@ -44,9 +44,10 @@ class VerifiedAxis:
     """The results of ``verify`` for one axis: tests before and after loading, prediction, and
     whether the table is active.
 
-    ``loading`` has the keys of the JSON; ``accept`` in µm or arcsec; ``acknowledged``: doubts
-    that the job acknowledges; ``guard``: U of the prediction, where decisions are guarded and U is
-    known.
+    - ``loading``: the verdict on the loaded table, with the keys of the JSON.
+    - ``accept``: decision on each limit, with values in µm or arcsec.
+    - ``acknowledged``: doubts that the job acknowledges.
+    - ``guard``: uncertainty U of the prediction, if decisions are guarded and U is known.
     """
 
     before: PositioningResult
@@ -84,8 +85,8 @@ class VerifiedCircle:
     """The results of ``verify`` for one circular test: before loading, as predicted, after loading,
     and the decisions on limits.
 
-    ``squareness`` only where that of its plane was corrected from circles; ``accept`` and
-    ``acknowledged`` as of an axis; ``findings``: what its limits lack.
+    ``squareness``: only if the squareness of its plane was corrected from circular tests.
+    ``accept``, ``acknowledged``: see `VerifiedAxis`. ``findings``: why limits cannot be decided.
     """
 
     prediction: CirclePrediction
