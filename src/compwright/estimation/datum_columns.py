@@ -1,8 +1,8 @@
 """Model columns for two properties that differ from test to test: the zero of the instrument, and a
 slope error from temperature.
 
-Columns of a linear model with normal priors (Rasmussen and Williams, Gaussian Processes for Machine
-Learning, 2006, section 2.7).
+They are columns of a linear model with normal priors (Rasmussen and Williams, Gaussian Processes
+for Machine Learning, 2006, section 2.7).
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ class DatumColumns:
     """Columns ``columns`` (readings, e) of the model's matrix. Each of the e columns is for the
     offset or the slope of a single test of an axis.
 
-    ``stds`` (e,): the standard deviations of their weights, in units of the scale. ``slopes``: by
-    test, the column of its own slope, None where it has none.
+    ``stds`` (e,): prior standard deviations of the offsets and slopes, in units of the scale.
+    ``slopes``: for each test, the index of the column of its slope, or None without one.
     """
 
     columns: FloatArray
@@ -40,9 +40,9 @@ def datum_columns(
     """Return the columns of the model's matrix for the offset of each test after the first, and for
     the slope of each test that has an uncertain slope (``slope_std`` above 0).
 
-    Each test but the first has a datum; the first one's is that of the error. Each test whose slope
-    is uncertain has a slope about the middle of the ``targets`` (m,) of all, 1 at their ends.
-    ``scale``: mm or deg.
+    The offset of the first test is that of the axis error. A column of a slope is 0 in the middle
+    of all ``targets`` (m,), and -1 and 1 at their ends. ``parts``: mean readings of each test.
+    ``scale``: unit of the model, mm or deg.
     """
     middle, half = 0.5 * (targets[0] + targets[-1]), 0.5 * float(np.ptp(targets))
     columns: list[FloatArray] = []

@@ -1,14 +1,17 @@
 """The probability of readings for given model parameters (marginal likelihood) and its gradient.
 
-Everything here is in units of ``CellData.scale``. The hyperparameters are logarithms, in this
-order: noise of a reading (of tests whose repetition does not tell it), local (target to target)
-part, standard deviation, length and smoothness (above the least) of the smooth part, standard
-deviation and length of the reversal, amplitude of each period.
+All values are in units of ``CellData.scale``. The hyperparameters are logarithms, in this order:
 
-Rasmussen and Williams, Gaussian Processes for Machine Learning (2006): marginal likelihood, eq.
-5.8; weights and their covariance, eq. 2.8; inverse and determinant of a sum of low rank, eq. A.9
-and A.10. Readings of one cell enter by mean and sum of squares, which are sufficient (Gelman et
-al., Bayesian Data Analysis, 3rd ed. 2013, section 3.2).
+- noise of a reading, for tests whose repeated readings do not determine it
+- part of the error that is independent from target to target (local part)
+- standard deviation, length, and smoothness above the least one, of the smooth part
+- standard deviation and length of the reversal
+- amplitude of each period
+
+Source: Rasmussen and Williams, Gaussian Processes for Machine Learning (2006): marginal likelihood,
+eq. 5.8; weights and their covariance, eq. 2.8; inverse and determinant of a sum of low rank, eq.
+A.9 and A.10. The readings of a cell enter as their mean and sum of squares, which contain all their
+information (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, section 3.2).
 """
 
 from __future__ import annotations
@@ -43,17 +46,18 @@ _LOG_TURN: Final = np.log(2.0 * np.pi)
 class CellData:
     """The mean readings of an axis minus a straight line, as multiples of ``scale`` (mm or deg).
 
-    A cell is a target and direction of one test. Cells are sorted by target: ``target_index``
+    A cell is a target and direction of one test. The c cells are sorted by target: ``target_index``
     (c,) is the index of each cell's target, ``starts`` (m,) the first cell of each target,
-    ``signs`` (c,) its direction.
+    ``signs`` (c,) the direction of each cell.
 
-    ``values`` (n, c), ``precision`` (n, c) and ``columns`` (n, c, q), one row per draw of the
-    noise: the means, their inverse variances, and the effects common to several means as columns of
-    unit variance. ``counts`` (c,): number of readings of the cells whose noise is estimated
-    together with the curve (0: the noise is known from its draws); ``squares``: sum of squares of
-    these readings about their own means, with ``dof`` degrees of freedom. ``extra`` (c, e): datum
-    and slope of single tests, as columns with standard deviations ``extra_std`` (e,). ``floor``:
-    lower bound of the noise.
+    The noise is given by n random draws. ``values`` (n, c): the means. ``precision`` (n, c): their
+    inverse variances. ``columns`` (n, c, q): errors common to several means, as columns of unit
+    variance. ``extra`` (c, e): offset and slope of single tests, as columns with standard
+    deviations ``extra_std`` (e,). ``floor``: lower bound of the noise.
+
+    Some tests do not determine their noise, and it is estimated together with the curve. ``counts``
+    (c,): number of readings of each of their cells; 0 for other cells. ``squares``: sum of squares
+    of these readings about their own means, with ``dof`` degrees of freedom.
     """
 
     target_index: NDArray[np.intp]
@@ -109,7 +113,7 @@ class Prior:
     def log(self, values: FloatArray) -> float:
         """Return the log prior density of the free parameters at ``values`` (h,).
 
-        Independent normal priors (Rasmussen and Williams 2006, eq. A.5).
+        The priors are independent and normal (Rasmussen and Williams 2006, eq. A.5).
         """
         z = ((values - self.centre) / self.width)[self._free]
         log = float(-0.5 * z @ z - self._widths - 0.5 * z.size * _LOG_TURN)
@@ -133,8 +137,10 @@ class Prior:
 class WeightPosterior:
     """Probability distribution of the weights of the functions of position, given the readings.
 
-    ``mean`` (j,), ``root`` (j, j) with covariance root @ root.T, those of the basis first;
-    variances ``noise`` (of a reading, where it is inferred) and ``local``; ``draw`` of the noise.
+    ``mean`` (j,): mean of the weights; the first weights are those of the basis. ``root`` (j, j):
+    root of their covariance, which is root @ root.T. ``noise``: variance of a reading, if it is
+    estimated. ``local``: variance of the part that is independent from target to target. ``draw``:
+    index of the draw of the noise.
     """
 
     mean: FloatArray
@@ -190,10 +196,11 @@ class Evidence:
         return np.hstack([self.rows, self.data.columns[draw]])
 
     def log_variances(self, h: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the log prior variances (j,) of the weights and their derivatives by parameters.
+        """Return the log prior variances (j,) of the weights and their derivatives (h, j) by the
+        parameters.
 
-        A variance is the spectral density at each sine (Solin and Särkkä, Statistics and Computing
-        30, 2020), and 1 / harmonic^2 for those of a period.
+        The variance of a sine is the spectral density at its frequency (Solin and Särkkä,
+        Statistics and Computing 30, 2020). For the waves of a period it falls with 1 / harmonic^2.
         """
         smooth, varying = self.smooth, self.varying
         slopes = self.slopes.copy()
@@ -237,8 +244,8 @@ class Evidence:
         """Return the log posterior density of the parameters ``h``, up to a constant, under one
         ``draw`` of the noise (None: the typical draw).
 
-        Log marginal likelihood plus log prior (Rasmussen and Williams 2006, eq. 5.8). The constant
-        depends on neither them nor the noise.
+        It is the log marginal likelihood plus the log prior (Rasmussen and Williams 2006, eq. 5.8).
+        The constant depends neither on the parameters nor on the noise.
         """
         return self._marginal(h, draw, derivatives=False)[2] + self.prior.log(h)
 
@@ -246,8 +253,9 @@ class Evidence:
         """Return the log posterior density at ``h`` and its gradient (h,), under the typical draw
         of the noise. The gradient by a fixed parameter is 0.
 
-        For V' the derivative of the covariance V of the means, half of y' P V' P y - tr(P V') with
-        P the inverse of V (Rasmussen and Williams 2006, eq. 5.9).
+        V is the covariance of the means y, V' its derivative by a parameter, and P the inverse of
+        V. The derivative of the log density is half of y' P V' P y - tr(P V') (Rasmussen and
+        Williams 2006, eq. 5.9).
         """
         scaled, marginal, log = self._marginal(h, None, derivatives=True)
         data = self.data
@@ -307,8 +315,11 @@ class Evidence:
 class _Scaled:
     """The linear model of the mean readings for given parameters, with weights of unit variance.
 
-    Variances, precision and values by cell, and the ``rows`` (c, j) of the weights. ``together``:
-    which cells share a target, as flat indices in a matrix (c * c,).
+    ``precision``, ``values`` (c,): inverse variance and value of each mean. ``rows`` (c, j): the
+    matrix from weights to means. ``noise``, ``local``: variances of a reading and of the local
+    part. ``deviations`` (j,): prior standard deviations of the weights. ``slopes``: derivatives of
+    their log variances. ``together``: pairs of cells with the same target, as flat indices in a
+    matrix (c, c).
     """
 
     noise: float
@@ -330,8 +341,8 @@ class _Scaled:
         """Return ``columns`` (c,) or (c, k) multiplied by the inverse covariance matrix of the
         noise together with that part of the error which is independent from target to target.
 
-        Cells of one target share the local part. By the formula of Sherman and Morrison (Rasmussen
-        and Williams 2006, eq. A.9).
+        Cells of one target have this part in common. The inverse is that of Sherman and Morrison
+        (Rasmussen and Williams 2006, eq. A.9).
         """
         gain = self.local / (1.0 + self.local * self.total)
         precision = self.precision
@@ -347,9 +358,9 @@ class _Scaled:
 class _Marginal:
     """The log density of the mean readings y with covariance V, and terms of its derivatives.
 
-    P is the inverse of V, r the rows of weights of unit variance. ``residual`` (c,): P y.
-    ``by_weight`` (j,): (r' P y)² - r' P r. ``by_target`` (m,) and ``by_cell`` (c,): P summed over
-    the cells of a target, and the diagonal of P.
+    P is the inverse of V; r is the column of a weight of unit variance. ``residual`` (c,): P y.
+    ``by_weight`` (j,): (r' P y)² - r' P r. ``by_target`` (m,): sum of P over the cells of a target.
+    ``by_cell`` (c,): diagonal of P.
     """
 
     log: float
@@ -391,8 +402,8 @@ def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
     """Return the log density of the mean readings, computed from the covariance matrix (j, j) of
     the j weights of the functions, with terms of its derivatives if ``derivatives``.
 
-    The covariance of the cells is noise, local part and a sum of low rank (Rasmussen and Williams
-    2006, eq. A.9 and A.10).
+    The covariance of the cells is a sum of the noise, the local part and a matrix of low rank
+    (Rasmussen and Williams 2006, eq. A.9 and A.10).
     """
     data, y = scaled.data, scaled.values
     weighted = scaled.removed(scaled.rows)
@@ -424,9 +435,8 @@ def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
 
 def _normal(scaled: _Scaled, weighted: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return the precision matrix (j, j) and right side (j,) of the normal equations for the
-    weights. ``weighted``: the model matrix times the inverse covariance of noise and local part.
-
-    Weights of unit variance.
+    weights, which have unit prior variance. ``weighted``: the model matrix times the inverse
+    covariance of noise and local part.
     """
     matrix = scaled.rows.T @ weighted
     matrix.flat[:: matrix.shape[0] + 1] += 1.0

@@ -1,14 +1,19 @@
 """Choose the fewest further targets that show whether a possible period of the error exists.
 
-A wave of a period p adds a cos + b sin to the deviations. All waves W at the targets have the
-information G = W' V^-1 W, with the covariance V of noise, local part, smooth part and straight line
-(Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, section 2.7). A target more
-adds u u' / v: its waves u and its variance v given the others (block inverse, eq. A.11). That a
-wave of p exists, and none of q, is shown by I = G_pp - G_pq (G_qq + 1 / A²)^-1 G_qp, where A is the
-standard deviation of cosine and sine before the data. With det(1 + A² I)^(-1/2) it is overlooked or
-taken for q (coefficient of Bhattacharyya, in the choice between models: Chaloner and Verdinelli,
-Bayesian experimental design, Statistical Science 10, 1995). Each time the target is taken that
-leaves least of that, over all pairs by their probability.
+A wave of period p adds a cos + b sin to the deviations. Further targets are added one by one. Each
+time, the target is added after which a wave of one period is least likely to be overlooked or taken
+for a wave of another. The sum is over all pairs of periods, weighted by their probability.
+
+- V: covariance of noise, local part, smooth part and straight line at the targets.
+- W: cosines and sines of all periods at the targets. G = W' V^-1 W is the information about them
+  (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, section 2.7).
+- A further target adds u u' / v to G. u are its cosines and sines, and v is its variance, both
+  given the other targets (block inverse, eq. A.11).
+- I = G_pp - G_pq (G_qq + 1 / A²)^-1 G_qp is the information that a wave of period p exists and none
+  of period q. A is the prior standard deviation of cosine and sine.
+- det(1 + A² I)^(-1/2) is the measure for overlooking the wave of p or taking it for one of q
+  (coefficient of Bhattacharyya, in the choice between models: Chaloner and Verdinelli, Bayesian
+  experimental design, Statistical Science 10, 1995).
 """
 
 from __future__ import annotations
@@ -58,7 +63,8 @@ def further_targets(posterior: AxisPosterior) -> FurtherTargets | None:
     """Return the fewest further targets that show the periods hidden from the present targets. None
     if no targets help or none are needed.
 
-    Their amplitude is as large as that of their prior; at most as many as may be added.
+    Targets are added until at least `_FEWEST` old and new targets show a wave of amplitude
+    `AMPLITUDE`, the width of its prior. At most `_MOST` targets are added.
     """
     found = posterior.hidden.periods[:_PERIODS]
     targets = posterior.cells.targets
@@ -78,7 +84,7 @@ def further_targets(posterior: AxisPosterior) -> FurtherTargets | None:
 def _places(targets: FloatArray, periods: FloatArray) -> FloatArray:
     """Return positions between the ``targets`` (m,) that are candidates for further targets.
 
-    They are rounded to decimals that are small against the shortest of the ``periods``.
+    They are rounded to decimals that are small relative to the shortest of the ``periods``.
     """
     parts = np.mod(_STEP * np.arange(1, _PLACES + 1), 1.0)
     digits = int(np.ceil(-np.log10(_ROUNDED * float(np.min(periods)))))
@@ -92,11 +98,12 @@ class _Design:
     """A choice of further targets: the candidate positions, and the information that the readings
     at the present and the added targets give about each possible period of the error.
 
-    ``places`` (c,): candidate targets. Given the readings so far: ``covariance`` (c, c) of the
-    error at ``places``, ``waves`` (c, 2 p) of the p periods there. ``gram`` (2 p, 2 p): information
-    about the waves, all cosines, then all sines. ``noise``: variance of a mean at a place;
-    ``size``: standard deviation of an amplitude; ``pairs`` (p, p + 1): weight of the choice between
-    each period and each other, or none.
+    ``places`` (c,): candidate targets. ``covariance`` (c, c): covariance of the error at them,
+    given the present and added targets. ``waves`` (c, 2 * p): cosines and sines of the p periods at
+    them, given these targets. ``gram`` (2 * p, 2 * p): information about the waves; all cosines,
+    then all sines. ``noise``: variance of a mean at a candidate target. ``size``: standard
+    deviation of an amplitude. ``pairs`` (p, p + 1): weight of the decision between each period and
+    each other period; in the last column, between the period and none.
     """
 
     places: FloatArray
@@ -115,8 +122,9 @@ class _Design:
         periods: FloatArray,
         shares: FloatArray,
     ) -> _Design:
-        """Return the choice before any target is added, with the information of the readings so
-        far. ``shares``: probability of each of the possible ``periods``.
+        """Return the design before any target is added, with the information of the readings at the
+        present targets. ``places``: candidate targets. ``shares``: probability of each of the
+        possible ``periods``.
         """
         bidirectional = bidirectional_means(posterior.cells, endless=False)
         m, every = bidirectional.targets.size, np.concatenate([bidirectional.targets, places])
@@ -147,7 +155,8 @@ class _Design:
         """Return the smallest amplitude of a wave whose period the present and the added targets
         show.
 
-        For most of the periods and whatever its phase.
+        The amplitude is valid for any phase, and for most of the periods: the share `_SHARE` of
+        their probability.
         """
         one, across, two = self._information(self.gram)
         smallest = 0.5 * (one + two - np.hypot(one - two, 2.0 * across))

@@ -1,28 +1,29 @@
 """Possible periods of the error that the readings cannot show.
 
-Reasons: the targets are too few for a search, meet the wave always at the same phase, or show it as
-a longer wave, which the smooth part follows.
+The readings cannot show a period if the targets are too few for a search, or meet the wave always
+at the same phase. They also cannot show it if the wave looks like a longer wave at the targets. The
+smooth part of the model then follows this longer wave.
 
-Each usual period, and some between, is one hypothesis: free columns, smooth part and one wave
-(`period_likelihood`). At targets that cannot show the wave, its posterior equals its prior; at
-targets that show it, the posterior is narrow. Between the targets the wave differs from the smooth
-part that followed it at the targets. A test at new targets shows that difference in addition
-(aliasing: Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapter 6; mixture
-of hypotheses: Hoeting et al., Statistical Science 14, 1999).
+Each usual period, and some between, is one hypothesis. A hypothesis contains the free columns, the
+smooth part and one wave (`period_likelihood`). If the targets cannot show the wave, its posterior
+equals its prior. If they show it, its posterior is narrow. Between the targets, the wave differs
+from the smooth part that follows it at the targets. A test at new targets then shows this
+difference (aliasing: Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapter
+6; mixture of hypotheses: Hoeting et al., Statistical Science 14, 1999).
 
 A wave that looks like a long wave at the targets cannot be distinguished from a smooth error of
-that shape. The hypothesis therefore holds both, the long one with the rms of the values, and
-divides the observed values between them.
+this shape. The hypothesis therefore contains both waves and divides the observed values between
+them. The prior of the long wave has the rms of the values.
 
-Prior of a period: as in the search (`periods`), except that only one axis in four is assumed to be
-closed over a scale along it and therefore without periods (a judgement, from no document). The
-search describes axes in general; here a limit is accepted for one axis that is not known to have a
-scale.
+Prior of a period: as in the search (`periods`), with one exception. Only one axis in four is
+assumed to be controlled by a scale along it and thus to be without periods (a judgement, from no
+document). The search is for axes in general. Here a limit is accepted for one axis that is not
+known to have a scale.
 
 Prior of the amplitude: half-normal of width `AMPLITUDE`. ISO 3408-3 (2006) lets the lead of a
-ground screw vary by 6 to 8 µm within one turn (grades 3 and 5), and the axial run-out of its seat
-adds up to 5 µm (DIN ISO 3408-3, E 8.2, diameters to 50 mm, by the tables of makers). Together that
-is an amplitude of 6.5 µm, which one axis in a hundred exceeds.
+ground screw vary by 6 to 8 µm within one turn (grades 3 and 5). The axial run-out of its seat adds
+up to 5 µm (DIN ISO 3408-3, E 8.2, diameters to 50 mm, by the tables of makers). Together this is an
+amplitude of 6.5 µm, which one axis in a hundred exceeds.
 """
 
 from __future__ import annotations
@@ -103,11 +104,12 @@ class CurveColumns:
 class WaveDraw:
     """One possible periodic error, and the longer wave that has the same values at the targets.
 
-    Both are normal with ``mean`` (2,) and covariance ``root`` ``root``' (2, 2). The wave of
-    ``period`` (mm or deg) is a ``share`` of it, plus an independent part of standard deviation
-    ``apart``. The rest is the long wave (``long``, 1 / mm or 1 / deg; ``phase``) that has the same
-    values at the targets. ``curve`` (j,): change of the other columns; ``followed`` (j, 2): their
-    change per unit of cosine and sine.
+    The sum of both waves has cosine and sine with mean ``mean`` (2,) and covariance ``root``
+    ``root``' (2, 2), normally distributed. The wave of ``period`` (mm or deg) is the ``share`` of
+    this sum, plus an independent part of standard deviation ``apart``. The rest of the sum is the
+    long wave, with frequency ``long`` (1 / mm or 1 / deg) and phase ``phase`` (rad). ``curve``
+    (j,): change of the weights of the other columns. ``followed`` (j, 2): change of these weights
+    per unit of cosine and sine.
     """
 
     period: float
@@ -198,8 +200,8 @@ def hidden_periods(
     """Return possible periods of the error that are neither ``known`` nor found by the ``search``.
     ``suggested``: known periods that the targets do not show.
 
-    ``bidirectional``: means of both directions by target; ``basis``: functions of the smooth part;
-    ``known``: periods (mm or deg) that are in the estimate.
+    ``bidirectional``: mean of both directions at each target. ``basis``: functions of the smooth
+    part. ``known``: periods (mm or deg) that are in the estimate.
     """
     found = [model for model in search.models if model.periods]
     without = sum(model.probability for model in search.models if not model.periods)
@@ -219,9 +221,9 @@ def hidden_periods(
 
 @dataclass(frozen=True, slots=True)
 class _ExpectedPeriods:
-    """The periods, mm or deg, that are expected of an axis of this ``kind`` before it is measured.
-
-    Usual and ``suggested`` periods, and any other; ``taken``: those already in the estimate.
+    """The periods, mm or deg, that are expected of an axis of this ``kind`` before it is measured:
+    the usual periods, the ``suggested`` periods, and any other period. ``taken``: periods that are
+    already in the estimate.
     """
 
     kind: AxisKind
@@ -235,8 +237,9 @@ class _ExpectedPeriods:
         has this period against no period. ``odds``: prior probabilities of no period and of the
         usual periods.
 
-        The usual ones, and some that stand for all others, drawn where the readings speak for a
-        wave and anywhere (defensive importance sampling: Hesterberg, Technometrics 37, 1995).
+        The result contains the usual periods, and `_OTHERS` periods that represent all others. One
+        half of these is drawn where the readings suggest a wave, the other half anywhere (defensive
+        importance sampling: Hesterberg, Technometrics 37, 1995).
         """
         usual = usual_periods(self.kind, self.suggested)
         sizes, weights = np.array([(each.size, each.weight) for each in usual]).T
@@ -357,10 +360,10 @@ def _gains(
 
 
 def _long_waves(frequencies: FloatArray, targets: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the frequencies (f,) and phases (f,) of the longer waves with the same values at the
-    targets as waves of the ``frequencies`` (f,), 1 / mm or 1 / deg.
+    """Return the frequencies (f,) and phases (f,), rad, of the longer waves with the same values at
+    the targets as waves of the ``frequencies`` (f,), 1 / mm or 1 / deg.
 
-    The ``targets`` are (m,); nan where they do not look like a longer wave.
+    A frequency is nan if its wave does not look like a longer wave at the ``targets`` (m,).
     """
     length = float(np.ptp(targets))
     window = SpectralWindow(targets, float(np.max(frequencies)) + LEAST_REPEATS / length)

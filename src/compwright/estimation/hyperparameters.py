@@ -2,12 +2,13 @@
 peaks.
 
 Laplace's approximation (MacKay, Information Theory, Inference, and Learning Algorithms, 2003,
-chapter 27) alone is lopsided where the data say little (a length scale, the variance of a reversal
-that may be constant). Draws from a heavier-tailed version of it are therefore weighted with the
-true posterior; the mean weight is the evidence of the model (importance sampling: Geweke,
-Econometrica 57, 1989). Where the posterior has several peaks the draws come from all of them, and
-each counts by the density of the whole mixture (Owen and Zhou, Safe and effective importance
-sampling, J. Am. Stat. Assoc. 95, 2000).
+chapter 27) is a normal distribution about a peak. It is wrong where the data determine a parameter
+poorly, for example a length or the variance of a reversal that may be constant. Draws from a
+similar distribution with heavier tails are therefore weighted with the true posterior. The mean
+weight is the evidence of the model (importance sampling: Geweke, Econometrica 57, 1989). If the
+posterior has several peaks, the draws come from all of them. Each draw is weighted relative to the
+density of the whole mixture (Owen and Zhou, Safe and effective importance sampling, J. Am. Stat.
+Assoc. 95, 2000).
 """
 
 from __future__ import annotations
@@ -49,12 +50,10 @@ def draw_hyperparameters(
     """Return equally likely draws (draws, h) of the parameters of a model, and its log evidence.
     Both are computed from about ``proposals`` random points near the most probable parameters.
 
-    Both come from importance sampling (Geweke, Econometrica 57, 1989): ``proposals`` points where
-    the posterior has one peak, half as many again for every other. ``starts``: those of
-    `find_peaks`.
-
-    Equally likely: taken where the cumulative weights cross evenly spaced steps (Kitagawa, J.
-    Comput. Graph. Stat. 5, 1996). The draws of the noise are averaged over.
+    Both come from importance sampling (Geweke, Econometrica 57, 1989), averaged over the draws of
+    the noise. A posterior with one peak gets ``proposals`` points. Each further peak adds half as
+    many. ``starts``: the start points of `find_peaks`. A point becomes a draw where the cumulative
+    weights cross one of ``draws`` evenly spaced steps (Kitagawa, J. Comput. Graph. Stat. 5, 1996).
     """
     peaks = find_peaks(evidence, starts)
     each = (proposals + proposals * (len(peaks) - 1) // 2) // len(peaks)
@@ -76,8 +75,9 @@ def draw_hyperparameters(
 def _points(peak: Peak, free: NDArray[np.intp], count: int, rng: np.random.Generator) -> FloatArray:
     """Return random points (count, h) about a peak, in pairs that mirror each other at the peak.
 
-    By Student's distribution (antithetic variates: Hammersley and Handscomb, Monte Carlo Methods,
-    1964, section 5.6): what is odd about the peak cancels.
+    They follow Student's distribution. In a mean over such a pair, odd functions of the distance
+    from the peak cancel (antithetic variates: Hammersley and Handscomb, Monte Carlo Methods, 1964,
+    section 5.6).
     """
     normal = rng.standard_normal((count, free.size))
     normal[count // 2 :] = -normal[: count - count // 2]
@@ -101,11 +101,12 @@ def _log_posteriors(evidence: Evidence, peaks: Sequence[Peak], points: FloatArra
     """Return the log posterior density (n,) at the ``points`` (n, h). The first of the ``peaks``
     has the first points; each peak has the same number of points.
 
-    Each point is evaluated under one draw of the noise. How much more likely that draw makes the
-    means at the peaks than the average draw does is subtracted: the means do not change the
-    distribution of the noise (cut posterior: Plummer, Statistics and Computing 25, 2015). Otherwise
-    a handful of draws would remain, picked by chance. A point and its mirror image have the same
-    draw; the draws are used equally often as far as the numbers allow.
+    Each point is evaluated under one draw of the noise. Some draws of the noise make the means at
+    the peaks more likely than the average draw does. This difference is subtracted, because the
+    means must not change the distribution of the noise (cut posterior: Plummer, Statistics and
+    Computing 25, 2015). Otherwise only a few draws of the noise would remain, by chance. A point
+    and its mirror image have the same draw. All draws are used equally often, as far as the numbers
+    allow.
     """
     each = points.shape[0] // len(peaks)
     half = max(each // 2, 1)

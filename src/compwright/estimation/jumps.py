@@ -1,12 +1,10 @@
 """Find jumps of the error between two targets. Causes: a damaged scale, a joint of two scales, a
 wrong number of encoder lines.
 
-A smooth model would spread them over a length and overshoot on both sides.
-
-Sets of jumps and outliers are compared by the evidence of the means (`step_evidence`; Kass and
-Raftery, Bayes Factors, J. Am. Stat. Assoc. 90, 1995). Between its
-targets a jump that counts makes the mean of the error nearly a straight line, which does no harm
-where none is there.
+A smooth model would spread a jump over a length and overshoot on both sides. Sets of jumps and
+outliers are compared by the evidence of the means (`step_evidence`; Kass and Raftery, Bayes
+Factors, J. Am. Stat. Assoc. 90, 1995). Between the two targets of a jump, the mean of the error is
+nearly a straight line. This does no harm if there is no jump.
 """
 
 from __future__ import annotations
@@ -43,9 +41,10 @@ class Jump:
     """A jump of the error between the targets ``low`` and ``high``: its ``size`` with standard
     deviation ``std``, mm or deg.
 
-    ``odds`` for it. With a ``turn`` (deg) the error returns evenly over the rest of it, and
-    ``high`` may lie in the next one. ``end``: only the last target lies behind the step, so it may
-    be an outlier instead.
+    ``odds``: odds that the jump exists. ``turn`` (deg): of an endless axis. There the error returns
+    evenly over the rest of the turn, and ``high`` may be in the next turn. ``end``: the first or
+    last target of the axis, if it alone is on its side of the jump. It may then be an outlier
+    instead.
     """
 
     low: float
@@ -127,9 +126,9 @@ def find_jumps(
     """Return the jumps of the error that the ``means`` of the ``targets`` (m,) show, mm or deg,
     ascending.
 
-    ``stds`` (m,): standard deviations of their noise. The odds of each are those against the best
-    explanation without it. ``turn`` (deg): of an endless axis, whose targets lie within one; the
-    gap between the last and the first is one too.
+    ``stds`` (m,): standard deviations of the noise of the means. The odds of a jump are relative to
+    the best explanation without it. ``turn`` (deg): of an endless axis, whose targets are within
+    one turn. The interval from the last target to the first one is then searched too.
     """
     m = targets.size
     if m < _FEWEST:

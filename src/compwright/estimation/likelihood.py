@@ -1,10 +1,11 @@
 """The probability of the mean readings of one test, averaged over all possible errors of the axis.
 
-Compares the readings as stated with the same readings under another assumption (sign reversed,
-directions exchanged, another table active). Marginal likelihood of the means under the model of
-`estimation.axis` with a constant reversal and only the known periods (Rasmussen and Williams,
-Gaussian Processes for Machine Learning, 2006, section 5.2). Offset, slope and mean reversal are
-free and do not count, as in restricted likelihood (Patterson and Thompson, Biometrika 58, 1971).
+It is used to compare the readings as stated with the same readings under another assumption: the
+sign is reversed, the directions are exchanged, or another table is active. It is the marginal
+likelihood of the means under the model of `estimation.axis`, with a constant reversal and only the
+known periods (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, section 5.2).
+Offset, slope and mean reversal are free and do not count, as in restricted likelihood (Patterson
+and Thompson, Biometrika 58, 1971).
 """
 
 from __future__ import annotations
@@ -28,8 +29,8 @@ _FREE_LINES: Final = 3  # offset, slope, mean reversal
 class ScaledCurve:
     """A possible part of the error: a curve times an unknown factor.
 
-    ``positive``, ``negative``: (m,) mm or deg at the targets of a test; the factor has mean 0 and
-    standard deviation ``std``.
+    ``positive``, ``negative`` (m,): the curve in each direction at the targets of a test, mm or
+    deg. ``std``: standard deviation of the factor, whose mean is 0.
     """
 
     positive: FloatArray
@@ -47,7 +48,7 @@ def log_likelihood(
     ``shape``: a curve that the error contains, times an unknown factor. Raises InputError for
     readings at fewer than two targets.
 
-    The constant depends only on targets and counts.
+    The constant depends only on the targets and the number of readings at each.
     """
     # Jumps stay in: a table that is taken the wrong way tears an error where there is no jump.
     cells = build_cells([observed], turn=travel.turn, stepped=False)

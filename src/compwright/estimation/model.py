@@ -1,8 +1,8 @@
 """One model of the error of an axis: its functions, its priors, and draws of its weights.
 
-Models differ in the periods that they hold and in whether the reversal varies with position; what
-is known of the axis is a mixture of them, each as far as its probability goes (Bayesian model
-averaging: Hoeting et al., Statistical Science 14, 1999).
+Models differ in their periods and in whether the reversal varies with position. The estimate of an
+axis error is a mixture of models, weighted by their probability (Bayesian model averaging: Hoeting
+et al., Statistical Science 14, 1999).
 """
 
 from __future__ import annotations
@@ -82,7 +82,8 @@ class Periods:
 class MixturePart:
     """One of several averaged models, with equally likely draws of the weights of its functions.
 
-    One for each of the hyperparameters ``values`` (n, h), with a draw of the noise (``draws``, n).
+    ``values`` (n, h): the hyperparameters of each draw. ``draws`` (n,): index of its draw of the
+    noise.
     """
 
     evidence: Evidence
@@ -135,9 +136,8 @@ def fit_model(
     cells: Cells, travel: Travel, periods: Periods, *, varying: bool, draws: int
 ) -> FittedModel:
     """Return a model with the ``periods``, fitted to the mean readings of an axis. The reversal
-    error of the model varies with position if ``varying``, else it is constant.
-
-    ``draws`` equally likely hyperparameters.
+    error of the model varies with position if ``varying``, else it is constant. ``draws``: number
+    of equally likely draws of the hyperparameters.
     """
     evidence = model_evidence(cells, travel, periods, varying=varying)
     # Many targets leave little room for the hyperparameters.
@@ -157,8 +157,9 @@ def fit_model(
 def _starts(cells: Cells, prior: Prior) -> list[FloatArray]:
     """Return start points (k, h) in the search for the most probable parameters of a model.
 
-    They are the middle of the prior, and points that explain roughness by a short length, by the
-    local part, or by periods.
+    The result is a list with one array of points for each explanation of the scatter. The
+    explanations are the middle of the prior, a short length, the local part, and the periods if
+    there are any.
     """
     rough = float(np.log(cells.roughness))
     # As steep as ever where it is longer.
@@ -228,8 +229,8 @@ def model_basis(cells: Cells, travel: Travel, periods: Periods, *, varying: bool
 def _prior_for(cells: Cells, basis: Basis, *, varying: bool) -> Prior:
     """Return weak priors of the parameters, centred on values that fit the scatter of the readings.
 
-    A width of 1.5 is a factor 4.5 either way. The noise of a test without repetition is, where
-    another test of the axis has some, about as large as there.
+    Most priors have a width of 1.5, a factor of 4.5 up or down. If a test has no repeated readings,
+    its noise is assumed to be about that of another test of the axis.
     """
     spread, roughness = cells.spread, cells.roughness
     centre = [

@@ -1,7 +1,6 @@
 """The error of an axis as a mixture of models: with and without unknown periods, with constant or
-varying reversal.
-
-Each model counts by its posterior probability (Hoeting et al., Statistical Science 14, 1999).
+varying reversal. Each model is weighted by its posterior probability (Hoeting et al., Statistical
+Science 14, 1999).
 """
 
 from __future__ import annotations
@@ -42,11 +41,11 @@ def average_models(
     """Return the average of the ``models``, the most probable first. Each model also has the
     ``known`` periods.
 
-    Constant and varying reversal have equal prior probability: the share of the varying one is odds
-    / (1 + odds) (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995). Reversal is the difference of the
-    directions, periods belong to their mean: the odds of the most probable model are therefore used
-    for all. Models with equally many periods and harmonics share the draws of their
-    hyperparameters.
+    Constant and varying reversal have equal prior probability. The share of the varying reversal is
+    odds / (1 + odds) (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995). The odds of the most
+    probable model are used for all models, because the reversal is the difference of the directions
+    and periods belong to their mean. Models with equally many periods and harmonics share the draws
+    of their hyperparameters.
     """
     first, odds = _varying_and_constant_reversal(cells, travel, known, models[0], draws)
     share = 1.0 / (1.0 + float(np.exp(-np.clip(odds, -50.0, 50.0)))) if len(first) > 1 else 0.0
@@ -89,9 +88,8 @@ def _varying_and_constant_reversal(
 
 def _apportion(weights: Sequence[float], draws: int) -> list[int]:
     """Return how many of the ``draws`` each weight gets: whole numbers in proportion to the
-    ``weights``, with the sum ``draws``.
-
-    By the largest remainders (Balinski and Young, Fair Representation, 1982).
+    ``weights``, with the sum ``draws``. The method is that of the largest remainders (Balinski and
+    Young, Fair Representation, 1982).
     """
     exact = draws * np.round(np.array(weights) / sum(weights), 9)
     counts = np.floor(exact).astype(int)

@@ -2,12 +2,15 @@
 
     reading = mean of its cell + offset and tilt of its traverse + drift with the runs + error
 
-A cell is a target approached in one direction; a traverse is one pass over the targets in one
-direction. Errors are normal, Student's, or have outliers; their scale may differ by direction and
-along the travel. Traverses may shift independently, by runs, in a random walk, or in a wave in
-time; all of them or only some. Every part may be zero, and most of the prior probability is there;
-the readings decide how probable it is. Drawn by Gibbs sampling (Geman and Geman, IEEE Trans.
-Pattern Anal. 6, 1984), with all normal parts integrated out where their size is drawn.
+A cell is a target approached in one direction. A traverse is one pass over the targets in one
+direction. Errors are normal, follow Student's distribution, or have outliers. Their scale may
+differ between the directions and along the travel. All or only some traverses may be shifted. The
+shifts may be independent or common to a run, or follow a random walk or a wave in time.
+
+Every part of the noise may be zero, and most of the prior probability is there. The readings decide
+how probable each part is. The parts are drawn by Gibbs sampling (Geman and Geman, IEEE Trans.
+Pattern Anal. 6, 1984). When the size of a normal part is drawn, all normal parts are integrated
+out.
 """
 
 from __future__ import annotations
@@ -42,9 +45,8 @@ _DRAWS: Final = 48  # kept, of twice as many sweeps
 
 def infer_noise(test: PositioningTest) -> NoisePosterior | None:
     """Return the probability distribution of the noise of ``test``, or None where it has fewer than
-    `LEAST_DOF` degrees of freedom.
-
-    The same test gives the same posterior. Model and sources: module docstring.
+    `LEAST_DOF` degrees of freedom. The same test always gives the same result. Model and sources:
+    module docstring.
     """
     every = cell_readings(test)
     if every.dof < LEAST_DOF:
@@ -134,7 +136,8 @@ def _repeated(
     the readings ``every`` is repeated; its ``draws`` come from the ``readings`` of some of its
     runs.
 
-    The step of a random walk is per run.
+    A random walk takes a step in each run. Its size is therefore reduced if only some runs were
+    used.
     """
     sizes = np.array([draw.again for draw in draws])
     sizes[[draw.pattern == WALK for draw in draws]] *= np.sqrt(readings.runs / every.runs)

@@ -31,7 +31,7 @@ _AT_ONCE: Final = 500_000
 class CellMeans:
     """Mean readings (c,) and their precisions (1 / variance; 0 without a reading), mm or deg.
 
-    ``columns`` (c, q): errors that several means share, each of unit variance.
+    ``columns`` (c, q): errors common to several means, as columns of unit variance.
     """
 
     mean: FloatArray
@@ -43,13 +43,14 @@ def cell_means(
     draw: NoiseState, readings: CellReadings, shapes: FloatArray, step: float
 ) -> CellMeans:
     """Return the mean readings and their precisions under one ``draw`` of the noise. ``shapes``:
-    patterns of the scatter along the travel; ``step``: resolution of the instrument, mm or deg.
+    patterns of the scatter along the travel; ``step``: resolution of the instrument, mm or deg, 0
+    where it is negligible.
 
-    Flat prior on the means; shifts of traverses are normal effects (Searle, Casella and McCulloch,
-    Variance Components, 1992, section 7.4). Heavy tails and outliers are integrated out,
-    independent of which readings the sampler classified as outliers (Rao-Blackwell: Gelfand and
-    Smith, J. Am. Stat. Assoc. 85, 1990). ``step``: resolution of the instrument, mm or deg, 0 where
-    it is negligible; the mean of rounded readings keeps an error that repetition does not reduce.
+    The prior of the means is flat. The shifts of traverses are normally distributed effects
+    (Searle, Casella and McCulloch, Variance Components, 1992, section 7.4). Heavy tails and
+    outliers are integrated out, whichever readings the sampler classified as outliers
+    (Rao-Blackwell: Gelfand and Smith, J. Am. Stat. Assoc. 85, 1990). The mean of rounded readings
+    keeps an error that repetition does not reduce.
     """
     data = draw.data
     there = data.weights > 0.0
@@ -86,8 +87,8 @@ def means_of_all_runs(
     """Return the means of ``every`` run under a noise that was inferred from the ``readings`` of
     only some runs.
 
-    The variances of the means decrease with the number of readings. The shifts of the runs that the
-    inference left out are unknown and remain a common error of the means.
+    The variances of the means are divided by the ratio of the numbers of readings. The shifts of
+    the other runs are unknown. They remain an error common to several means.
     """
     there = np.any(every.there, axis=1)
     count = np.maximum(np.sum(every.there, axis=1), 1)
@@ -127,7 +128,8 @@ def _located(
     readings ``values`` (c, n) marked as existing in ``there``, whose errors are distributed as
     ``tail`` times ``scale``.
 
-    Flat prior; integrated by the trapezoidal rule over positions around the readings.
+    The prior is flat. The integral is computed by the trapezoidal rule over positions around the
+    readings.
     """
     known = np.sort(np.where(there, values, np.inf), axis=1)
     last = np.count_nonzero(there, axis=1) - 1
@@ -153,8 +155,8 @@ def _columns(draw: NoiseState) -> tuple[FloatArray, FloatArray]:
     """Return columns (c, q) that approximate the covariance of the means, and the rest of the
     variances (c,), which the columns do not cover.
 
-    Partial Cholesky factor with pivots at fixed cells of each direction (Golub and Van Loan, Matrix
-    Computations, 4th ed. 2013, section 4.2.8).
+    The columns are a partial Cholesky factor, whose pivots are fixed cells of each direction (Golub
+    and Van Loan, Matrix Computations, 4th ed. 2013, section 4.2.8).
     """
     shares, there = draw.data.shares, draw.data.weights > 0.0
     carried = shares @ draw.covariance

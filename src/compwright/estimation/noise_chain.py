@@ -55,16 +55,19 @@ WAYS: Final = 4
 class NoiseState:
     """One state of the random sampler of the noise, mm or deg.
 
-    Errors of readings: ``sigma``, scale before rounding; ``spread``, coefficients of its logarithm
-    over direction and position; ``tail``, distribution as index in `TAILS`; ``tails``, ``sigmas``
-    (`WAYS`,), equally likely alternatives; ``outlier`` (c, n).
+    Errors of readings: ``sigma``: their scale before rounding. ``spread``: coefficients of the log
+    scale over direction and position. ``tail``: index of their distribution in `TAILS`. ``tails``,
+    ``sigmas`` (`WAYS`,): equally likely alternatives for ``tail`` and ``sigma``. ``outlier`` (c,
+    n): which readings are outliers.
 
-    Shifts of traverses: ``size`` (4,), ``pattern``, ``pace``, ``moved`` (q,), ``rate`` as in
-    `Sizes`; ``share`` of traverses with an offset; ``drift`` (2,); ``again`` (2,), offset and tilt
-    in a repeated test, not smaller than in this one. ``effects`` (k,) with drift, and
-    ``covariance`` given ``data``, in units of ``variance``.
+    Shifts of traverses: ``size`` (4,), ``pattern``, ``pace``, ``moved`` (q,), ``rate``: as in
+    `Sizes`, but sizes in mm or deg. ``share``: share of traverses with an offset. ``drift`` (2,):
+    drift of offset and of tilt. ``again`` (2,): standard deviations of offset and tilt in a
+    repeated test, at least as large as in this test. ``effects`` (k,): mean shifts of the
+    traverses, with the drift, given the reduced readings ``data``. ``covariance`` (k, k):
+    covariance of these shifts. ``variance``: variance of a reading.
 
-    Probabilities: ``absent``, ``absent_spread`` that a part is zero; ``tail_chances`` of each
+    Probabilities: ``absent``, ``absent_spread``: that each part is zero. ``tail_chances``: of each
     distribution.
     """
 
@@ -205,9 +208,8 @@ class GibbsChain:
         self, data: ReducedReadings, weights: FloatArray, shift: FloatArray
     ) -> ReducedReadings:
         """Return ``data`` with means of the displayed (rounded) readings instead of the unrounded
-        values drawn for them.
-
-        The unrounded values are random draws and would change the mean of their target at random.
+        values drawn for them. The unrounded values are random and would change the mean of their
+        target at random.
         """
         if self.values is self.readings.values:
             return data
@@ -215,9 +217,8 @@ class GibbsChain:
         return replace(data, means=np.sum(weights * (self.readings.values - shift), axis=1) / total)
 
     def _traverses(self, values: FloatArray, weights: FloatArray) -> ReducedTraverses:
-        """Return the sampler of traverse shifts, given readings ``values`` (c, n) with ``weights``.
-
-        It is computed again only where they changed.
+        """Return the sampler of traverse shifts, given readings ``values`` (c, n) with ``weights``
+        (c, n). The sampler is computed again only if the readings or weights have changed.
         """
         if not (
             self.reduced is not None
@@ -232,9 +233,8 @@ class GibbsChain:
     def _draw_readings(self, values: FloatArray, moved: FloatArray) -> None:
         """Draw the error distribution of single readings ``values`` (c, n), less the shifts
         ``moved`` (c, n) of traverses: its scale, type and variation over the travel, the means at
-        the targets, and the weights of the readings.
-
-        ``values`` (c, n): readings without the shifts of outliers.
+        the targets, and the weights of the readings. The ``values`` do not contain the shifts of
+        outliers.
         """
         squares = self._about_means(values - moved)[1]
         self.absent_spread = draw_spread(
@@ -252,10 +252,11 @@ class GibbsChain:
             self.values = draw_unrounded(self.readings, self.step, middle + shift, reach, self.rng)
 
     def _draw_means(self, left: FloatArray, scale: FloatArray) -> FloatArray:
-        """Draw the scale of a reading, then the means (c, 1) of targets and directions, from
-        ``left`` (c, n), the readings without shifts of traverses and outliers.
+        """Draw the standard deviation of a reading and return one draw of the means (c, 1) of
+        targets and directions. ``left`` (c, n): readings without shifts of traverses and outliers.
 
-        Their standard deviation is the drawn scale times ``scale`` (c, 1).
+        The standard deviation of a reading at each target and direction is the drawn one times
+        ``scale`` (c, 1).
         """
         means, squares, total = self._about_means(left)
         square = float((squares / scale[:, 0] ** 2).sum())
@@ -278,9 +279,10 @@ class GibbsChain:
         """Draw the type and the scale of the error distribution, then the weight of each reading.
         ``z`` (c, n): errors of the readings, divided by the present scale.
 
-        The offsets of traverses keep their size in mm or deg. Equally likely alternatives are drawn
-        from the same distribution (systematic sampling: Cochran, Sampling Techniques, 3rd ed. 1977,
-        chapter 8) and stored, because the distribution varies most from sweep to sweep.
+        The offsets of traverses keep their size in mm or deg. The type changes more than other
+        parts from sweep to sweep. Therefore equally likely alternatives are drawn from the same
+        distribution and stored (systematic sampling: Cochran, Sampling Techniques, 3rd ed. 1977,
+        chapter 8).
         """
         factors = _FACTORS * np.exp(self.rng.uniform(-0.5, 0.5) * _STEP)
         chances = tail_probabilities(z[self.counted], factors)

@@ -1,22 +1,24 @@
 """The noise of a new test, from several tests that were taken in the same way on different days.
 
-One test shows its own drift and scatter, but not whether they repeat. Several tests show how both
-differ from day to day:
+One test shows its own drift and scatter, but not whether they repeat. Several tests show how drift
+and scatter differ from day to day. There are two hypotheses for each:
 
     drift: the same in every test, or drawn for each test, normal with mean zero
     scatter: the same in every test, or its logarithm drawn for each test, normal about a mean
 
-Prior of a repeating drift: one half. The same motion brings the same heat, but hall, oil and set-up
-differ (a judgement, from no document). Prior of a repeating scatter: 0.7. Three axes in public logs
-were measured again in the same way (github.com/anderssandstrom: vacuum tank after five weeks,
-target x the next day, a slit six times): ratios of 1.24, 1.10 and up to 1.3, where chance alone
-makes 1.17, 1.19 and 1.27 in one case of three. A flat prior on the share of such axes leaves 0.72;
-with the target at another motor current, which halved its scatter, 0.46.
+The prior probability of a repeating drift is one half. The same motion brings the same heat, but
+the hall, the oil and the set-up differ (a judgement, from no document). The prior probability of a
+repeating scatter is 0.7. Three axes in public logs were measured again in the same way
+(github.com/anderssandstrom: vacuum tank after five weeks, target x the next day, a slit six times).
+Their scatter changed by ratios of 1.24, 1.10 and up to 1.3. Chance alone exceeds 1.17, 1.19 and
+1.27 in one case of three. With a flat prior on the share of axes with repeating scatter, this
+leaves 0.72. If the target at another motor current is included, which halved its scatter, it leaves
+0.46.
 
 The size of a drift is unknown and averaged over, with a flat prior on its logarithm. The size of a
-change of the scatter has a flat prior itself, as few groups need it (Gelman, Prior distributions
-for variance parameters, Bayesian Analysis 1, 2006). With two tests, a drift that is drawn for each
-follows about Student's distribution with two degrees of freedom.
+change of the scatter has a flat prior itself, as is required for few groups (Gelman, Prior
+distributions for variance parameters, Bayesian Analysis 1, 2006). With two tests, a drift that is
+drawn for each test follows about Student's distribution with two degrees of freedom.
 """
 
 from __future__ import annotations
@@ -45,9 +47,7 @@ def over_days(
     noise: NoiseDraws, tests: Sequence[NoiseDraws], own: int, rng: np.random.Generator
 ) -> NoiseDraws:
     """Return ``noise`` for a new test that is made like the test at index ``own``, with the
-    variation from day to day that the ``tests`` show.
-
-    Its drift and scatter vary as they do between the ``tests``.
+    variation of drift and scatter from day to day that the ``tests`` show.
     """
     drifts = np.array([(np.mean(each.drift), np.mean(each.drift_tilt)) for each in tests]).T
     stds = np.array([(np.std(each.drift), np.std(each.drift_tilt)) for each in tests]).T
@@ -100,8 +100,8 @@ def _log_change(
     """Return random draws (count,) of the log ratio of the scatter in a new test to that in test
     ``own``.
 
-    Scatter: rms of the central errors, because the scales of different distributions do not
-    compare.
+    The scatter is the rms of the central errors, because the scales of different distributions
+    cannot be compared.
     """
     logs = [
         np.mean(np.log(np.maximum(each.sigma, _TINY)), axis=1) + np.log(each.reach)

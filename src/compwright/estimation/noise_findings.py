@@ -1,7 +1,7 @@
 """Findings about noise that is more than plain scatter: its size, its probability, the next step.
 
-Odds are posterior odds, averaged over the sampler's conditional probabilities (Gelfand and Smith,
-J. Am. Stat. Assoc. 85, 1990). There is no finding below odds of `CLEAR`.
+The odds are posterior odds, averaged over the sampler's conditional probabilities (Gelfand and
+Smith, J. Am. Stat. Assoc. 85, 1990). An effect is reported only if its odds are at least `CLEAR`.
 """
 
 from __future__ import annotations

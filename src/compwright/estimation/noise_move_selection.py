@@ -1,8 +1,9 @@
 """Choice whether all or only some traverses, runs or time steps of a test shift the readings.
 
-A creeping mounting shifts every traverse; a knock, a chip or an inaccurate reference run shifts one
-now and then. Existing shifts are normal, the others zero (Mitchell and Beauchamp, J. Am. Stat.
-Assoc. 83, 1988). The share of existing shifts is 1, or has Jeffreys' prior.
+A creeping mounting shifts every traverse. A knock, a chip or an inaccurate reference run shifts
+only some traverses. Existing shifts are normally distributed, the others are zero (Mitchell and
+Beauchamp, J. Am. Stat. Assoc. 83, 1988). The share of existing shifts is either 1 or has Jeffreys'
+prior.
 """
 
 from __future__ import annotations
@@ -29,7 +30,8 @@ class ScoreEvidence:
     """The ``scores`` (r,), which are combinations of the readings that show traverse shifts
     (`ReducedReadings`). Their covariance is a known ``matrix`` (r, r) times an unknown variance.
 
-    ``dof`` degrees of freedom and residual sum of squares ``rest``.
+    ``rest``: residual sum of squares of the readings. ``dof``: degrees of freedom of scores and
+    rest together.
     """
 
     matrix: FloatArray
@@ -59,9 +61,9 @@ def draw_moved(
     """Draw which of the possible shifts ``moves`` (q, r) exist: one shift after another, given the
     present state of all other shifts.
 
-    ``moves``: standard deviations of the scores by each shift; ``moved`` (q,): which exist at
-    present. The variance of a reading is integrated out (George and McCulloch, J. Am. Stat. Assoc.
-    88, 1993).
+    A row of ``moves`` is the change of the scores by a shift of one standard deviation. ``moved``
+    (q,): shifts that exist at present. The variance of a reading is integrated out (George and
+    McCulloch, J. Am. Stat. Assoc. 88, 1993).
     """
     drawn = moved.copy()
     there = moves[moved]
@@ -98,6 +100,6 @@ def _log_priors(count: int) -> tuple[float, ...]:
 def _log_chance(there: int, count: int) -> float:
     """Return the log prior probability (Jeffreys) that only a given set of ``there`` shifts exists.
 
-    log B(k + 1/2, n - k + 1/2) - log B(1/2, 1/2), with k = ``there`` and n = ``count``.
+    It is log B(k + 1/2, n - k + 1/2) - log B(1/2, 1/2), with k = ``there`` and n = ``count``.
     """
     return lgamma(there + _HALF) + lgamma(count - there + _HALF) - lgamma(count + 1.0) - log(pi)

@@ -1,8 +1,9 @@
 """The possible patterns of shifts of the traverses of a test: offset, tilt, and drift over the
 runs.
 
-Effects of the traverses are normal with a covariance that is a sum of known patterns with unknown
-sizes (linear mixed model: Searle, Casella and McCulloch, Variance Components, 1992, chapter 6).
+The shifts of the traverses are normally distributed. Their covariance is a sum of known patterns
+with unknown sizes (linear mixed model: Searle, Casella and McCulloch, Variance Components, 1992,
+chapter 6).
 """
 
 from __future__ import annotations
@@ -44,9 +45,10 @@ class Sizes:
     """Standard deviations and patterns of the shifts of traverses, in the present state of the
     sampler.
 
-    ``size`` (4,): standard deviations of offset, tilt, drift and drift of the tilt, in that of a
-    reading. ``form``: index in `FORM_SHARES`; ``rate``: index in `RATES`; ``moved`` (q,): which
-    shifts of `Patterns.moves` exist. ``absent`` (4,): probability of size zero at the last draw.
+    ``size`` (4,): standard deviations of offset, tilt, drift and drift of the tilt, as multiples of
+    the standard deviation of a reading. ``form``: pattern, as index in `FORM_SHARES`. ``rate``:
+    rate at which the drift fades, as index in `RATES`. ``moved`` (q,): which shifts of
+    `Patterns.moves` exist. ``absent`` (4,): probability at the last draw that each size is zero.
     """
 
     moved: BoolArray
@@ -70,12 +72,14 @@ class Sizes:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Patterns:
-    """The possible patterns of shifts between the k traverses of a test, each of unit size.
+    """The possible patterns of the k offsets and tilts of the traverses of a test, each of unit
+    size.
 
-    ``moves`` (3, q, k): effect of each possible shift of one traverse, of one run, or of all
-    traverses after one. Covariances: ``waves`` (paces, k, k), ``tilt`` (forms, k, k). Columns:
-    ``drift``, ``drift_tilt`` (rates, k). ``walks``: time passes between runs, so that drift is
-    possible.
+    ``moves`` (3, q, k): effect of each possible shift; the three patterns are a shift of one
+    traverse, a shift of one run, and a step that shifts all later traverses. ``waves`` (paces, k,
+    k), ``tilt`` (forms, k, k): covariances of waves and of tilts. ``drift``, ``drift_tilt`` (rates,
+    k): effects of a drift of offset and of tilt, one row for each rate. ``walks``: whether time
+    passes between the runs, so that drift is possible.
     """
 
     moves: FloatArray
@@ -116,10 +120,10 @@ class Patterns:
         standard deviations or, if that is larger, the rms of the offsets and tilts ``effects`` (k,)
         of the measured traverses (marked in ``made``).
 
-        One is the present ``sizes`` times the standard deviation of a reading (root of
-        ``variance``). The other is the rms of the ``effects`` (k,) of the existing traverses
-        ``made`` (2, n) about their mean by direction. 0 where there is no shift; ``share``: share
-        of the traverses with an offset.
+        A drawn standard deviation is that in ``sizes`` times the standard deviation of a reading,
+        the root of ``variance``. The rms is about the mean of each direction. ``share``: share of
+        the traverses with an offset. ``made`` (2, n): which traverses exist, by direction and run.
+        A standard deviation of 0 remains 0.
         """
         found: FloatArray = sizes.size[:DRIFT] * np.sqrt(variance)
         forms = self.offset_of(sizes.form, np.ones_like(sizes.moved)), self.tilt[sizes.form]
@@ -150,8 +154,8 @@ def build_patterns(readings: CellReadings, cycle: Cycle, runs: tuple[int, int]) 
     """Return the possible patterns of traverse shifts in a test with ``runs`` runs per direction
     and the order of approaches ``cycle``.
 
-    In a step cycle the approaches to a target follow each other at once. It has no drift from run
-    to run, no random walk and no wave.
+    In a step cycle all approaches to a target follow each other directly. Such a test has no drift
+    from run to run, no random walk and no wave.
     """
     n = readings.runs
     order = np.full((2, n), 2 * n)  # a traverse that was not made stands last
@@ -194,8 +198,9 @@ def _moves(order: FloatArray, middle: int) -> FloatArray:
 
 
 def _drifts(runs: int, *, returns: bool) -> tuple[FloatArray, FloatArray]:
-    """Return the effects of a unit drift and a unit tilt drift on the traverses, each (rates, 4
-    runs). ``returns``: each run measures both directions.
+    """Return the effects of a unit drift and a unit tilt drift on the traverses: two arrays (rates,
+    4 * ``runs``), with a row for each rate at which the drift fades. ``returns``: each run measures
+    both directions.
     """
     way = progress(runs, RATES)
     way = way - way.mean(axis=1, keepdims=True)

@@ -1,9 +1,9 @@
 """The readings of a test minus their means, reduced to their information about traverse shifts.
 
-A cell is a target approached in one direction. Its mean carries the error of the axis and is left
-free (flat prior), so that nothing here depends on the error curve; what remains are the contrasts
-between the readings of a cell (Harville, "Bayesian inference for variance components using only
-error contrasts", Biometrika 61, 1974). Offset and tilt of every traverse act on them linearly.
+A cell is a target approached in one direction. Its mean contains the error of the axis and has a
+flat prior. Thus nothing here depends on the error curve. The differences between the readings of a
+cell remain (Harville, "Bayesian inference for variance components using only error contrasts",
+Biometrika 61, 1974). They depend linearly on offset and tilt of every traverse.
 """
 
 from __future__ import annotations
@@ -26,8 +26,10 @@ class CellReadings:
     """The readings of a test as an array ``values`` (c, n): a row per target and direction, a
     column per run; mm or deg.
 
-    Cells all + then all - (c = 2 m); 0 where ``there`` (c, n) is False. ``u`` (c,): position from
-    -1 to 1 over the targets.
+    The first half of the c = 2 * m rows is for the direction +, the other half for -. ``there`` (c,
+    n): which readings exist; other values are 0. ``u`` (c,): position, from -1 at the first to 1 at
+    the last target. ``centre``, ``half``: middle and half length of the range of the targets, mm or
+    deg.
     """
 
     values: FloatArray
@@ -66,10 +68,10 @@ class ReducedReadings:
     """The information that the readings contain about the k shifts of the traverses, computed for a
     reading variance of 1.
 
-    ``root`` (k, r): root @ root.T is the information matrix; ``scores`` (r,) = root.T @ shifts +
-    unit noise; ``rest``: sum of squares that no shift explains. ``means``, ``weights`` (c,):
-    weighted mean and total weight by target and direction; ``shares`` (c, k): change of that mean
-    per unit of each shift.
+    ``root`` (k, r): root of the information matrix, which is root @ root.T. ``scores`` (r,): root.T
+    @ shifts + noise of variance 1. ``rest``: sum of squares that no shift explains. ``means``,
+    ``weights`` (c,): weighted mean and total weight for each target and direction. ``shares`` (c,
+    k): change of this mean per unit of each shift.
     """
 
     root: FloatArray
@@ -115,8 +117,8 @@ def reduce_readings(
     """Return the Fisher information of the readings ``values`` (c, n) with ``weights`` (c, n) about
     the offset and tilt of each traverse.
 
-    The mean of each target is estimated too, and eliminated (Harville 1974; normal equations by
-    blocks: Björck, Numerical Methods for Least Squares Problems, 1996, section 6.3).
+    The mean of each target and direction is also unknown, and is eliminated (Harville 1974; normal
+    equations by blocks: Björck, Numerical Methods for Least Squares Problems, 1996, section 6.3).
     """
     n, m = readings.runs, readings.u.size // 2
     total = weights.sum(axis=1)

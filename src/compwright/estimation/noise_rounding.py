@@ -47,10 +47,10 @@ def reading_step(
     """Return the resolution step of the readings, mm or deg, or 0 if it is small relative to their
     ``scatter`` or above ``coarsest``.
 
-    All readings are multiples of the step. If those of different targets are not (a table was
-    subtracted), the differences at each target are. If all scatter is shifts of whole traverses
-    (``residuals`` (c, n) without targets and traverses are zero), the readings along the traverses
-    must show the step.
+    All readings are multiples of the step. If readings of different targets are not (a table was
+    subtracted), the differences at each target are. ``residuals`` (c, n): readings without the
+    effects of targets and traverses. If they are all zero, only whole traverses are shifted. Then
+    the readings along the traverses must show the step.
     """
     there, values = readings.there, readings.values
     moved = np.any(np.abs(residuals) > SAME_READING)
@@ -94,10 +94,10 @@ def with_least_scatter(
     """Return the readings (c, n), with random scatter added where a direction has almost none, such
     as less than ``least`` (mm or deg).
 
-    ``residuals`` (c, n): readings minus the effects of targets and traverses. Too little: less than
-    the largest of ``least`` (mm or deg), `_LEAST_SHARE` of the differences between traverses, and
-    `_LEAST_SIDE` of the scatter in the other direction. The other sizes of the noise are in units
-    of this scatter, so that it must not be zero.
+    ``residuals`` (c, n): readings minus the effects of targets and traverses. Scatter is added up
+    to the largest of four values: ``least``, `_LEAST_SHARE` of the differences between traverses,
+    `_LEAST_PART` of the largest reading, and `_LEAST_SIDE` of the scatter in the other direction.
+    The scatter must not be zero, because the other sizes of the noise are multiples of it.
     """
     there, half = readings.there, readings.there.shape[0] // 2
     counts = np.maximum(np.sum(there, axis=1, keepdims=True), 1)
@@ -125,10 +125,9 @@ def rounded_std(sigma: float, step: float) -> float:
     """Return the standard deviation of readings that scatter by ``sigma`` and are then rounded to
     ``step``.
 
-    Their variance is averaged over all places of the mean between two steps.
-
-    From sigma² + step²/12 for wide scatter (JCGM 100:2008, F.2.2.1) down to less than sigma² where
-    most readings of a cell are the same number.
+    It is the root of the variance averaged over all positions of the mean between two steps. For
+    wide scatter the variance is sigma² + step²/12 (JCGM 100:2008, F.2.2.1). If most readings of a
+    cell are the same number, it is less than sigma².
     """
     phases = (np.arange(_PHASES) + 0.5) / _PHASES
     reach = int(np.ceil(6.0 * sigma / step)) + 1
@@ -157,10 +156,10 @@ def common_std(sigma: float, step: float) -> float:
     """Return the standard deviation of the rounding error common to all readings of a target that
     scatter by ``sigma`` and are then rounded to ``step``.
 
-    One target in one direction. The mean of rounded readings minus the true mean is a Fourier
-    series in the position of the true mean between two steps. Its mean square is step² / 12 without
-    scatter and vanishes for a scatter of half a step or more (Widrow and Kollár, Quantization
-    Noise, 2008, chapter 4).
+    It is for one target in one direction. The mean of rounded readings minus the true mean is a
+    Fourier series in the position of the true mean between two steps. Without scatter, its mean
+    square is step² / 12. For a scatter of half a step or more it is practically zero (Widrow and
+    Kollár, Quantization Noise, 2008, chapter 4).
     """
     orders = np.arange(1, _ORDERS + 1)
     damping = np.exp(-((2.0 * np.pi * orders * sigma / step) ** 2))
@@ -198,10 +197,8 @@ def draw_unrounded(
     rng: np.random.Generator,
 ) -> FloatArray:
     """Draw the readings (c, n) before they were rounded to ``step``, each within half a step of its
-    displayed value, from normal distributions with means ``middle`` and standard deviations
-    ``scale``.
-
-    Normal about ``middle`` with ``scale`` (c, n) (Heitjan and Rubin, J. Am. Stat. Assoc. 85, 1990).
+    displayed value, from normal distributions with means ``middle`` (c, n) and standard deviations
+    ``scale`` (c, n) (Heitjan and Rubin, J. Am. Stat. Assoc. 85, 1990).
     """
     wide = np.minimum(step, 2.0 * _REACH * scale)
     low = np.clip(

@@ -32,8 +32,6 @@ def spread_shapes(readings: CellReadings) -> FloatArray:
 def precision_powers(shapes: FloatArray) -> FloatArray:
     """Return the factors (parts, values, c) by which each pattern of scatter, at each tried size,
     multiplies the precision of the readings.
-
-    One for every pattern of the scatter and every size of it.
     """
     powers: FloatArray = np.exp(-2.0 * _GRID[:, np.newaxis] * shapes[:, np.newaxis])
     return powers
@@ -47,14 +45,14 @@ def draw_spread(
     dof: FloatArray,
     rng: np.random.Generator,
 ) -> FloatArray:
-    """Draw the sizes ``spread`` (parts,) of the patterns of scatter along the travel, from the sums
-    of squares ``squares`` (c,) with ``dof`` (c,) degrees of freedom.
+    """Draw the sizes ``spread`` (parts,) of the patterns of scatter in place, and return the
+    probability (parts,) that each size is zero.
 
-    Also returns the probability that each is zero. Each coefficient is drawn given the others, from
-    ``squares`` (c,): sums of squares about the means of targets, with ``dof`` (c,). ``powers``:
-    `precision_powers` of the ``shapes``. The common scale is integrated out under its prior 1/sigma
-    (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, section 3.2). Exact conditional draws from
-    a grid: Ritter and Tanner, J. Am. Stat. Assoc. 87, 1992.
+    Each size is drawn given the others. ``squares`` (c,): sums of squares of the readings about the
+    mean of each target and direction, with ``dof`` (c,) degrees of freedom. ``shapes``: the
+    patterns. ``powers``: `precision_powers` of the ``shapes``. The common scale is integrated out
+    under its prior 1/sigma (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, section 3.2). The
+    draws are exact conditional draws from a grid (Ritter and Tanner, J. Am. Stat. Assoc. 87, 1992).
     """
     absent = np.ones(spread.size)
     total = float(np.sum(dof))

@@ -1,9 +1,10 @@
 """The distribution of single readings: normal, Student's, normal with outliers, or light-tailed.
 
-Standardised residuals are counted in bins. The probability of the counts under each of a list of
-distributions gives the distribution, which then gives a weight to every reading (Student's
-distribution as a mixture of normal ones: Gelman et al., Bayesian Data Analysis, 3rd ed. 2013,
-section 17.2; outliers of inflated or shifted scale: Box and Tiao, Biometrika 55, 1968).
+The standardised residuals are counted in bins. The probability of these counts under each
+distribution of a list decides which distribution applies. This distribution then gives a weight to
+every reading (Student's distribution as a mixture of normal distributions: Gelman et al., Bayesian
+Data Analysis, 3rd ed. 2013, section 17.2; outliers of inflated or shifted scale: Box and Tiao,
+Biometrika 55, 1968).
 """
 
 from __future__ import annotations
@@ -49,9 +50,10 @@ _MIDDLES: Final = 0.5 * (_EDGES[1:] + _EDGES[:-1])
 class Tail:
     """One possible error distribution of single readings, of unit scale.
 
-    ``dof``: degrees of freedom (inf: normal). Outliers: ``share`` of the readings and ``size``;
-    ``fixed``: they are shifted by that size to either side. ``core``: scale about each of these
-    positions, below 1 for light tails.
+    ``prior``: its prior probability. ``dof``: degrees of freedom of Student's distribution (inf:
+    normal). ``share``: share of outliers among the readings. ``size``: their size. ``fixed``:
+    whether outliers are shifted by this size to either side. ``core``: scale of the readings about
+    each of these positions; below 1 for light tails.
     """
 
     prior: float
@@ -166,10 +168,8 @@ KINDS: Final = np.array([_kind(tail) for tail in TAILS])
 
 @dataclass(frozen=True, slots=True)
 class Latent:
-    """The hidden state of each reading in the sampler: weight, outlier or not, shift; (c, n).
-
-    ``weights``; ``outlier``: classified as one; ``shift``: by how many scales an outlier is
-    shifted.
+    """The hidden state of each reading in the sampler, as arrays (c, n): ``weights``, whether it is
+    an ``outlier``, and the ``shift`` of an outlier, as a multiple of the scale.
     """
 
     weights: FloatArray
@@ -178,11 +178,9 @@ class Latent:
 
 
 def tail_probabilities(z: FloatArray, factors: FloatArray) -> FloatArray:
-    """Return the posterior probability (tails, f) of each error distribution and each scale factor,
-    from the errors ``z`` (k,) divided by the present scale.
-
-    ``z`` (k,): errors divided by the present scale (prior 1/sigma: Gelman et al. 2013, section
-    3.2).
+    """Return the posterior probability (tails, f) of each error distribution and each of the scale
+    ``factors`` (f,), from the errors ``z`` (k,) divided by the present scale. The prior of the
+    scale is 1/sigma (Gelman et al. 2013, section 3.2).
     """
     smallest = float(factors.min())
     ordered = np.minimum(np.abs(z), _MIDDLES[-1] * smallest)

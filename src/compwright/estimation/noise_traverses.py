@@ -1,12 +1,12 @@
 """Sampling of the shifts of whole traverses: offset, tilt, and drift over the runs.
 
-Shifts are normal, with a covariance that is a sum of known patterns of unknown sizes, in units of
-the variance of a reading. Sizes are drawn on a grid by their exact conditional probability, with
-shifts and variance of a reading integrated out (griddy Gibbs sampler: Ritter and Tanner, J. Am.
-Stat. Assoc. 87, 1992; linear mixed model: Searle, Casella and McCulloch, Variance Components, 1992,
-chapter 6). Each size may be zero (Mitchell and Beauchamp, J. Am. Stat. Assoc. 83, 1988); else its
-prior is half-Cauchy (Gelman, Bayesian Analysis 1, 2006), in units of the standard deviation of a
-reading.
+Shifts are normally distributed. Their covariance is a sum of known patterns of unknown sizes,
+relative to the variance of a reading (linear mixed model: Searle, Casella and McCulloch, Variance
+Components, 1992, chapter 6). Each size is drawn on a grid by its exact conditional probability,
+with the shifts and the variance of a reading integrated out (griddy Gibbs sampler: Ritter and
+Tanner, J. Am. Stat. Assoc. 87, 1992). Each size may be zero (Mitchell and Beauchamp, J. Am. Stat.
+Assoc. 83, 1988). If it is not, its prior is half-Cauchy (Gelman, Bayesian Analysis 1, 2006), in
+units of the standard deviation of a reading.
 """
 
 from __future__ import annotations
@@ -46,8 +46,9 @@ class _Spectrum:
     """The covariance of one kind of traverse shift, as eigenvalues relative to the covariance of
     all other shifts and the noise.
 
-    Generalised eigenvalue problem. ``base`` (forms,): log determinant of the others; ``stretch``
-    (forms, r): eigenvalues; ``along`` (forms, r): scores in the direction of the eigenvectors.
+    They are the solution of a generalised eigenvalue problem for each pattern (form). ``base``
+    (forms,): log determinant of the covariance of all others. ``stretch`` (forms, r): eigenvalues.
+    ``along`` (forms, r): scores in the direction of each eigenvector.
     """
 
     base: FloatArray
@@ -78,8 +79,8 @@ class ReducedTraverses:
         """Set the start values ``sizes`` of the sampler: a drift or tilt where the readings clearly
         show it.
 
-        Needed because the sampler changes one size at a time: it seldom leaves large offsets that
-        imitate a drift.
+        The sampler changes one size at a time. Once it has large offsets that imitate a drift, it
+        seldom leaves them.
         """
         if not self.patterns.walks:
             return
@@ -105,9 +106,8 @@ class ReducedTraverses:
             sizes.rate = self._draw(sizes, kind, PACE_SHARES, rng)
 
     def draw_variance(self, sizes: Sizes, rng: np.random.Generator) -> float:
-        """Draw the variance of a reading from its distribution over all possible traverse shifts.
-
-        Scaled inverse chi-square (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, section
+        """Draw the variance of a reading from its distribution over all possible traverse shifts, a
+        scaled inverse chi-square (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, section
         3.2).
         """
         matrix = np.eye(self.data.scores.size) + self._moving(sizes) + self._drifting(sizes)
@@ -198,7 +198,7 @@ class ReducedTraverses:
         """Draw size and pattern of one ``kind`` of traverse shift; return the pattern. ``forms``:
         prior probability of each pattern.
 
-        The grid is shifted at random, so that sizes are continuous.
+        The grid of sizes is shifted at random before each draw, so that any size is possible.
         """
         grid = _GRID * 2.0 ** rng.uniform(-0.25, 0.25)
         usual = grid / (grid**2 + _USUAL[kind] ** 2)
@@ -277,8 +277,7 @@ class ReducedTraverses:
         (forms, r, r): one caused by the noise and all other shifts, one caused by a shift of
         ``kind`` of unit size.
 
-        All other causes with the noise of the readings; and ``kind`` of unit size. For a drift the
-        second is its column (rates, r).
+        For a drift, the second result is not a covariance but the column (rates, r) of the drift.
         """
         unit = np.eye(self.data.scores.size)
         if kind in (OFFSET, TILT):

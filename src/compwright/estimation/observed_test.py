@@ -20,7 +20,7 @@ class ObservedTest:
     """A test in machine coordinates, minus the correction that was active during it.
 
     ``slope_std``: standard deviation (mm/mm) of a slope of this test alone, from its temperature.
-    ``noise``: the noise inferred from its repeated readings; None where they are too few, and the
+    ``noise``: noise inferred from the repeated readings. If these are too few, it is None, and the
     noise is estimated together with the error.
     """
 
@@ -33,10 +33,12 @@ class ObservedTest:
 class ObservedCells:
     """The c mean readings of one test, one for each target and direction, mm or deg.
 
-    ``positions``, ``signs`` (+1, -1), ``counts`` of readings and plain ``means`` (c,);
-    ``squares`` about them with ``dof`` degrees of freedom. ``by_draw`` (n, c), ``precision`` (n, c)
-    and ``columns`` (n, c, q) by draw of the noise (`NoisePosterior`); ``inferred``: there are
-    none, the means are the plain ones and the precision is 0.
+    ``positions``, ``signs`` (c,): target and direction (+1, -1) of each mean. ``counts`` (c,):
+    number of readings. ``means`` (c,): plain means. ``squares``: sum of squares of the readings
+    about these means, with ``dof`` degrees of freedom. ``by_draw`` (n, c), ``precision`` (n, c),
+    ``columns`` (n, c, q): mean, inverse variance and common errors for each draw of the noise
+    (`NoisePosterior`). ``inferred``: the test has no draws of its own noise. Then ``by_draw``
+    contains the plain means, and ``precision`` is 0.
     """
 
     positions: FloatArray
@@ -106,8 +108,8 @@ def traverse_columns(
     (``signs`` +1, -1) in a test. Their size is that in ``other_noise``, n draws of the noise of
     another test; the weights have unit variance.
 
-    Shifts of only some traverses count by their root mean square. A shift common to both directions
-    is the datum of the test, or its slope.
+    If only some traverses are shifted, the root mean square of the shifts is used. A shift common
+    to both directions is the offset of the test, or its slope.
     """
     u = (positions - other_noise.centre) / other_noise.half
     up, down = signs > 0, signs < 0

@@ -1,7 +1,8 @@
 """Possible periods of the error that a search of the readings finds, with their probabilities.
 
-From prior and likelihood, including periods that look equal at the targets (probability of
-frequencies: Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapter 3).
+The probabilities follow from prior and likelihood. Periods that look equal at the targets are
+included (probability of frequencies: Bretthorst, Bayesian Spectrum Analysis and Parameter
+Estimation, 1988, chapter 3).
 """
 
 from __future__ import annotations
@@ -38,8 +39,8 @@ class PeriodOdds:
     """Prior probabilities in a search for a period: of no period, and of one of the usual periods;
     the rest is for any other period.
 
-    The others evenly over the logarithm of the period. None about the frequencies ``taken`` (1 / mm
-    or 1 / deg), which were found before.
+    The prior of any other period is uniform over the logarithm of the period. ``taken``:
+    frequencies (1 / mm or 1 / deg) that were found before. Periods near them have no probability.
     """
 
     none: float
@@ -52,9 +53,9 @@ class PeriodCandidate:
     """A possible period, as ``frequencies`` (k,) with ``shares`` (k,) of its probability (sum 1).
     ``log`` is its log odds against no period.
 
-    ``usual``: the usual period (mm or deg) at that place, if any. ``aliases``: frequencies (j,)
-    with nearly the same values at the targets, and ``alias_shares`` (j,), their parts of the
-    probability.
+    ``usual``: the usual period (mm or deg) at these frequencies, if any. ``aliases`` (j,):
+    frequencies with nearly the same values at the targets. ``alias_shares`` (j,): their shares of
+    the probability.
     """
 
     frequencies: FloatArray
@@ -74,8 +75,8 @@ class PeriodCandidate:
 class PeriodScan:
     """The result of one search for a period: candidates, the most probable first.
 
-    ``rest``: log odds of all frequencies that belong to no candidate, against no period.
-    ``log_odds`` (f,): of each searched frequency.
+    ``rest``: log odds against no period of all frequencies that belong to no candidate.
+    ``log_odds`` (f,): log odds of each searched frequency.
     """
 
     candidates: tuple[PeriodCandidate, ...]
@@ -87,9 +88,9 @@ class PeriodScan:
 class _Prior:
     """Prior odds of a period against no period, per frequency.
 
-    ``other``: log odds per logarithm of the frequency of any period. ``usual`` (u,): frequencies of
-    usual periods with log odds ``log_usual`` (u,), half of which is exactly there and half nearby
-    (`_NEAR`).
+    ``other``: log odds of any period, per logarithm of the frequency. ``usual`` (u,): frequencies
+    of the usual periods. ``log_usual`` (u,): their log odds. Half of these odds is for exactly this
+    period, the other half for periods near it (`_NEAR`).
     """
 
     other: float
@@ -178,7 +179,7 @@ def refine_candidate(
     """Return the ``candidate`` period, computed again under a ``likelihood`` that contains other
     periods; None if it is a harmonic of one of these, or one of these is its harmonic.
 
-    Its aliases stay. Arguments as in `find_candidates`.
+    The aliases of the candidate are kept. The arguments are those of `find_candidates`.
     """
     resolution = 1.0 / float(np.ptp(likelihood.targets))
     prior = _prior(frequencies, expected, before)
@@ -199,9 +200,9 @@ def refine_candidate(
 class _ShownLikelihood:
     """The likelihood of waves, limited to those that the targets can show.
 
-    Nothing speaks for a wave that looks like one too long to be searched (below the frequency
-    ``lowest``), which is smooth error for all that is known, nor for one ``near`` a frequency that
-    was ``taken`` before.
+    Two kinds of waves are excluded. The first look at the targets like a wave below the frequency
+    ``lowest``, which is too long to be searched and may be smooth error. The others are closer than
+    ``near`` to a frequency in ``taken``, found before.
     """
 
     likelihood: PeriodLikelihood

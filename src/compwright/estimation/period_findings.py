@@ -34,9 +34,9 @@ def period_findings(
 ) -> list[Finding]:
     """Return the findings of a search for periods, mm or deg, with readings at ``targets`` (m,).
 
-    CW-E012: periods found; CW-E013: periods that cannot be distinguished; CW-E014: none found, or
-    none can be; CW-E015: ``known`` periods that are not among the ``fitted`` because the data do
-    not show them. ``nodes``: points of a table that was active, mm or deg.
+    CW-E012: periods were found. CW-E013: periods cannot be distinguished. CW-E014: no period was
+    found, or none can be found. CW-E015: some ``known`` periods are not among the ``fitted`` ones,
+    because the data do not show them. ``nodes``: points of a table that was active, mm or deg.
     """
     unit = kind.unit
     found: list[Finding] = []

@@ -1,17 +1,20 @@
 """The likelihood of periodic errors (waves) of any period in the mean of both directions.
 
-It averages over the unknown smooth and local parts of the error. Model, in units of the noise of a
-typical target's mean of both directions, each target weighted by its own noise:
+It averages over the unknown smooth and local parts of the error. The model for the mean of both
+directions at a target is
 
     middle = free columns + smooth part (standard deviation s, length l, `SMOOTHNESS`) + wave
              + white part of variance t (noise, and local part that repeats at a target)
 
+Each target is weighted by its own noise. The unit is the noise of the mean of both directions at a
+typical target.
+
 A local part of fixed size, or a smooth part that is short enough, absorbs the wave. Therefore t, s
-and l are not fixed: the likelihood is summed over a grid of them, the same for every hypothesis
+and l are not fixed. The likelihood is summed over a grid of them, the same for every hypothesis
 (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, section 5.2). The free
-columns (offset, slope, known periods) are projected out: restricted likelihood (Harville, J. Am.
-Stat. Assoc. 72, 1977). Amplitudes are normal given their scale and integrated out (Bretthorst,
-Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapter 3).
+columns (offset, slope, known periods) are projected out (restricted likelihood: Harville, J. Am.
+Stat. Assoc. 72, 1977). Amplitudes are normally distributed for a given scale and are integrated out
+(Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapter 3).
 """
 
 from __future__ import annotations
@@ -62,10 +65,10 @@ IntArray = np.ndarray[tuple[int], np.dtype[np.intp]]
 class BidirectionalMeans:
     """The mean of both directions at each target, from one or more tests.
 
-    ``targets`` (m,) mm or deg, ``values`` (m,) with the variances ``variances`` (m,) of their
-    noise, known with ``dof`` degrees of freedom (0: from neighbours only); ``reading``: standard
-    deviation of one reading; ``free`` (m, k): columns that stay free (offset and slope of each
-    test). mm or deg throughout.
+    ``targets`` (m,), ``values`` (m,): target and mean, mm or deg. ``variances`` (m,): variances of
+    the noise of the means, mm² or deg². ``dof``: degrees of freedom of these variances (0: known
+    from neighbouring targets only). ``reading``: standard deviation of one reading, mm or deg.
+    ``free`` (m, k): columns with unknown weights (offset and slope of each test).
     """
 
     targets: FloatArray
@@ -81,9 +84,10 @@ class Nodes:
     """Grid points of the model parameters with the same ``length`` (1: half the range) and
     ``smoothness`` of the smooth error.
 
-    ``smooth`` (n,): standard deviation of the smooth part; ``weights`` (n, r): precisions along its
-    r directions, ``white`` (n,): across them; ``log`` (n,): likelihood without a wave times prior;
-    ``turned`` (r, r): rotation into these directions.
+    The model is diagonal in r directions of the smooth part. ``turned`` (r, r): rotation into these
+    directions. ``weights`` (n, r): precisions along them. ``white`` (n,): precision across them.
+    ``smooth`` (n,): standard deviation of the smooth part. ``log`` (n,): log of the likelihood
+    without a wave, times the prior.
     """
 
     length: float
@@ -108,9 +112,9 @@ class _Waves:
     """Cosine and sine columns of f waves, each split into a part along the r smooth functions and
     the part orthogonal to these functions.
 
-    ``along`` (r, f): components of each column along the smooth functions. ``across`` (f,):
-    products of the columns outside these and the free columns; ``dual`` (f,): their products with
-    the values.
+    ``along`` (r, f): components of each column along the smooth functions. The others are for the
+    rest of the columns, orthogonal to the smooth functions and the free columns. ``across`` (f,):
+    products of two columns. ``dual`` (f,): products of a column with the values.
     """
 
     along: list[FloatArray]
@@ -195,8 +199,8 @@ class PeriodLikelihood:
         (1 / mm or 1 / deg): one array (f,) for a wave with one harmonic, and a second for a wave
         with two.
 
-        ``choice``: only these grid points, with and without a wave; ``harmonics``: 1 for the ratios
-        with one harmonic alone.
+        ``choice``: grid points to use, with and without a wave; None for all. ``harmonics``: 1 to
+        return only the array for one harmonic.
         """
         choice = choice or self.everything()
         log = self._log(choice)
@@ -214,7 +218,7 @@ class PeriodLikelihood:
         """Return the smallest wave amplitude (f,), mm or deg, that readings at the targets would
         show at each of the ``frequencies`` (1 / mm or 1 / deg); inf if none.
 
-        A wave of this amplitude is `SEEN`, whatever its phase.
+        Whatever the phase of the wave, this amplitude is at least `SEEN` standard errors.
         """
         choice = self.coarse()
         shares = np.exp(self._log(choice) - _log_sum(self._log(choice)))
@@ -279,8 +283,9 @@ class PeriodLikelihood:
         """Return W' P W and W' P y at each grid point, for the wave columns W, the means y at the
         targets and the precision matrix P of these means.
 
-        For each pair of columns and each column: cosine and sine of the first harmonic, half of
-        those of the second.
+        The first result has an entry for each pair of columns, the second for each column. The
+        columns are the cosine and sine of the first harmonic, then half the cosine and half the
+        sine of the second.
         """
         waves = self._waves(frequencies, 2 * harmonics)
         each = [self._moments(self.nodes[number], kept, waves) for number, kept in choice.nodes]
@@ -348,8 +353,9 @@ def log_gains(
     and so on. ``gram`` and ``moment``: matrix and right side of its normal equations; ``variance``:
     prior variance of its amplitude.
 
-    b' (G + D^-1)^-1 b / 2 - ln det(I + D G) / 2 elementwise, by elimination without pivoting of I +
-    ``variance`` ``gram`` (Golub and Van Loan, Matrix Computations, 4th ed. 2013, algorithm 4.1.2).
+    With G = ``gram``, b = ``moment`` and D = ``variance``, the increase is b' (G + D^-1)^-1 b / 2 -
+    ln det(I + D G) / 2. It is computed by elimination without pivoting of I + D G (Golub and Van
+    Loan, Matrix Computations, 4th ed. 2013, algorithm 4.1.2).
     """
     size = len(moment)
     work = {key: variance * value for key, value in gram.items() if max(key) < size}
@@ -378,8 +384,8 @@ def log_smooth(frequencies: FloatArray, length: float, smoothness: float) -> Flo
     """Return the log spectral density at the ``frequencies`` of a smooth random curve of unit
     variance, with correlation ``length`` and ``smoothness`` (infinite: without any kink).
 
-    A Matérn process; if infinitely smooth, the squared exponential (Rasmussen and
-    Williams 2006, section 4.2.1).
+    The curve is a Matérn process. For infinite ``smoothness`` its covariance is the squared
+    exponential (Rasmussen and Williams 2006, section 4.2.1).
     """
     if np.isinf(smoothness):
         level = np.log(np.sqrt(2.0 * np.pi) * length)
@@ -404,9 +410,10 @@ def _white_nodes(dof: float, spread: float, roughness: float) -> tuple[FloatArra
     freedom of the noise; ``spread``: standard deviation of a reading; ``roughness``: rms of the
     means.
 
-    In units of the noise variance of a middle. Noise: a normal logarithm of variance 2 / dof
-    (JCGM 100:2008, eq. G.3; without any, a factor e either way on the standard deviation). Local
-    part: logarithm about that of 0.1 readings' noise with width 1.5.
+    The unit is the noise variance of the mean at a target. The log variance of the noise is
+    normally distributed with variance 2 / dof (JCGM 100:2008, eq. G.3). Without degrees of freedom,
+    the standard deviation has a factor of e up or down. The logarithm of the local part is centred
+    at 0.1 times ``spread``, with width 1.5.
     """
     width = float(np.sqrt(2.0 / dof)) if dof else 2.0
     steps = np.linspace(-2.5, 2.5, 21)

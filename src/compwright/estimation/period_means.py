@@ -25,13 +25,13 @@ _KNOWN: Final = float(np.log(9.0))
 def bidirectional_means(cells: Cells, *, endless: bool) -> BidirectionalMeans:
     """Return the mean of both directions at each target, mm or deg.
 
-    The noise is its typical draw (`CellData.typical`).
-
-    Means of one direction count by their precision (JCGM 100:2008, G.2.1 for sums, weighted), the
-    directions alike. Free are offset and slope (none on an ``endless`` axis), datum and slope of
-    each test, and half the reversal where a direction is missing. What traverses leave common to
-    means is a line too and needs no column. Degrees of freedom: by the scatter of the log variance
-    over the draws of the noise, variance 2 / dof (JCGM 100:2008, eq. G.3).
+    The noise is that of its typical draw (`CellData.typical`). Means of one direction are weighted
+    by their precision (JCGM 100:2008, G.2.1 for sums, weighted); both directions have equal weight.
+    Some columns of the model are free: offset and slope (no slope on an ``endless`` axis), and
+    offset and slope of each test. Half the reversal is free if a direction is missing at some
+    targets. An error common to all means of a traverse is also a straight line, so it needs no
+    column of its own. The degrees of freedom follow from the variance 2 / dof of the log variance
+    over the draws of the noise (JCGM 100:2008, eq. G.3).
     """
     data = cells.data
     draw = data.typical()
@@ -85,7 +85,8 @@ def unseen_periods(
     """Return the ``known`` periods (mm or deg) that the readings contradict, if another period was
     ``found``.
 
-    Only the first harmonic of a found period counts: half of it may be a known period of its own.
+    Only the first harmonic of a found period is taken into account, because half of this period may
+    itself be a known period.
     """
     waves = [
         wave
@@ -107,9 +108,9 @@ def fitted_periods(
     """Return the known periods (mm or deg) that are fitted: all periods ``shown`` by the targets,
     or the `FITTED` periods that improve the fit most.
 
-    They are added one by one, each time the one that improves the fit most, as long as the data
-    support it (forward selection: Miller, Subset Selection in Regression, 2nd ed. 2002, section
-    3.2).
+    The second case is for more than `FITTED` shown periods. Then the period that improves the fit
+    most is added, and so on, as long as the data support it (forward selection: Miller, Subset
+    Selection in Regression, 2nd ed. 2002, section 3.2).
     """
     if len(shown) <= FITTED:
         return tuple(shown)

@@ -44,9 +44,9 @@ class PeriodModel:
 class PeriodCurve:
     """The evidence for a wave as a function of its period, for a figure.
 
-    ``periods`` (f,) descending, mm or deg, and natural logarithm (f,) of the likelihood of a wave
-    of that period over that of none; ``detectable`` (f,): least amplitude that the targets show, mm
-    or deg.
+    ``periods`` (f,): descending, mm or deg. ``log_odds`` (f,): natural logarithm of the likelihood
+    of a wave of this period over that of no wave. ``detectable`` (f,): smallest amplitude that the
+    targets show, mm or deg.
     """
 
     periods: FloatArray
@@ -59,8 +59,9 @@ class PeriodSearch:
     """The result of a search for periods: possible models, and each found period with its
     probability.
 
-    ``models``, the most probable first, probabilities sum to 1; ``alike``: groups of periods that
-    these targets cannot tell apart, each with the probability that it is one of them.
+    ``models``: the most probable first; their probabilities sum to 1. ``alike``: groups of periods
+    that these targets cannot distinguish. Each group has the probability that one of its periods
+    exists.
     """
 
     models: tuple[PeriodModel, ...]
@@ -76,7 +77,8 @@ class PeriodSearch:
     def evidence(self) -> PeriodEvidence | None:
         """Return the evidence for a wave as a curve over its period, None without a search.
 
-        The highest values in each of `_SHOWN` steps that are even in the logarithm of the period.
+        The periods are divided into `_SHOWN` steps, equal in the logarithm of the period. Each step
+        has its highest evidence and its largest detectable amplitude.
         """
         if self.curve is None:
             return None
@@ -198,8 +200,9 @@ def _neighbours(periods: PeriodSet, probability: float) -> list[PeriodModel]:
     """Return several models with slightly different periods for a set of uncertain periods; they
     share the ``probability`` of the set.
 
-    Each period takes the quantiles of its own distribution in a random order (Latin hypercube:
-    McKay, Beckman and Conover, Technometrics 21, 1979).
+    The values of each period are quantiles of its own distribution, combined with those of other
+    periods in a different order (Latin hypercube: McKay, Beckman and Conover, Technometrics 21,
+    1979).
     """
     if not periods.members:
         return [PeriodModel((), (), probability)]

@@ -1,19 +1,20 @@
 """Search the readings of an axis for unknown periods of its error.
 
-Prior (`FIRST` and `FURTHER`): hardly any screw or worm is without an error that repeats with its
-turn, at a usual period (`usual_periods`), however small. An axis that is closed over a scale along
-it does not show it; every second axis is assumed to be such (a judgement, from no document). A
-second period is rare. One or two harmonics have equal odds. The likelihood (`period_likelihood`)
-covers all amplitudes and phases, for any smooth and local part.
+Prior (`FIRST` and `FURTHER`): almost every screw or worm has an error, however small, that repeats
+with its turn, at a usual period (`usual_periods`). An axis that is controlled by a scale along it
+does not show this error. Every second axis is assumed to have such a scale (a judgement, from no
+document). A second period is rare. One or two harmonics have equal odds. The likelihood
+(`period_likelihood`) covers all amplitudes and phases, for any smooth and local part.
 
 Periods are found one after another, each given those found before (Bretthorst, Bayesian Spectrum
-Analysis and Parameter Estimation, 1988, chapters 3 and 6). Two waves of one size hide each other.
-Several sets of periods are therefore extended, not only the best one (beam search: Reddy, Speech
-Understanding Systems, Carnegie-Mellon University, 1977), and each member is searched again given
-the others before its set is weighted.
+Analysis and Parameter Estimation, 1988, chapters 3 and 6). Two waves of equal size hide each other.
+Therefore several sets of periods are extended, not only the best set (beam search: Reddy, Speech
+Understanding Systems, Carnegie-Mellon University, 1977). Before a set is weighted, each of its
+periods is searched again, given the others.
 
-Waves with nearly the same values at the targets (`basis.ALIASED`) cannot be distinguished. Among
-them only the data decide, not the prior: equal ones share their probability evenly.
+Waves with nearly the same values at the targets (`basis.ALIASED`) cannot be distinguished. Their
+joint probability is divided among them by the data alone, not by the prior. Waves that fit equally
+well get equal shares.
 """
 
 from __future__ import annotations
@@ -76,10 +77,10 @@ def search_periods(
     """Return the periods, mm or deg, that the mean readings show in addition to the ``known``
     periods, each with its probability.
 
-    ``basis``: functions of the smooth part (its periods are not used). Each of the ``suggested``
-    periods (from the control's files: mm or deg) is as probable as all usual ones together. With
-    too few targets for a search, only the model without a period. Prior and sources: module
-    docstring.
+    ``basis``: functions of the smooth part (its periods are not used). ``suggested``: periods from
+    the control's files, mm or deg. Each of them is as probable as all usual periods together. If
+    there are too few targets for a search, the result has only the model without a period. Prior
+    and sources: module docstring.
     """
     frequencies = search_frequencies(bidirectional.targets, kind)
     if not frequencies.size:
@@ -117,9 +118,9 @@ def _descending(sets: Iterable[PeriodSet]) -> list[PeriodSet]:
 def search_frequencies(targets: FloatArray, kind: AxisKind) -> FloatArray:
     """Return the frequencies (f,) to search, equally spaced, ascending, 1 / mm or 1 / deg.
 
-    From `LEAST_REPEATS` over the ``targets`` to the `SHORTEST` period.
-
-    Empty for fewer than eight targets, with which no wave can be distinguished from scatter.
+    The lowest frequency has `LEAST_REPEATS` periods over the ``targets``. The highest is that of
+    the `SHORTEST` period. At most `_MOST_FREQUENCIES` are searched. With fewer than eight targets
+    the result is empty, because a wave cannot be distinguished from scatter.
     """
     length = float(np.ptp(targets))
     if targets.size < 8:
@@ -159,7 +160,7 @@ class _PeriodSearch:
     def candidates_with(self, periods: PeriodSet) -> PeriodScan | None:
         """Return the candidates for one more period if the ``periods`` of a set exist.
 
-        None where the targets are too few, or where the last period of the set has aliases.
+        None if there are too few targets, or if the last period of the set has aliases.
         """
         members = periods.members
         if members and members[-1].aliases.size:
@@ -182,9 +183,9 @@ class _PeriodSearch:
         """Return a set of two or more periods after each period is searched again, given the other
         periods of the set.
 
-        The probability of the set is then the likelihood of the waves one after another at their
-        new places. Each is multiplied by the part of it that its prior and the width of its peak
-        leave with all others present.
+        The probability of the set is then the product of the likelihoods of its waves, one after
+        another, at their new frequencies. Each likelihood is multiplied by a factor for the prior
+        of the period and the width of its peak, with all other periods present.
         """
         members, log = list(periods.members), 0.0
         for place in range(len(members)):
@@ -207,10 +208,10 @@ class _PeriodSearch:
 
     def different(self, sets: Sequence[PeriodSet]) -> list[PeriodSet]:
         """Return the sets of periods without repetitions (equal periods in another order), the most
-        probable first.
+        probable first. The best `_BEAM` sets are refined.
 
-        The less probable of two equal sets is dropped: its later periods were searched with an
-        earlier one at a wrong place.
+        Of two equal sets the less probable one is dropped. Its later periods were searched while an
+        earlier period had a wrong value.
         """
         near = PEAK / float(np.ptp(self.bidirectional.targets))
         kept: list[PeriodSet] = []

@@ -1,9 +1,9 @@
 """Maxima of the posterior probability of the model's parameters, with the width of each.
 
-The same roughness may be explained in more than one way, by a short length, from target to target,
-by a wave: then the posterior has a peak for each (Rasmussen and Williams, Gaussian Processes for
-Machine Learning, 2006, section 5.4.1, figure 5.5), and which one a climb reaches depends on where
-it starts.
+The same scatter about a straight line may have several explanations: a smooth error of short
+length, an error that is independent from target to target, or a wave. The posterior then has a peak
+for each (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, section 5.4.1,
+figure 5.5). The peak that a search reaches depends on its start point.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ class Peak:
     """A maximum of the posterior probability at the parameters ``place`` (h,), with its width and
     weight.
 
-    ``root`` (f, f) of the covariance of the free hyperparameters there; ``log_mass``: logarithm of
-    its height times its width.
+    ``root`` (f, f): root of the covariance of the f free parameters at the maximum. ``log_mass``:
+    logarithm of the height times the width of the peak.
     """
 
     place: FloatArray
@@ -46,10 +46,9 @@ def find_peaks(evidence: Evidence, starts: Sequence[FloatArray]) -> tuple[Peak, 
     """Return the different maxima of the posterior probability reached from ``starts``. Maxima of
     negligible weight are left out.
 
-    One climb begins at the best of each (k, h).
-
-    Any centre and any root propose draws; rounded they are the same on every processor, and so are
-    the draws.
+    ``starts``: arrays (k, h) of start points. One search begins at the best point of each array.
+    Centre and root of a peak are rounded. Draws about a rounded peak are as good, and are then the
+    same on every processor.
     """
     free = np.array(evidence.prior.free)
     found: list[Peak] = []
@@ -76,8 +75,8 @@ def maximise(evidence: Evidence, start: FloatArray) -> tuple[FloatArray, float]:
     """Return the parameters (h,) at the maximum of the posterior density reached from ``start``,
     and the log of that density.
 
-    BFGS with a backtracking step of sufficient increase (Nocedal and Wright, Numerical
-    Optimization, 2nd ed. 2006, algorithms 6.1 and 3.1, eq. 3.4).
+    The method is BFGS with a backtracking step of sufficient increase (Nocedal and Wright,
+    Numerical Optimization, 2nd ed. 2006, algorithms 6.1 and 3.1, eq. 3.4).
     """
     free = np.array(evidence.prior.free)
     here = start.copy()
@@ -144,7 +143,7 @@ def _rounded_rows(root: FloatArray) -> FloatArray:
     """Return a root (f, f) of a covariance with rounded rows, so that results are equal on every
     processor.
 
-    Each is rounded to about a thousandth of its diagonal entry, which stays positive.
+    Each row is rounded to about a thousandth of its diagonal entry, which remains positive.
     """
     step = np.exp2(np.floor(np.log2(np.diag(root))) - 10.0)[:, np.newaxis]
     rounded: FloatArray = np.round(root / step) * step

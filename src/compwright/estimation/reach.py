@@ -14,10 +14,10 @@ def longer_tests(
     """Return the finding CW-E011 for each of the ``others``, tests not in use, that extends beyond
     the ``fitted`` tests by more than one mean interval of targets.
 
-    An axis over 2 000 mm has two tests (ISO 230-2:1997, 5.2): its whole length once, and 2 000 mm
-    five times. They count together where it is known which compensation was active in each.
-    Otherwise the error beyond the fitted tests is extrapolated, although the other test measured
-    it.
+    An axis longer than 2 000 mm has two tests (ISO 230-2:1997, 5.2): one over its whole length,
+    made once, and one over 2 000 mm, made five times. Both are used together if it is known which
+    compensation was active in each. Otherwise the error beyond the fitted tests is extrapolated,
+    although the other test measured it.
     """
     first = fitted[0]
     low = min(float(test.targets[0]) for test in fitted)

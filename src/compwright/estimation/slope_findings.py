@@ -28,7 +28,7 @@ def slope_findings(
     """Yield a finding (CW-E028) for each test whose slope clearly differs from the first test's, in
     the averaged models ``parts``.
 
-    Linear axes only: angles do not grow with temperature.
+    Rotary axes have no such finding, because angles do not grow with temperature.
     """
     if tests[0].test.kind is AxisKind.ROTARY:
         return
@@ -52,8 +52,8 @@ def _minus_first(place: int, cells: Cells, parts: Sequence[MixturePart]) -> tupl
     """Return the slope of the test with index ``place`` minus that of the first test, with its
     standard error, mm/mm.
 
-    Mean and variance of the mixture over all draws (Gelman et al., Bayesian Data Analysis, 3rd ed.
-    2013, section 1.8).
+    They are the mean and the root of the variance of the mixture over all draws (Gelman et al.,
+    Bayesian Data Analysis, 3rd ed. 2013, section 1.8).
     """
     means, variances = [], []
     for part in parts:

@@ -1,14 +1,15 @@
 """Evidence for steps of the error between neighbouring targets, and for outliers at single targets.
 
-Sets of both are compared, because two steps hide each other where only one is tried.
+Whole sets of steps and outliers are compared, because two steps hide each other if only one is
+tried.
 
-Model of the means: straight line, smooth error, local part and noise, plus a normal size for each
-member of the set. All sizes and lengths are averaged over (Kass and Raftery, Bayes Factors, J. Am.
-Stat. Assoc. 90, 1995); members are added in closed form, one after the other (sweep operator:
-Goodnight, A Tutorial on the SWEEP Operator, American Statistician 33, 1979; Rasmussen and Williams,
-Gaussian Processes for Machine Learning, 2006, sections 2.7 and 5.2). Sets grow and shrink by one or
-two members as long as that is more probable (Miller, Subset Selection in Regression, 2nd ed. 2002,
-chapter 3).
+The model of the means is a straight line, a smooth error, a local part and noise. Each member of a
+set, a step or an outlier, adds a term of normally distributed size. All sizes and lengths are
+averaged over (Kass and Raftery, Bayes Factors, J. Am. Stat. Assoc. 90, 1995). Members are added in
+closed form, one after the other (sweep operator: Goodnight, A Tutorial on the SWEEP Operator,
+American Statistician 33, 1979; Rasmussen and Williams, Gaussian Processes for Machine Learning,
+2006, sections 2.7 and 5.2). One or two members are added, or one is removed, as long as the set
+becomes more probable (Miller, Subset Selection in Regression, 2nd ed. 2002, chapter 3).
 """
 
 from __future__ import annotations
@@ -53,9 +54,10 @@ class FoundStep:
 class StepEvidence:
     """Calculator of the evidence for steps in means ``y`` (k,) at ascending positions ``x`` (k,).
 
-    ``stds`` (k,): standard deviations of their noise; ``gaps``: number of gaps of the axis. Members
-    of a set are numbered: first the steps by their gap, then outliers of the inner targets. An
-    outlier at an end target is the same as a step.
+    ``stds`` (k,): standard deviations of the noise of the means. ``gaps``: number of intervals
+    between targets of the whole axis. The possible members of a set are numbered. First are the
+    steps, one for each interval; then the outliers, one for each inner target. An outlier at an end
+    target is the same as a step.
     """
 
     def __init__(self, x: FloatArray, y: FloatArray, stds: FloatArray, gaps: int) -> None:
@@ -121,7 +123,8 @@ class StepEvidence:
         """Return the most probable set of steps and outliers that can be reached from ``members``
         by single changes; only those marked in ``allowed`` (e,) are added.
 
-        Each member of a set adds -log `COUNTED` to its log probability.
+        Here each member of a set adds -log `COUNTED` to its log probability, so that members of low
+        odds are found too.
         """
         bonus = -float(np.log(COUNTED))
         score = self._log(members) + bonus * len(members)

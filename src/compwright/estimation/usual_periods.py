@@ -1,12 +1,14 @@
 """Periods of the error that drives and scales of machine axes usually cause.
 
-Leads of ball screws in mm: ISO 3408-2 (1991), Ball screws, part 2, nominal leads of the metric
-series, and others that are sold. One turn of the screw repeats at its lead; two bumps a turn (a
-coupling out of line, a thread of two starts) at half of it. Of a rotary axis: one turn of the worm
-moves the table by 360 deg over the teeth of its wheel.
+The leads of ball screws in mm are the nominal leads of the metric series (ISO 3408-2 (1991), Ball
+screws, part 2) and others that are sold. The error of a screw repeats with each turn, and thus at
+its lead. Two errors per turn (a coupling out of line, a thread of two starts) repeat at half the
+lead. On a rotary axis, one turn of the worm moves the table by 360 deg divided by the teeth of its
+wheel.
 
-How often each is met is a judgement, from no document: leads from 4 to 40 mm that drive axes of
-machine tools alike; finer and steeper ones, leads in inches, magnets and racks a quarter as often.
+The frequency of each period is a judgement, from no document. Leads from 4 to 40 mm that drive axes
+of machine tools are equally frequent. Finer and steeper leads, leads in inches, magnets and racks
+are a quarter as frequent.
 """
 
 from __future__ import annotations
@@ -28,7 +30,7 @@ _SELDOM: Final = 0.25
 class UsualPeriod:
     """A period that machines usually have: its ``size`` in mm or deg and its ``cause``.
 
-    A ``number`` (a lead in mm or inch, the ratio of a gear), and ``weight``: how frequent it is
+    ``number``: a lead in mm or inch, or the ratio of a gear. ``weight``: how frequent the period is
     relative to a common screw lead.
     """
 
