@@ -1,10 +1,10 @@
 """The refractive index of air by the equation of Ciddor and by the modified Edlén equation.
 
 Sources: P. E. Ciddor, Appl. Opt. 35 (1996), no. 9; B. Edlén, Metrologia 2 (1966) 71; K. P. Birch
-and M. J. Downs, Metrologia 30 (1993) 155 and 31 (1994) 315; saturation vapour pressure over water
-by IAPWS (2007), over ice by Wexler (1977); all as set out by J. A. Stone and J. H. Zimmerman,
-Engineering Metrology Toolbox (NIST), appendix A, whose check values both equations meet to 1e-9
-(Ciddor) and 1e-9 (Edlén).
+and M. J. Downs, Metrologia 30 (1993) 155 and 31 (1994) 315. Saturation vapour pressure over water:
+IAPWS (2007); over ice: Wexler (1977). All formulas are those of J. A. Stone and J. H. Zimmerman,
+Engineering Metrology Toolbox (NIST), appendix A. Both equations agree with its check values within
+1e-9.
 """
 
 from __future__ import annotations
@@ -71,8 +71,8 @@ def edlen(
 ) -> FloatArray:
     """Return the refractive index n of air by the modified Edlén equation (arguments: `ciddor`).
 
-    Near 20 °C both agree within 1e-8; the further from it and the more humid, the more Ciddor is to
-    be trusted.
+    Near 20 °C both equations agree within 1e-8. At other temperatures and at high humidity, the
+    equation of Ciddor is more accurate.
     """
     S = wavelength**-2
     t, p = air_c, 100.0 * pressure_hpa

@@ -10,9 +10,9 @@ def score_of_t(t: float, dof: float) -> float:
     """Return the standard normal value that is as improbable as the value ``t`` of a Student's
     distribution.
 
-    ``dof``: its degrees of freedom. The sign is kept. Wallace, Ann. Math. Statist. 30 (1959),
-    "Bounds on normal approximations": accurate within 0.1 for the values and degrees of freedom
-    that matter here.
+    ``dof``: degrees of freedom of the distribution. The result has the sign of ``t``. It is
+    accurate within 0.1 for the values and degrees of freedom used here (Wallace, Ann. Math.
+    Statist. 30 (1959), "Bounds on normal approximations").
     """
     size = (8.0 * dof + 1.0) / (8.0 * dof + 3.0) * math.sqrt(dof * math.log1p(t * t / dof))
     return math.copysign(size, t)
@@ -22,9 +22,9 @@ def score_of_ratio(ratio: float, dof: float, dof_below: float) -> float:
     """Return the standard normal value that is as improbable as the ``ratio`` of two variances (F
     test). Degrees of freedom: ``dof`` of the numerator, ``dof_below`` of the denominator.
 
-    Negative where the numerator is smaller. The cube root of F is nearly normal (Paulson, Ann.
-    Math. Statist. 13 (1942) 233); the larger variance is the numerator there, where this is most
-    accurate.
+    The result is negative if the numerator is smaller. The approximation is that the cube root of F
+    is nearly normal (Paulson, Ann. Math. Statist. 13 (1942) 233). It is applied with the larger
+    variance as numerator, where it is most accurate.
     """
     if ratio < 1.0:
         return -score_of_ratio(1.0 / ratio if ratio > 0.0 else math.inf, dof_below, dof)
@@ -54,7 +54,8 @@ UNDECLARED_SLOPE = 11.5
 class UncertainValue:
     """A parameter of a test with its standard error and the degrees of freedom of that error.
 
-    ``declared``: standard uncertainty that the job declares. All in one unit.
+    ``declared``: standard uncertainty that the job declares. ``value``, ``std_error`` and
+    ``declared`` have the same unit.
     """
 
     value: float
@@ -97,7 +98,7 @@ def difference(
     contributions that neither test contains are added: the standard uncertainty ``between_tests``,
     and ``scatter``, an estimated variance with its degrees of freedom.
 
-    GUM (JCGM 100:2008) 5.1.2 and G.4.1.
+    Source: GUM (JCGM 100:2008) 5.1.2 and G.4.1.
     """
     size = after.value - before.value
     scattered = [(parameter.std_error**2, parameter.dof) for parameter in (before, after)]

@@ -1,9 +1,9 @@
 """Evaluation of a circular test to ISO 230-4: parameters G, F, H, and those of the 2005 edition.
 
-The text of 1996 (DIN ISO 230-4:1999) was at hand. That of 2005 was not: the bidirectional circular
-deviation, the mean bidirectional radial deviation and the absence of H rest on its published scope
-and on instrument software that prints both editions for the same readings. G and F are those of
-1996 in both.
+The text of the 1996 edition (DIN ISO 230-4:1999) was available; that of 2005 was not. The 2005
+edition has the bidirectional circular deviation and the mean bidirectional radial deviation, and no
+H. The sources for this are its published scope, and instrument software that prints both editions
+for the same readings. For both editions, G and F are those of 1996.
 """
 
 from __future__ import annotations
@@ -80,23 +80,27 @@ def evaluate_circle(
 ) -> CircularResult:
     """Evaluate ``test`` to ``standard``, with all lengths in mm and without a diagnosis of causes.
 
-    G is the width of the minimum zone (3.4), ``*_lsc`` the range of the distances from the
-    least-squares centre of the same run, for ``G_bidirectional_lsc`` from the common one. F are the
-    extremes with sign of distance minus nominal radius (3.5): from the set-up centre on an arc,
-    from the run's least-squares centre on a full circle; ``F_*_lsc`` always from the latter. H is
-    the largest difference at one angle about the common least-squares centre (3.3). D is the radius
-    of the common least-squares circle minus nominal. Every sample counts and nothing is smoothed
-    (clause 5).
+    - G: width of the minimum zone (3.4). ``G_*_lsc``: range of the distances from the least-squares
+      centre of the same run; ``G_bidirectional_lsc`` uses the common least-squares centre of both
+      directions.
+    - F: largest and smallest value, with sign, of distance minus nominal radius (3.5). Distances
+      are from the set-up centre on an arc, and from the run's least-squares centre on a full
+      circle. ``F_*_lsc`` always uses the run's least-squares centre.
+    - H: largest difference at one angle, with distances from the common least-squares centre (3.3).
+    - D: radius of the common least-squares circle minus nominal radius.
 
-    G and F belong to "the actual path", which is one traverse (3.2), and H to one in each
-    direction, measured in succession (clause 5). So of several runs in a direction that with the
-    lowest number is evaluated, and a finding gives G of the others; joined runs would count
-    repeatability as form.
+    Every sample is used and nothing is smoothed (clause 5).
 
-    A parameter is None where the standard does not define it, its direction was not measured, or
-    the bar was not calibrated (F; 3.4 note 3 and 4.5); ``not_applicable`` says which. Raises
-    UsageError for an unknown standard; InputError for an arc below 90° (3.1), for readings that do
-    not fit together and for points that are not near a circle.
+    G and F are parameters of "the actual path", which is one traverse (3.2). H needs one traverse
+    in each direction, measured in succession (clause 5). If a direction has several runs, the one
+    with the lowest number is evaluated, and a finding gives G of the others. If the runs were
+    joined, repeatability would be counted as an error of form.
+
+    A parameter is None if the standard does not define it, if its direction was not measured, or if
+    the bar was not calibrated (F; 3.4 note 3 and 4.5). ``not_applicable`` gives the reason.
+
+    Raises UsageError for an unknown standard. Raises InputError for an arc below 90° (3.1), for
+    readings that do not fit together, and for points that are not near a circle.
     """
     chosen = circular_standard_by_id(standard)
     _require_sound(test)

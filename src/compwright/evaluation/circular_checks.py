@@ -1,8 +1,8 @@
 """Checks of a circular test: directions, calibration, sampling, gaps, feed, closing of the circle,
 set-up offset.
 
-They give findings and never reject a test. The standard sets no limits for most of these; each
-constant states the reason for its limit.
+The checks give findings and never reject a test. The standard sets no limits for most of them. The
+comment at each limit states its reason.
 """
 
 from __future__ import annotations

@@ -29,10 +29,10 @@ _FLAT: Final = 1e-8
 def least_squares_circle(points: FloatArray) -> tuple[Point, float]:
     """Return centre and radius of the least-squares circle through ``points`` (n, 2); same unit.
 
-    Gauss-Newton from an algebraic start, on centred and scaled coordinates; the radius is the mean
-    distance and so no unknown of its own. Partial arcs are no special case. Raises InputError for
-    other shapes, values that are not finite, fewer than three different points, or points on (or
-    nearest to) a straight line.
+    The method is Gauss-Newton from an algebraic start, on centred and scaled coordinates. The
+    radius is the mean distance and thus not a separate unknown. Partial arcs are fitted in the same
+    way. Raises InputError for an array of another shape, for values that are not finite, for fewer
+    than three different points, and for points on (or nearest to) a straight line.
     """
     _require_points(points)
     shift = points.mean(axis=0)
@@ -100,9 +100,9 @@ def _algebraic_centre(x: FloatArray, y: FloatArray) -> Point:
 def _refined(x: FloatArray, y: FloatArray, start: Point) -> Point:
     """Return the centre from which the distances of the points vary least, by Gauss-Newton steps.
 
-    Near a circle the steps become rounding errors within a few iterations. No damping: in 20 000
-    sets of points with a scatter of half the radius it never changed the result. Where the steps
-    diverge, the points are nearest to a straight line.
+    Near a circle, only rounding errors remain in the steps after a few iterations. The steps are
+    not damped: in 20 000 sets of points with a scatter of half the radius, damping never changed
+    the result. If the steps diverge, the points are nearest to a straight line.
     """
     centre, last = np.array(start), np.inf
     for _ in range(_MOST_STEPS):

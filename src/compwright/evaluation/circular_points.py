@@ -39,15 +39,16 @@ class ActualPath:
 def paths(runs: Sequence[CircularRun], nominal_radius: float) -> tuple[ActualPath, ...]:
     """Return the actual path of each of the ``runs`` of one set-up; lengths in mm, angles in deg.
 
-    Angles are commanded angles and count from the programmed centre; distances count from the
-    set-up centre. The two differ by the set-up offset. The programmed centre is taken as the
-    least-squares centre of all runs together, and each point lies from the set-up centre in the
-    direction of its commanded point. This is iterated until the centre no longer moves.
+    Angles are commanded angles about the programmed centre. Distances are measured from the set-up
+    centre. The two centres differ by the set-up offset. The programmed centre is assumed to be the
+    least-squares centre of all runs together. Each point is placed at its measured distance from
+    the set-up centre, in the direction of its commanded point. This is repeated until the centre no
+    longer moves.
 
     If the points were placed at the commanded angles around the set-up centre, an offset e would
-    become an ellipse of e²/2R: 2.5 µm for 0.5 mm at R = 50 mm.
+    produce an ellipse of e²/2R: 2.5 µm for 0.5 mm at R = 50 mm.
 
-    Raises InputError where no circle passes through the points.
+    Raises InputError if no circle passes through the points.
     """
     centre = (0.0, 0.0)
     placed = tuple(_placed(run, nominal_radius, centre) for run in runs)
@@ -74,10 +75,10 @@ def hysteresis(
     """Return H, mm: the largest difference, at one angle, of the distances of two paths from
     ``centre``. ``arc``: start and extent of the test, deg. NaN where no angle is common.
 
-    ISO 230-4:1996, 3.3 and note 1. Each path is a straight line between its samples, so that the
-    largest difference is at a sample of one of them; angles that only one path covers are left out.
-    Of several samples of a path at one angle the largest and the smallest count. A full circle is
-    closed.
+    Source: ISO 230-4:1996, 3.3 and note 1. Each path is a straight line between its samples. The
+    largest difference is therefore at a sample of one of the paths. Angles that only one path
+    covers are left out. If a path has several samples at one angle, the largest and the smallest
+    distance are used. On a full circle, each path is closed.
     """
     closed = arc[1] >= 360.0
     seam = 0.0 if closed else arc[0] - 0.5 * (360.0 - arc[1])

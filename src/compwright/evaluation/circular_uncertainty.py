@@ -1,18 +1,19 @@
 """Measurement uncertainty of the parameters of a circular test, k = 2.
 
-ISO 230-4:2005 refers to ISO/TR 230-9 for the uncertainty. Neither text was available, so their
-contributors and coefficients are unknown here. Combined here (GUM) are the contributors that the
-job declares, by the definitions of G, H, F and D:
+ISO 230-4:2005 refers to ISO/TR 230-9 for the uncertainty. Neither text was available, so the
+contributors and coefficients of these documents are unknown here. The contributors that the job
+declares are combined (GUM), by the definitions of G, H, F and D:
 
-    instrument: its certificate, for a change in length (µm); in every parameter
-    length of the bar: its calibration (µm); in F and D only, which refer to the nominal radius
-      (DIN ISO 230-4:1999, 3.4 note 3 and 4.5)
-    temperature and coefficient of expansion, over the radius; in F and D only (4.1)
-    set-up: mounting the instrument again (µm); in every parameter
-    environmental variation: range E_VE of the reading of a machine at rest over the duration of
-      the test; expanded E_VE / sqrt(3), because a parameter changes by at most this range
+- Instrument: its certificate, for a change in length (µm). In every parameter.
+- Length of the bar: its calibration (µm). Only in F and D, which refer to the nominal radius (DIN
+  ISO 230-4:1999, 3.4 note 3 and 4.5).
+- Temperature and coefficient of expansion, over the radius. Only in F and D (4.1).
+- Set-up: mounting the instrument again (µm). In every parameter.
+- Environmental variation: range E_VE of the reading of a machine at rest over the duration of the
+  test. Its expanded uncertainty is E_VE / sqrt(3), because a parameter changes by at most this
+  range.
 
-The repeatability of the machine is not part of U, as in ISO 230-2:2006 annex A.
+U does not contain the repeatability of the machine, as in ISO 230-2:2006 annex A.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Search for runs that are copies of each other: identical readings, or readings with noise added
 (CW-T031).
 
-Repeated runs of a machine differ at every target by their noise. Two runs that agree ten times
-better than other runs of the test do are one run. Where the resolution of the instrument is coarser
-than the noise, runs may be equal by chance.
+Repeated runs of a machine differ at every target by their noise. If two runs agree ten times better
+than other runs of the test, they are copies of one run. If the resolution of the instrument is
+coarser than the noise, runs may be equal by chance.
 """
 
 from __future__ import annotations
@@ -50,8 +50,8 @@ def copied_runs(test: PositioningTest) -> dict[Direction, list[list[int]]]:
     """Return, for each direction, the groups of two or more runs (column numbers) with the same
     readings.
 
-    At three targets or more. In a test with many runs, only runs with readings at the same targets
-    are compared.
+    Runs are compared only if they have three or more readings in common. In a test with more than
+    `_MOST_RUNS` runs, only runs with readings at the same targets are compared.
     """
     found: dict[Direction, list[list[int]]] = {}
     for direction in _DIRECTIONS:
@@ -130,7 +130,8 @@ def _by_chance(test: PositioningTest) -> bool:
     resolution.
 
     In pairs of different runs, the share p of targets with equal readings is the probability that
-    two readings are equal. All m targets agree with the probability p^m for each pair.
+    two readings are equal. For one pair of runs, the probability of equal readings at all m targets
+    is p^m.
     """
     agree, count, pairs = 0.0, 0, 0
     for direction in _DIRECTIONS:

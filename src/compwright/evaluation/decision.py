@@ -15,12 +15,12 @@ Rule = Literal["simple", "guarded"]
 
 def decide(value: float, limit: float, U: float | None, rule: Rule) -> Decision:
     """Return the decision whether ``value`` <= ``limit``, given the expanded uncertainty ``U`` (all
-    three in the same unit). ``rule``: compare the value alone (``simple``) or with U as guard band
-    (``guarded``).
+    three in the same unit).
 
-    ``simple`` compares the value alone. ``guarded`` (ISO 14253-1) accepts when value + U <= limit,
-    rejects when value - U > limit, and is undecided between. A value that is not a number is
-    undecided. Raises UsageError for an unknown rule and for ``guarded`` without an uncertainty.
+    With the ``rule`` ``simple``, the value alone is compared with the limit. With ``guarded`` (ISO
+    14253-1), the decision is to accept if value + U <= limit, to reject if value - U > limit, and
+    else undecided. A value that is not a number is undecided. Raises UsageError for an unknown
+    rule, and for ``guarded`` without an uncertainty.
     """
     if rule not in {"simple", "guarded"}:
         raise UsageError(

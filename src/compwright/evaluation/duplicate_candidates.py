@@ -1,8 +1,8 @@
 """Search for tests that are possibly copies of one measurement.
 
-Sorting avoids a comparison of every pair; `duplicate_measurements` decides. Two tests that agree
-except for a constant (the zero of the instrument) are found as equal numbers after one of their
-readings is subtracted from each.
+The candidates are found by sorting, so that not every pair is compared. `duplicate_measurements`
+then decides. Two tests may agree except for a constant (the zero of the instrument). To find them,
+one reading of each test is subtracted from its readings, and equal numbers are searched.
 """
 
 from __future__ import annotations
@@ -56,11 +56,10 @@ def tests_with_equal_run(tests: Sequence[PositioningTest], fewest: int) -> Itera
     """Yield groups of ``tests`` (two or more indices, ascending) that possibly contain the same
     run, compared at ``fewest`` common targets or more.
 
-    Their runs in one direction agree but for a constant at the `_LOOKED_AT` lowest common targets,
-    of which there are ``fewest`` or more. All tests with a run that agrees at every common target
-    are in such a group.
-
-    Runs that are the same everywhere were not made and do not count.
+    Each test of a group has a run in one direction that agrees with a run of the others, except for
+    a constant. Only the `_LOOKED_AT` lowest common targets are compared. Tests whose runs agree at
+    all common targets are always in such a group. A run with the same value everywhere was not
+    measured and is left out.
     """
     runs: dict[tuple[AxisKind, Direction], list[_CandidateRun]] = defaultdict(list)
     for index, (test, places) in enumerate(zip(tests, _places(tests), strict=True)):

@@ -53,7 +53,7 @@ def same_measurement(one: NamedTest, other: NamedTest) -> bool:
 def same_readings(one: PositioningTest, other: PositioningTest) -> bool:
     """Return whether the readings of two tests agree except for a constant (instrument's zero).
 
-    Readings without any scatter may do so by chance and do not count.
+    The result is False for readings without any scatter, because these may agree by chance.
     """
     if one.kind is not other.kind or pooled_scatter(one)[0] <= SAME_READING:
         return False
@@ -76,10 +76,10 @@ def share_a_run(one: PositioningTest, other: PositioningTest) -> bool:
     """Return whether two tests have a run in common, except for a constant, in each direction that
     both contain.
 
-    The run number does not matter: a test may contain only some of the runs, or all in another
-    order. In pairs of different runs, the share p of targets with the same difference is the
-    probability that coarse readings agree by chance; m targets agree with the probability p^(m - 1)
-    for each pair.
+    The run number does not matter: a test may contain only some of the runs, or all runs in another
+    order. Coarse readings can agree by chance. In pairs of different runs, p is the share of
+    targets with the same difference. For one pair, the probability that all m targets agree is p^(m
+    - 1).
     """
     if one.kind is not other.kind:
         return False
@@ -112,8 +112,8 @@ def share_a_run(one: PositioningTest, other: PositioningTest) -> bool:
 def _always_by_chance(ours: _Blocks, others: _Blocks) -> bool:
     """Return whether two tests have so few targets that their runs can agree by chance.
 
-    One of m differences is the most frequent, so that p is at least 1/m. Only runs without a
-    missing reading count.
+    Among m differences, one is the most frequent. The probability p that two readings agree is
+    therefore at least 1/m. Only runs without a missing reading are counted.
     """
     targets = len(ours[Direction.POSITIVE])
     pairs = 0
@@ -130,7 +130,7 @@ def _always_by_chance(ours: _Blocks, others: _Blocks) -> bool:
 def _zeros(mine: FloatArray, theirs: FloatArray) -> list[float] | None:
     """Return the constant difference of each pair of runs (columns) that otherwise agree.
 
-    None where no two runs can be compared, as in `_gaps`.
+    None if no two runs can be compared: they have too few common readings, or were not measured.
     """
     found: list[float] = []
     compared = False
@@ -161,7 +161,8 @@ def _gaps(mine: FloatArray, theirs: FloatArray) -> Iterator[FloatArray]:
     """Yield the difference of each pair of runs (columns) of two blocks, at targets where both have
     a reading.
 
-    Pairs with too few common readings are left out, and so are runs of zeros that were not made.
+    Pairs with too few common readings are left out. Runs with the same value everywhere were not
+    measured and are left out too.
     """
     for left in mine.T:
         for gap, both in zip(
@@ -195,8 +196,8 @@ def repeat_findings(tests: Sequence[PositioningTest]) -> list[Finding | None]:
     """Return an entry for each test: the finding CW-T034 if it repeats the measurement of another
     test, else None.
 
-    The result equals that of `same_measurement` on all pairs. The time grows with the number of
-    tests, not with its square.
+    The result equals that of `same_measurement` on all pairs, but the time grows only in proportion
+    to the number of tests.
     """
     kinds = _one_of_each(tests)
     sharing = _sharing_runs([tests[members[0]] for members in kinds])

@@ -1,10 +1,12 @@
 """Correction of laser readings for air and material temperature, with an environment record.
 
-Light: an instrument that assumes the refractive index n0 displays p for a length p n0 / n, where n
-is the index of the air (`compwright.evaluation.air`); p counts from the zero of the display.
+Air: an instrument that assumes the refractive index n0 displays p for a length p n0 / n. Here n is
+the index of the air (`compwright.evaluation.air`), and p is counted from the zero of the display.
+
 Expansion: ISO 230-2:1997 and 2006, 3.1, as in `compwright.evaluation.expansion`, with the
-temperature at the time of each reading. Arrays of readings here are (m, n), readings in + followed
-by readings in -.
+temperature at the time of each reading.
+
+Arrays of readings in this module are (m, n): first the columns of readings in +, then those in -.
 """
 
 from __future__ import annotations
@@ -54,16 +56,18 @@ def reduce_by_record(
     ``zero``: position at which the display was zeroed, mm; ``own_temperature``: the material
     temperature in ``thermal`` is stated by the test itself.
 
-    Each reading is corrected for the refractive index of the air at its time, and with ``thermal``
-    for the differential expansion too. Machine coordinates. Readings without times are corrected
-    with the mean of the record; their material temperature only if the test states none. Without
-    columns of the air only the expansion is corrected.
+    Positions are machine coordinates. Each reading is corrected for the refractive index of the air
+    at its time. If ``thermal`` is given, it is corrected for the differential expansion too.
+    Readings without times are corrected with the mean of the record. Their material temperature is
+    taken from the record only if the test states none. If the record has no columns of the air,
+    only the expansion is corrected.
 
-    Findings: CW-T024 and CW-T028 corrections made; CW-T029 changes of light, expansion and the rest
-    over the test; CW-T038 a gap in the record; CW-T039 readings without times. Raises UsageError
-    for a rotary axis; InputError where the instrument made the correction already, where required
-    times are missing or have another form than in the record, and where the record does not cover
-    the test.
+    Findings: CW-T024 and CW-T028 state the corrections. CW-T029: changes of air, expansion and the
+    rest during the test. CW-T038: a gap in the record. CW-T039: readings without times.
+
+    Raises UsageError for a rotary axis. Raises InputError if the instrument already made the
+    correction, if required times are missing or have a form different from the record, and if the
+    record does not cover the test.
     """
     refuse_rotary(test)
     if thermal is None and not environment.record.has_air:
@@ -266,8 +270,8 @@ def _untimed(
 ) -> Iterator[Finding]:
     """Yield a finding if the environment varied, which cannot be corrected for without times.
 
-    In µm over the targets; no finding where it is small. ``thermal``: the expansion whose
-    temperature is that of the record.
+    The variation is in µm over the range of the targets. A small variation has no finding.
+    ``thermal``: the expansion, if its temperature is taken from the record; else None.
     """
     record = environment.record
     varied = np.zeros_like(record.times)
@@ -294,12 +298,11 @@ def _changes(
     by the air, the change ``expansion`` by temperature, and the change ``rest`` that remains. The
     first ``split`` columns are runs in +, the others in −.
 
+    A straight line over time is fitted to the readings of each target and direction. Its slope
+    times the duration of the test is the change at the target. For air and expansion, the target
+    with the largest change is reported. For the rest, the mean over the targets is reported, with
+    its standard error. If a target was approached only once in each direction, there is no finding.
     ``unused``: whether the record has a temperature of the material that the job does not use.
-
-    Each change is the slope of a straight line over time through the readings of each target and
-    direction, times the duration. Air and expansion: at the target with the largest change. Others:
-    the mean over the targets with its standard error. No finding where a target was approached only
-    once.
     """
     duration = float(np.nanmax(times) - np.nanmin(times))
     centred = _centred(times, split)

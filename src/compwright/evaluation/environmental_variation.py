@@ -29,7 +29,8 @@ def environmental_variation(
     """Return the range E_VE of environmental variation (µm or arcsec) within ``duration_min``, the
     duration of a positioning test (None: within the whole series), and its findings.
 
-    CW-T026: which range it is; CW-T027: the series is too short or too coarse for it.
+    CW-T026 states the range and the time over which it was found. CW-T027: the series is too short
+    or its readings are too far apart in time.
     """
     length = float(drift.minutes[-1] - drift.minutes[0])
     over = length if duration_min is None else min(duration_min, length)

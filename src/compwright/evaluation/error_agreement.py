@@ -36,12 +36,13 @@ def disagreeing_test(
 ) -> Finding | None:
     """Return the finding CW-T036 if ``test`` contradicts the error ``expected`` from another test
     of the axis (standard deviation ``std``), else None. Waves of periods ``unknown`` to the other
-    test do not count; ``names``: of the other test, then of ``test``.
+    test do not count.
 
-    ``expected``, ``std`` (m,) by direction: the error at the targets of ``test`` according to the
-    other test, and ``noise`` of one reading of ``test``; mm or deg. The zero of the instrument is
-    free. Detected are reversed signs or directions, another axis, another unit, and another state
-    of the control.
+    ``expected``, ``std`` (m,) for each direction: the error at the targets of ``test``, as
+    estimated from the other test, mm or deg. ``noise``: standard deviation of one reading of
+    ``test``, mm or deg. ``names``: the test that is used, then the test that is not used. The zero
+    of the instrument does not count. The comparison detects reversed signs or directions, another
+    axis, another unit, and another state of the control.
     """
     shown, wanted, spread, where = [], [], [], []
     for direction in Direction:

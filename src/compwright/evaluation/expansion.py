@@ -34,9 +34,9 @@ _MATERIAL_ONLY: Final = re.compile(
 def instrument_compensated_expansion(compensated_for: str) -> bool:
     """Return whether the file header states that the instrument removed the material expansion.
 
-    The header is divided at commas, semicolons, ``+`` and ``/``. Parts about the air or the
-    wavelength only do not count. An unknown part counts, because removing the expansion twice is
-    worse than asking.
+    The header is divided at commas, semicolons, ``+`` and ``/``. A part about only the air or the
+    wavelength does not count. A part with unknown words does count. The test is then refused, which
+    does less harm than to remove the expansion twice.
     """
     parts = [part.strip().lower() for part in re.split(r"[,;+/]", compensated_for)]
     return any(part not in _NOTHING and not _AIR_ONLY.match(part) for part in parts)
@@ -45,8 +45,8 @@ def instrument_compensated_expansion(compensated_for: str) -> bool:
 def instrument_compensated_air(compensated_for: str) -> bool:
     """Return whether the file header states that the instrument compensated for the air.
 
-    A part that is not clearly about the material alone counts, because removing the air's effect
-    twice is worse than asking.
+    A part of the header counts unless it is clearly about the material alone. The test is then
+    refused, which does less harm than to remove the effect of the air twice.
     """
     parts = [part.strip().lower() for part in re.split(r"[,;+/]", compensated_for)]
     return any(part not in _NOTHING and not _MATERIAL_ONLY.match(part) for part in parts)
@@ -114,10 +114,11 @@ def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> Po
     20) - alpha_d (T_d - 20)]. The returned test has the finding CW-T024. If the temperature rose
     during the test, CW-T025 states that the mean of start and end was used.
 
-    x in mm, alpha in µm/(m K), T in °C, deviations in mm. ``thermal.x_fix`` is the fixed point of
-    the measurement and ``thermal.refer_to`` says whose expansion alpha_m and T_m are: the machine's
-    scale or the workpiece. Raises UsageError for a rotary axis, InputError when the instrument did
-    it already (header ``compensated_for``) or it was done before.
+    x is in mm, alpha in µm/(m K), T in °C, deviations in mm. ``thermal.x_fix`` is the fixed point
+    of the measurement. ``thermal.refer_to`` states whose expansion alpha_m and T_m are: that of the
+    machine's scale or of the workpiece. Raises UsageError for a rotary axis. Raises InputError if
+    the expansion was already removed, by the instrument (header ``compensated_for``) or by an
+    earlier call.
     """
     refuse_rotary(test)
     refuse_reduced(test)
