@@ -6,17 +6,19 @@ Model (units mm or deg, deviation = measured minus target, d = +1 or -1 the appr
     f = offset + slope x + smooth part (Matérn 5/2) + harmonics 1 and 2 of each known period
     r = constant + slope and smooth part of one common scale (the reversal, mean(+) - mean(-))
 
-f also has a step between two targets where the means clearly show a jump (`jumps`). l is the local
-part: it repeats at the same target and is independent from target to target (all that f and r do
-not describe).
+f also has a step between two targets if the means clearly show a jump (`jumps`). l is the local
+part, the part of the error that f and r do not describe. It repeats at the same target and is
+independent from target to target.
 
-Offset, slope and constant reversal have flat priors. All variances and lengths have weak priors and
-are drawn from their posterior, each together with a draw of the noise that the repeated readings
-show (`noise_of`). Without repeated readings, the noise is normal and estimated with the error.
-Models (periods, reversal constant or varying) are averaged by their evidence. Rasmussen and
-Williams, Gaussian Processes for Machine Learning (2006): regression in weights, section 2.1.2; free
-offset and slope, section 2.7; sums of covariances, section 4.2.4; choice between models, section
-5.2.
+Offset, slope and constant reversal have flat priors. All variances and correlation lengths have
+weak priors and are drawn at random from their posterior. Each draw uses one random draw of the
+noise that the repeated readings show (`noise_of`). Without repeated readings, the noise is assumed
+normal and estimated together with the error. The models (which periods, reversal constant or
+varying) are averaged by their evidence.
+
+Source: Rasmussen and Williams, Gaussian Processes for Machine Learning (2006): regression in
+weights, section 2.1.2; free offset and slope, section 2.7; sums of covariances, section 4.2.4;
+choice between models, section 5.2.
 """
 
 from __future__ import annotations
@@ -70,10 +72,14 @@ class Draws:
 class AxisPosterior:
     """Probability distribution of an axis' error after its tests; machine coordinates, mm or deg.
 
-    ``parts``: the models of the mixture, all draws equally likely. ``noise``: standard deviation of
-    one reading of the first test, with ``noise_dof`` degrees of freedom. ``reversal_log_odds``:
-    natural logarithm of the odds of a reversal that varies with position against a constant one (0:
-    one direction measured). ``periods``: the known periods and those found by the ``search``.
+    - ``measured``: first and last target.
+    - ``noise``: standard deviation of one reading of the first test, with ``noise_dof`` degrees of
+      freedom.
+    - ``reversal_log_odds``: natural logarithm of the odds that the reversal varies with position
+      against that it is constant; 0 if only one direction was measured.
+    - ``cells``: the mean readings. ``parts``: the models that are averaged, with their random draws
+      of the error; all draws are equally likely.
+    - ``periods``: the known periods and those found by the ``search``.
     """
 
     kind: AxisKind
@@ -95,11 +101,13 @@ class AxisPosterior:
     def summary(self, positions: FloatArray) -> ErrorEstimate:
         """Return mean and standard deviation (g,) of the deviation in both directions, mm or deg.
 
-        ``positions`` (g,): strictly ascending, mm or deg. Variance of the mixture: mean of the
-        variances plus variance of the means (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013,
-        section 1.8). The mean is meant for a table: it leaves out the local part and all periods
-        with a probability below one half, because a wave of a wrong length increases the error as
-        often as it reduces it. The standard deviation, about this mean, includes both.
+        ``positions`` (g,): strictly ascending, mm or deg. The variance is the mean of the draws'
+        variances plus the variance of their means (Gelman et al., Bayesian Data Analysis, 3rd ed.
+        2013, section 1.8).
+
+        The mean is intended for a table. So it leaves out the local part and all periods with a
+        probability below one half: a wave of a wrong length increases the error as often as it
+        reduces it. The standard deviation refers to this mean and includes both.
         """
         where = np.asarray(positions, dtype=np.float64)
         scale = self.cells.data.scale
@@ -167,10 +175,11 @@ class AxisPosterior:
     ) -> Draws:
         """Return ``count`` random draws of the error in both directions, mm or deg.
 
-        ``positions``: (k,), or (count, k) for different positions in each draw. Draw = mean + root
-        z, with standard normal z for the weights (Rasmussen and Williams 2006, appendix A.2). The
-        noise is that of the test with index ``test`` in the estimate. At the targets of the tests
-        the local part follows the readings; at other positions it is drawn from its prior.
+        ``positions``: (k,), or (count, k) for different positions in each draw. ``test``: index of
+        the test whose noise is returned. A draw is mean + root z, with standard normal z for the
+        weights (Rasmussen and Williams 2006, appendix A.2). At the targets of the tests, the local
+        part of the error is drawn given the readings. At other positions it is drawn from its
+        prior.
         """
         where = np.asarray(positions, dtype=np.float64)
         unique, back = np.unique(where, return_inverse=True)
@@ -218,7 +227,8 @@ class AxisPosterior:
         independent from target to target. ``values`` (count, j): drawn weights of the model
         ``part``.
 
-        A normal mean with normal prior and known variance (Gelman et al. 2013, section 2.5).
+        ``weights``: distribution of these weights. Each value is a normal mean with normal prior
+        and known variance (Gelman et al. 2013, section 2.5).
         """
         data = self.cells.data
         known = data.precision[weights.draw]
@@ -281,15 +291,16 @@ def estimate_axis(
     coordinates. Periods ``suggested`` are more probable than other periods; ``nodes`` are the
     points of an active compensation table; ``turn`` is the period of an endless axis.
 
-    ``travel`` (low, high), mm or deg. ``periods``: known periods of the error (screw pitch, scale
-    period), mm or deg; ``suggested``: periods that are more probable than others if none is known.
-    ``nodes`` (mm or deg, ascending): points of a table that was active, where its line bends.
-    ``turn`` (deg): an endless axis, whose error repeats after it; such an error has no slope.
+    - ``tests``: tests of the axis. The datum of each test is unknown and estimated.
+    - ``travel``: lower and upper end, mm or deg.
+    - ``periods``: known periods of the error (screw pitch, scale period), mm or deg.
+    - ``suggested``: used only if no period is known, mm or deg.
+    - ``nodes``: ascending, mm or deg. At these points the line of an active table bends.
+    - ``turn``: deg. The error of an endless axis repeats after a turn, so it has no slope.
 
-    Each test has a datum of its own. The same tests give the same posterior. Model and sources:
-    module docstring. Raises InputError for tests with readings at fewer than two targets;
-    UsageError for no test, a test in the instrument's frame, an empty travel, or a period that is
-    not positive.
+    The same tests give the same result. Model and sources: module docstring. Raises InputError if
+    fewer than two targets have readings. Raises UsageError for no test, a test in the instrument's
+    frame, an empty travel, or a period that is not positive.
     """
     _refuse_misuse(tests, travel, periods)
     cells = build_cells(tests, turn=turn)

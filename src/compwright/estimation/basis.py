@@ -1,10 +1,10 @@
 """The functions of position in which the error of an axis is expanded.
 
 A Gaussian process with a stationary covariance is written as a sum of sines with independent normal
-weights, whose variances are the spectral density of the covariance (Solin and Särkkä, "Hilbert
-space methods for reduced-rank Gaussian process regression", Statistics and Computing 30, 2020, eq.
-5 and 21). The design matrix then does not depend on the hyperparameters, and a draw of the whole
-curve is a draw of the weights.
+weights. The variances of the weights are the spectral density of the covariance (Solin and Särkkä,
+"Hilbert space methods for reduced-rank Gaussian process regression", Statistics and Computing 30,
+2020, eq. 5 and 21). The design matrix is therefore the same for all hyperparameters. A random draw
+of the whole curve is a random draw of the weights.
 """
 
 from __future__ import annotations
@@ -28,14 +28,15 @@ HARMONICS = (1, 2)
 class Basis:
     """The functions of position whose weighted sum is the error of an axis.
 
-    Columns: offset, slope, sines, then cosine and sine of each harmonic of each period; then
-    offset, slope and sines of the reversal. ``centre`` and ``half`` (mm or deg) give the normalised
-    position u = (x - centre) / half. The first block describes the mean of both directions, the
-    second the reversal (positive minus negative); half of it is added in +, half subtracted in -.
+    The first functions describe the mean error of both directions: offset, slope, sines, then
+    cosine and sine of each harmonic of each period. The others describe the reversal error
+    (positive minus negative): offset, slope, sines. Half of the reversal is added in + and
+    subtracted in -. ``centre`` and ``half`` (mm or deg) give the normalised position u = (x -
+    centre) / half.
 
-    With a ``turn`` (the travel per turn of an endless axis) every column repeats after it: the
-    slope column is zero, and the sines are replaced by cosine and sine of the harmonics of the
-    turn, whose variances follow the same spectral density.
+    ``turn``: travel per turn of an endless axis, after which every function repeats. Its slope
+    function is zero. Cosine and sine of the harmonics of the turn replace the sines, and their
+    variances follow the same spectral density.
     """
 
     centre: float
@@ -92,8 +93,8 @@ class Basis:
         """Return two matrices with the values of the functions at ``positions``: for the mean
         error, and for half the reversal error.
 
-        One is common to both directions, (k, mean_size); the other, (k, size - mean_size), is added
-        in + and subtracted in -.
+        ``positions`` (k,), mm or deg. The first matrix (k, mean_size) applies to both directions.
+        The second matrix (k, size - mean_size) is added in + and subtracted in -.
         """
         u = (positions - self.centre) / self.half
         slope = u if self.turn is None else np.zeros_like(u)
@@ -139,8 +140,8 @@ def _frequencies(count: int) -> FloatArray:
 def _sines(u: FloatArray, count: int) -> FloatArray:
     """Return sine functions (count, k) that vanish at both ends of the range and outside it.
 
-    They are the eigenfunctions of the Laplacian on [-BOUNDARY, BOUNDARY], sin(w (u + BOUNDARY)) /
-    sqrt(BOUNDARY) (Solin and Särkkä 2020).
+    ``u`` (k,): normalised positions. The functions are the eigenfunctions of the Laplacian on
+    [-BOUNDARY, BOUNDARY], sin(w (u + BOUNDARY)) / sqrt(BOUNDARY) (Solin and Särkkä 2020).
     """
     inside = np.clip(u, -BOUNDARY, BOUNDARY)
     waves: FloatArray = np.sin(np.outer(_frequencies(count), inside + BOUNDARY)) / np.sqrt(BOUNDARY)
@@ -151,8 +152,9 @@ def log_density(frequencies: FloatArray, log_length: float) -> tuple[FloatArray,
     """Return the log spectral density of a random curve (Matérn 5/2 process) of unit variance, and
     its derivative by ``log_length``, the logarithm of the correlation length of the curve.
 
-    S(w) = (16/3) a^5 / (a^2 + w^2)^3 with a = sqrt(5) / length (Rasmussen and Williams, Gaussian
-    Processes for Machine Learning, eq. 4.15, one dimension, nu = 5/2).
+    ``frequencies``: angular frequencies w. The density is S(w) = (16/3) a^5 / (a^2 + w^2)^3 with a
+    = sqrt(5) / length (Rasmussen and Williams, Gaussian Processes for Machine Learning, eq. 4.15,
+    one dimension, nu = 5/2).
     """
     a = np.sqrt(5.0) * np.exp(-log_length)
     together = a**2 + frequencies**2
@@ -171,11 +173,13 @@ def smooth_density(
     ``log_length`` (logarithm of the correlation length) and by ``log_excess`` (parameter of the
     smoothness).
 
-    It is a Matérn process of smoothness nu = `LEAST_SMOOTHNESS` + exp(``log_excess``).
+    The curve is a Matérn process of smoothness nu = `LEAST_SMOOTHNESS` + exp(``log_excess``). With
+    correlation length l and angular frequency w (``frequencies``), its spectral density is
 
     S(w) = 2 sqrt(pi) gamma(nu + 1/2) / gamma(nu) l / sqrt(2 nu) (1 + l² w² / (2 nu))^-(nu + 1/2)
-    (Rasmussen and Williams, Gaussian Processes for Machine Learning, eq. 4.15, one dimension); for
-    large nu that of the squared exponential.
+
+    (Rasmussen and Williams, Gaussian Processes for Machine Learning, eq. 4.15, one dimension). For
+    large nu it approaches that of the squared exponential covariance.
     """
     excess = float(np.exp(log_excess))
     nu = LEAST_SMOOTHNESS + excess
@@ -205,11 +209,13 @@ def alias_wavelength(targets: FloatArray, wavelength: float) -> float | None:
     """Return the wavelength, mm or deg, of a longer wave that has the same values at the targets as
     a wave of this ``wavelength``; None if there is none.
 
-    inf: a constant. With a mean interval d between targets, waves longer than 2 d have no such
-    alias. A shorter wave has one where, for some frequency g within 1 / (2 d), the absolute mean of
-    exp(2 pi i (1 / wavelength - g) x) over the targets exceeds `ALIASED`: always with equal
-    intervals, hardly ever with the random part of ISO 230-2. That mean is the spectral window of
-    the targets (Deeming, Astrophysics and Space Science 36, 1975).
+    The result is inf if the values at the ``targets`` (m,), mm or deg, are constant. With a mean
+    interval d between targets, waves longer than 2 d have no such alias. For a shorter wave, the
+    absolute mean of exp(2 pi i (1 / wavelength - g) x) over the targets is computed for frequencies
+    g within 1 / (2 d). It is the spectral window of the targets (Deeming, Astrophysics and Space
+    Science 36, 1975). If it exceeds `ALIASED` for some g, the wave with the frequency g is the
+    alias. This is always so with equal intervals, and hardly ever with the random part of ISO
+    230-2.
     """
     return _alias_wavelength(targets.tobytes(), wavelength)
 
@@ -249,10 +255,11 @@ def _window(frequencies: FloatArray, targets: FloatArray) -> FloatArray:
 def hidden_share(targets: FloatArray, period: float) -> float:
     """Return the share (0 to 1) of a wave of this ``period`` that readings at targets cannot show.
 
-    0: they show all of it; 1: nothing. Offset and slope are removed from cosine and sine at the
-    ``targets`` (m,), mm or deg (orthogonal projection; Björck, Numerical Methods for Least Squares
-    Problems, 1996, chapter 1). The visible share is the norm of the remainder at the worst phase,
-    divided by sqrt(m / 2), which evenly spread targets would leave.
+    At 0 the readings show the whole wave, at 1 nothing of it. ``targets`` (m,) and ``period``: mm
+    or deg. Offset and slope are removed from the cosine and the sine at the targets (orthogonal
+    projection; Björck, Numerical Methods for Least Squares Problems, 1996, chapter 1). The visible
+    share is the norm of the remainder at the worst phase, divided by sqrt(m / 2), the norm for
+    evenly distributed targets.
     """
     middle = targets - np.mean(targets)
     span = max(float(np.ptp(targets)), 1e-300)

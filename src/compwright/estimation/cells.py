@@ -44,13 +44,12 @@ class Cells:
     """The targets (m,) of an axis with their mean readings, and first estimates of the scatter.
 
     ``data``: the readings minus ``offset + slope x + d reversal/2`` and minus the ``jumps``, in
-    units of ``data.scale``. ``spread``, ``roughness``: first estimates of the standard deviation of
-    one reading and of the scatter about the straight line, in the same unit. ``noises``: by test,
-    the noise of a new test, one value for each draw of ``data``. ``other_noise``: noise draws of
-    the first test that has any; None for none. ``slopes``: by test, the column of its own slope in
-    ``data.extra``; None for none. ``repeated``: some target has several readings in one direction
-    of one test. ``rough_reversal``: standard deviation, mm or deg, of half the reversal from target
-    to target.
+    units of ``data.scale``. In the same unit, ``spread`` and ``roughness`` are first estimates of
+    the standard deviation of a reading and of the scatter about the line. ``noises``: for each
+    test, random draws of the noise of a new test. ``other_noise``: noise draws of the first test
+    that has any, or None. ``slopes``: for each test, the column of its slope in ``data.extra``, or
+    None. ``repeated``: a target has several readings in one direction of one test.
+    ``rough_reversal``: standard deviation, mm or deg, of half the reversal from target to target.
     """
 
     targets: FloatArray
@@ -101,9 +100,9 @@ def build_cells(
 ) -> Cells:
     """Return means, counts and scatter of an axis' readings. ``stepped``: jumps are removed first.
 
-    An endless axis has no slope: its error repeats with its ``turn`` (deg). The spread pools the
-    squares about the means of all targets and directions over their n - 1 (JCGM 100:2008, 4.2.4).
-    Raises InputError for fewer than two targets with readings.
+    ``turn``: period of an endless axis, deg, whose error has no slope. ``spread`` pools the squares
+    about the means of all targets and directions over their n - 1 (JCGM 100:2008, 4.2.4). Raises
+    InputError for fewer than two targets with readings.
     """
     rng = np.random.default_rng(_SEED)
     draws = max((each.noise.draws.count for each in tests if each.noise is not None), default=1)
@@ -183,7 +182,7 @@ def _refit_without_jumps(
     """Return the straight line through the mean readings ``parts`` of all tests, fitted again after
     jumps between neighbouring targets are removed.
 
-    ``least``: smallest noise that is assumed, mm or deg; ``turn``: of an endless axis, deg.
+    ``least``: smallest noise assumed, mm or deg; ``turn``: period of an endless axis, deg.
     """
     places = np.concatenate([part.positions for part in parts])
     different = targets
@@ -254,9 +253,9 @@ def _reversals(part: ObservedCells) -> FloatArray:
 def _rough_reversal(part: ObservedCells) -> float:
     """Return the variance, mm² or deg², of a mean reading that irregular reversal errors cause.
 
-    Only the part that noise does not explain, from the median of the second differences (Gasser,
-    Sroka and Jennen-Steinmetz, Biometrika 73, 1986). Without it the smooth reversal of the estimate
-    would oscillate between the targets.
+    Variance that noise explains is not included. It follows from the median of the second
+    differences (Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986). Without it the estimated
+    smooth reversal would oscillate between the targets.
     """
     second = np.diff(_reversals(part), 2)
     if part.inferred or second.size < _LEAST_DIFFERENCES:
