@@ -1,7 +1,7 @@
 """Check a definition: read its sample, compare its hand-worked examples, and check that tables
 beyond its limits are refused.
 
-Written files are read back, and the writer refuses a table beyond each limit.
+Files that are written from the sample are read back too, and must give the same tables.
 """
 
 from __future__ import annotations
@@ -31,10 +31,14 @@ def check_definition(definition: Definition) -> tuple[Fault, ...]:
     """Return the faults of a definition, such as a sample that cannot be read, corrections other
     than the hand-worked ones, or a limit that writing ignores.
 
-    Its keys were checked when it was loaded. Checked here: there are hand-worked expectations that
-    show more than zeros at nodes, and each holds; the sample can be read; its tables can be
-    written, give the same bytes twice and are read back as the same numbers; a table beyond any
-    limit is refused; the card has all its fields.
+    The keys of the definition were checked when it was loaded. These conditions are checked here:
+
+    - There are hand-worked examples, they show more than zeros at table points, and each of them is
+      met.
+    - The sample can be read.
+    - Its tables can be written, give the same bytes twice, and are read back as the same numbers.
+    - A table beyond any limit is refused.
+    - The card has all its fields.
     """
     faults: list[Fault] = []
     shown: list[AxisCompensation] = []
@@ -74,7 +78,8 @@ def disagreements(
     from ``correction``, a function that computes it, in mm or deg. ``says``: the message, with {}
     in place of position and direction.
 
-    ``correction`` gets positions and the direction in which they are approached.
+    The arguments of ``correction`` are positions, mm or deg, and the direction in which they are
+    approached.
     """
     expectation = definition.expect[index]
     for row, direction, expected, found in _worked_by_hand(expectation, correction):
@@ -137,8 +142,9 @@ def _unproven(definition: Definition, shown: Sequence[AxisCompensation]) -> Iter
     """Yield as texts the properties of the control's tables, such as sign or backlash, that no
     hand-worked example tests. ``shown``: the compensation read from each example's files.
 
-    Zeros show no sign, nodes alone not the correction between and beyond them, equal directions no
-    backlash.
+    Examples with zeros only do not test the sign. Examples at table points only do not test the
+    correction between and beyond the points. Examples with the same correction in both directions
+    do not test the backlash.
     """
     pairs = [
         (compensation, point)

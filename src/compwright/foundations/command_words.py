@@ -1,12 +1,14 @@
 """Command lines in which an option has several values: ``--loaded a b c`` means ``--loaded a
 --loaded b --loaded c``. Also options whose values are ``KEY=VALUE``.
 
-The words behind such an option are its values up to the next option; the first may be set off by
-``=``. Three things hold words back from it: what does not look like a value of it
-(`OptionForm.more`), ``--``, and the files that the command itself still lacks. Where these stand
-nowhere else, the one word with the ending of such a file is it; else they are the last words behind
-the last such option with files: one word for one file, all but the first where the command takes
-many.
+The words after such an option are its values, up to the next option. The first value may follow
+``=``.
+
+Three things are not taken as values: a word that does not look like one (`OptionForm.more`), all
+words after ``--``, and file arguments that the command itself needs. If the command's files are not
+elsewhere on the line, they are taken from these words. If as many words as needed have the usual
+extension of such a file, it is these words. Otherwise it is the last words after the last file
+option, or all words after it but the first if the command takes many files.
 """
 
 from __future__ import annotations
@@ -21,8 +23,8 @@ from compwright.foundations.errors import Fault
 class OptionForm:
     """The form of an option: without a value, with one value, or with ``several`` values.
 
-    ``several``: it takes several values; ``more``: whether a word may follow a value of it;
-    ``files``: its values are files.
+    ``flag``: the option has no value. ``more``: a function that returns whether a word may follow a
+    given value as a further value. ``files``: the values are files.
     """
 
     flag: bool = False
@@ -46,7 +48,7 @@ class Own:
 def key_values(options: Iterable[str]) -> tuple[dict[str, str], list[Fault]]:
     """Return the values of ``--option KEY=VALUE`` by key, and the faults of the options.
 
-    A fault: an option without this form, or a key that an earlier option has too.
+    Two things are faults: an option without this form, and a key that an earlier option has too.
     """
     given: dict[str, str] = {}
     faults = []

@@ -1,8 +1,8 @@
 """One error class per cause, with its exit code. An error lists all faults found, one per line.
 
-A fault names what is wrong, in which file, at which place (line, column or key path), what was
-expected, what was found and what to do next. Nothing here prints; the command line turns an error
-into lines on standard error.
+A fault states what is wrong, in which file and where (line, column or key path). It also states
+what was expected, what was found and what to do next. Nothing here prints; the command line prints
+the faults as lines on standard error.
 """
 
 from __future__ import annotations
@@ -127,7 +127,7 @@ class CapacityError(CompwrightError):
     """The correction exceeds the control's limits, or it cannot be proved that a table is the best
     one (exit code 4).
 
-    The fault says which limit is broken, by how much, and what would help.
+    The fault states which limit is exceeded, by how much, and what would help.
     """
 
     exit_code = 4

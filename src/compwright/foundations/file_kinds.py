@@ -1,7 +1,7 @@
 """Recognise, by its contents, a file that is of a different kind than the command expects, such as
 a plan in place of a job.
 
-One line for a file that was given in the place of another one.
+The error for such a file states its kind and the command that reads it.
 """
 
 from __future__ import annotations
@@ -60,7 +60,8 @@ _CHECKED: Final = (*_USAGE, PLAN, MEASUREMENT, CONTROL)
 def refuse_other_kind(content: bytes, kind: InputKind, file: str) -> None:
     """Raise an error if ``content`` is a known file of a kind other than ``kind``.
 
-    UsageError in the place of a file that says what to do, else InputError.
+    Raises UsageError if a job, profile, definition or virtual machine was expected, else
+    InputError.
     """
     if kind not in _CHECKED:
         return

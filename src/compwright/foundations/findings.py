@@ -1,9 +1,9 @@
 """Findings: remarks with stable codes, collected during a command and shown at its end.
 
-Code families: ``CW-R`` reading, ``CW-T`` test checks, ``CW-J`` job, ``CW-S`` state of the control,
-``CW-E`` error estimate, ``CW-F`` fit, ``CW-X`` format and export, ``CW-P`` prediction, ``CW-V``
-verification. The list with the meaning of each is ``docs/findings.md``; a test compares it with the
-codes in the source.
+Codes begin with a family: ``CW-R`` reading, ``CW-T`` test checks, ``CW-J`` job, ``CW-S`` state of
+the control, ``CW-E`` error estimate, ``CW-F`` fit, ``CW-X`` format and export, ``CW-P`` prediction,
+``CW-V`` verification. ``docs/findings.md`` lists the meaning of each code; a test compares this
+list with the codes in the source.
 """
 
 from __future__ import annotations
@@ -59,8 +59,8 @@ DOUBTS_FIRST: Final = say("doubts.first")
 class Finding:
     """A remark for the user, with a stable ``code`` and a ``sentence``.
 
-    ``sentence``: name and values. ``axes``: those that it concerns, empty for all; by name, in the
-    control's files by address.
+    ``sentence``: its name in the catalogue with the values in it. ``axes``: the axes that it
+    concerns, by name, or by address if it is about the control's files; empty for all axes.
     """
 
     code: str
@@ -75,7 +75,7 @@ class Finding:
         """Return a finding from the ``name`` of its sentence (such as ``CW-R053.no_end``, which
         begins with its code) and the values in the sentence.
 
-        With a dot and a word more where one code has several sentences.
+        If a code has several sentences, a dot and a word follow the code in the name.
         """
         return cls(name.partition(".")[0], severity, say(name, **values), axes)
 

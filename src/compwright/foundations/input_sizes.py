@@ -1,7 +1,8 @@
 """The largest size of each kind of input.
 
-What is larger is refused before it is read, so that no input fills the memory. The largest real
-files known are far below: a circle 1 MB, a whole backup of a control some 20 MB, a job 30 kB.
+A larger file is refused before it is read, so that no input fills the memory. The largest real
+files known are much smaller: a circular test 1 MB, a whole backup of a control about 20 MB, a job
+30 kB.
 """
 
 from __future__ import annotations

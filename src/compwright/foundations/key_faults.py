@@ -72,7 +72,7 @@ def usual_hint(path: KeyPath, message: str, expected: str = "", found: str = "")
     """Return the usual next step for a faulty key, such as to write one of the accepted values or
     to correct the name.
 
-    It is a text to write if ``expected`` has an example.
+    If ``expected`` contains an example ("such as ..."), the step shows the key with this example.
     """
     if not path:
         return "correct the file; the docs of compwright describe its keys"

@@ -8,6 +8,6 @@ from decimal import Decimal
 def significant(value: float, digits: int = 2, *, signed: bool = False) -> str:
     """Return ``value`` as text with a number of significant digits: 0.00012, 5.4, 190, 1500000.
 
-    ``signed``: with its plus.
+    ``digits``: their number. ``signed``: write the plus sign of a positive value.
     """
     return format(Decimal(f"{value:.{digits}g}"), "+f" if signed else "f")

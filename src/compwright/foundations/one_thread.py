@@ -17,8 +17,9 @@ def warnings_ignored(message: str = "") -> Iterator[None]:
     """Provide a context in which library warnings are ignored whose text begins with the regular
     expression ``message``.
 
-    The filters of warnings belong to the process. A second thread waits until the first one has
-    restored them, so other settings of a library can be changed inside too.
+    Filters of warnings belong to the whole process. So a second thread waits until the first one
+    has restored them. Therefore other global settings of a library can be changed inside this
+    context too.
     """
     with _TURN, warnings.catch_warnings():
         warnings.filterwarnings("ignore", message=message)

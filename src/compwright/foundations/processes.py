@@ -1,6 +1,6 @@
 """Work on items in several processes, because one Python process uses only one processor.
 
-They are started with ``spawn``, which every system supports.
+The processes are started with the method ``spawn``, because every system supports it.
 """
 
 from __future__ import annotations
@@ -36,8 +36,8 @@ def side_by_side(items: int, ready: Callable[[], None]) -> Iterator[Each]:
     """Provide a function that works on items in this process and in further parallel ones.
     ``items``: the number of items; ``ready``: called first in each further process.
 
-    The function works in turn for one item, on one processor, and where the system starts no
-    process.
+    The function works on one item after the other if there is only one item or one processor, or if
+    the system cannot start processes.
     """
     keep_free_memory()
     others = min(processors(), items, _MOST) - 1
@@ -89,8 +89,8 @@ def _begin() -> None:
 def _end_with_the_first() -> None:
     """End this parallel process when the main process no longer exists.
 
-    One that was killed cannot say that there is no more work, and its queue would be waited at for
-    ever.
+    A main process that was killed cannot report that there is no more work. Without this function
+    the parallel process would wait for ever.
     """
     first = parent_process()
     if first is not None:
@@ -102,8 +102,8 @@ class _Several:
     """A function that works on items in this process and, from the first item on, in several
     further processes.
 
-    What another process could not do, for whatever reason, is done here once more, so that errors
-    are those of working in turn.
+    An item that another process could not complete is worked on once more here. So the errors are
+    the same as without further processes.
     """
 
     def __init__(self, pool: ProcessPoolExecutor, others: int) -> None:
@@ -134,8 +134,9 @@ class _Shared(Generic[T, R]):
     """Items that are distributed among processes: this process takes items from the end, the
     ``others`` take items from the beginning.
 
-    A process is handed its next items only when it has done those before, by a thread that waits
-    for it: the queue of an executor would keep back items that this process, idle then, could do.
+    For each other process there is a thread that gives it the next items only after it has
+    completed the earlier ones. The queue of an executor is not used for this: it would hold items
+    that this process could work on while it is idle.
     """
 
     def __init__(self, work: Callable[[T], R], items: Sequence[T], others: int) -> None:

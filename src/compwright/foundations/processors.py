@@ -25,8 +25,8 @@ def look_for_garbage_seldom() -> None:
 def keep_free_memory() -> None:
     """Make this process keep its free memory for later arrays (only with the C library glibc).
 
-    Otherwise the system clears every page of each large array anew: a tenth of the processor time
-    of a run.
+    Otherwise the system sets every page of each new large array to zero, which takes a tenth of the
+    processor time of a run.
     """
     if sys.platform != "linux":
         return
@@ -43,8 +43,9 @@ def keep_free_memory() -> None:
 def use_one_thread() -> None:
     """Restrict the linear algebra of numpy and scipy to one thread. Call it before numpy is loaded.
 
-    The matrices here are small: threads cost five times what they gain (27 s of processor time
-    against 6 s for a job of four axes). Who has set these variables keeps his values.
+    The matrices here are small, so several threads need more time than they save (27 s of processor
+    time instead of 6 s for a job with four axes). Environment variables that the user has set keep
+    their values.
     """
     for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
         os.environ.setdefault(name, "1")

@@ -1,7 +1,7 @@
 """Make pydantic schemas from the field types of records, to read records from mappings.
 
-A `RecordForm` says where the mapping is written otherwise. Lists give tuples, words give members of
-an enumeration; apart from that no value is converted.
+A `RecordForm` states where a mapping in a file differs from the fields of its record. A list is
+read as a tuple, and a word as a member of an enumeration. No other value is converted.
 """
 
 from __future__ import annotations
@@ -27,13 +27,18 @@ Rules = Mapping[type, Callable[[Any], Iterator[str]]]
 class RecordForm:
     """How a mapping in a file differs from the fields of its record class, such as in key names.
 
-    ``keys``: the key of a field with another name. ``absent``: keys that may be missing.
-    ``constant``: values of fields that the mapping does not contain, or not always (``absent``).
-    ``named``: the field that is the key above the mapping. ``inline``: the field whose own keys
-    are in the mapping of the record; ``nested``: fields in a mapping of their own, by its key and
-    theirs. ``types``: other types or schemas of fields. ``more``: types or schemas of keys that
-    belong to no field; ``others``: every other key is ignored. ``build``: from the values by field,
-    and by key of ``more``, to those of the record.
+    - ``keys``: by field, its key, if the names differ.
+    - ``absent``: fields whose keys may be missing.
+    - ``constant``: values of fields that the mapping does not contain, or may lack (``absent``).
+    - ``named``: the field whose value is the key above the mapping.
+    - ``inline``: the field that is a record, whose keys are in this mapping.
+    - ``nested``: fields that are in a mapping of their own: by its key, the field of each key in
+      it.
+    - ``types``: by field, a type or schema that differs from that of the record.
+    - ``more``: types or schemas of keys that belong to no field.
+    - ``others``: whether all other keys are allowed and ignored.
+    - ``build``: a function from the values by field, and by key of ``more``, to the record's
+      values.
     """
 
     keys: Mapping[str, str] = field(default_factory=dict)
@@ -118,7 +123,8 @@ class RecordSchemas:
     def _union(self, options: tuple[Any, ...]) -> cs.CoreSchema:
         """Return the schema of a value that may be missing or have one of several types.
 
-        Records by their ``kind``, else whichever fits.
+        If all types are records, the key ``kind`` selects one of them. Otherwise any type that fits
+        is accepted.
         """
         kinds = [one for one in options if one is not types.NoneType]
         if len(kinds) == 1:

@@ -1,8 +1,9 @@
 """Replace the personal texts in a file before it is given to others.
 
-A remark becomes ``redacted``; a name, a serial number or a path ``redacted_N``, the same N for the
-same text in all files of one command, so that the files of a machine still belong together. N
-counts the texts in the order in which they were found, so it does not lead back to the text.
+A remark becomes ``redacted``. A name, a serial number or a path becomes ``redacted_N``. The same
+text has the same N in all files of one command, so that the files of a machine still belong
+together. N counts the texts in the order in which they were found, so the text does not follow from
+it.
 """
 
 from __future__ import annotations
@@ -93,9 +94,10 @@ def left_over(removed: Iterable[str], copy: Iterable[bytes], allowed: frozenset[
     """Return the texts that should have been removed but are still in a copy, completely or in
     part. ``allowed``: words that the copy may contain anyway, such as keywords and units.
 
-    ``copy``: its bytes; of an archive those of its members. They are searched in every usual
-    encoding, with entities and percent signs resolved, in small letters, as the ``allowed`` words
-    are. Single letters, short words and short numbers are no evidence: any file contains them.
+    ``copy``: the bytes of the copy; of an archive, the bytes of each member. The texts are searched
+    for in every usual encoding, in lower case, and after entities and percent signs are resolved.
+    ``allowed`` words are in lower case too. Single letters, short words and short numbers are not
+    reported, because any file contains them.
     """
     texts = list(dict.fromkeys(removed))
     there: set[str] = set()
@@ -172,7 +174,7 @@ def refuse_left_over(
     """Raise InputError if the ``copy`` still contains a removed text, apart from ``allowed`` words.
     The error names the lines of the copy if ``in_lines`` is true.
 
-    The error does not show the text. The lines of the copy are those of the original.
+    The error does not show the text itself. A line of the copy has the same number in the original.
     """
     left = left_over((text for _, text in cuts.removed), copy, allowed)
     if left:

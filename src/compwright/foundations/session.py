@@ -1,9 +1,9 @@
 """The session of one command: the files that it reads and writes, and the folders in which it
 restored files of an interrupted command.
 
-Every command makes its own `Session` and hands it to whatever reads or writes files, so that
-several commands can work in one process. Only `storage` changes what a session holds, and one
-session serves one thread.
+Every command makes its own `Session` and passes it to every function that reads or writes files, so
+several commands can run in one process. Only `storage` changes the contents of a session. A session
+is used by one thread only.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ class Session:
     """The files that one command has read or will write, and the folders in which it restored files
     of an interrupted command.
 
-    ``inputs``: the files that were read. The command never overwrites or deletes them, whatever
-    name leads to them: a link, other cases of the letters and a way around through ``..`` are still
-    the same file. ``pending``: files that are read before they are written (see `with_pending`).
-    ``searched``: the folders that were searched for the leftovers of stopped commands;
-    ``unrestored``: those whose files cannot be put back, and why; ``restored``: those whose files
-    were put back as they were before a stopped command.
+    - ``inputs``: the files that were read. The command never overwrites or deletes them. A link,
+      another case of the letters or a path with ``..`` still means the same file.
+    - ``pending``: files that can be read before they are written (see `with_pending`).
+    - ``searched``: folders that were searched for files of interrupted commands.
+    - ``unrestored``: by folder, the faults because of which its files cannot be restored.
+    - ``restored``: folders whose files were restored to the state before an interrupted command.
     """
 
     inputs: set[Identity] = field(default_factory=set)
@@ -40,11 +40,12 @@ class Session:
     def with_pending(self, folder: Path, files: Mapping[str, bytes]) -> Session:
         """Return a session that can read ``files`` from ``folder`` before they are written.
 
-        Relative name with ``/`` -> bytes; whatever is there on the disk.
+        ``files``: the bytes by relative name, with ``/``. They are read instead of a file of the
+        same name on the disk.
 
-        A result folder that holds its own inputs is written as a whole: its job is computed as if
-        the inputs were there already. Such a file is no input that was read from the disk. All else
-        is shared with this session.
+        A result folder that contains its own inputs is written as a whole, so its job is computed
+        as if the inputs were already there. A pending file does not count as an input that was read
+        from the disk. The new session shares all other contents with this one.
         """
         mine = {folder.joinpath(*name.split("/")): content for name, content in files.items()}
         return replace(self, pending={**self.pending, **mine})

@@ -27,8 +27,8 @@ class Each(Protocol):
     def __call__(self, work: Callable[[T], R], items: Sequence[T]) -> list[R]:
         """Return the results of ``work`` in the order of the items. Raises the first error.
 
-        ``work`` is a function of a module, and what it takes and returns can be copied to another
-        process.
+        ``work`` must be a function of a module. Its arguments and results must be such that they
+        can be copied to another process.
         """
 
 
@@ -66,12 +66,14 @@ def in_order(
     """Yield the results of ``work`` in the order of the ``items`` (at most ``count``), each as soon
     as possible. ``weight``: a function that returns the size of an item in bytes.
 
-    The items are taken when they are needed. Raises what ``work`` raises, as `Each` does.
+    An item is taken from ``items`` only when it is needed. Raises the errors of ``work``, as `Each`
+    does.
 
-    Work begins in turn. A crew is called where the items that are left would take longer than
-    `_WORTH` in turn, by the time that those before them took: to start a process takes a good part
-    of that. It is handed as many items at once as take about `_WINDOW`, together with a ``weight``
-    (bytes) of at most `_WEIGHT`, so that results come steadily and nothing piles up.
+    The first items are worked on in this process, and their time is measured. If the rest would
+    take longer than `_WORTH` seconds in this process, the ``crew`` is started; to start a process
+    takes a good part of this time. The crew gets as many items at once as take about `_WINDOW`
+    seconds, with at most `_WEIGHT` bytes together. So results come steadily, and few items are in
+    memory at once.
     """
     waiting = iter(items)
     begun = False

@@ -1,6 +1,6 @@
 """Write any file name as UTF-8 text, also one that is not valid UTF-8.
 
-Python holds such a name as lone surrogates, which no encoding has.
+In Python such a name contains lone surrogates, which no encoding can represent.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Check a user's files with pydantic. Each of its errors becomes a fault with a key path.
 
-Models of pydantic and the schemas of `record_schemas` give the same complaints. Slow to import:
-only commands that check such a file do so.
+Models of pydantic and the schemas of `record_schemas` give the same faults. This module is slow to
+import, so only commands that check such a file import it.
 """
 
 from __future__ import annotations
@@ -141,7 +141,8 @@ def _path_in(data: Any, complaint: ErrorDetails) -> KeyPath:
     """Return the key path of a pydantic error as in the user's file, without levels of the path
     that only the schema has.
 
-    Shorthand forms have fewer levels than the schema. A key that is missing is part of the path.
+    The schema has more levels where the file uses a short form. The path also contains a key that
+    is missing in the file.
     """
     location, context = complaint["loc"], complaint.get("ctx", {})
     path: list[str | int] = []

@@ -1,8 +1,8 @@
 """Read YAML strictly: no duplicate keys, octal numbers or yes/no; each key has its line.
 
-YAML 1.1 reads ``010`` as 8, ``1:30`` as 90 and ``no`` as false. Here they stay text, and the schema
-that expects a number says so with the line. Only plain data comes out: dict, list, str, int, float,
-bool, None.
+YAML 1.1 reads ``010`` as 8, ``1:30`` as 90 and ``no`` as false. Here they stay text. A schema that
+expects a number then reports a fault with the line. The result is plain data only: dict, list, str,
+int, float, bool, None.
 """
 
 from __future__ import annotations
@@ -171,9 +171,9 @@ class _YamlReader:
 def read_yaml(content: bytes, file: str) -> YamlDocument:
     """Read one YAML document from UTF-8 bytes (with or without BOM).
 
-    Aliases, tags and several documents are refused (a small file must not grow when read, and only
-    plain data comes out). Raises InputError with every fault: not UTF-8, not YAML (with line and
-    column), a duplicate key.
+    Aliases, tags and several documents are refused: a small file must not grow when it is read, and
+    the result must be plain data. Raises InputError with every fault: not UTF-8, not YAML (with
+    line and column), a duplicate key.
     """
     document, faults = read_yaml_with_faults(content, file)
     if faults:
@@ -185,8 +185,9 @@ def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tupl
     """Read YAML as `read_yaml` does, but do not raise faults of single keys: return them together
     with the data.
 
-    A schema can then list its own faults together with these. Of a key given twice the first value
-    stands; a value that cannot be read is None. Raises InputError when there is no document at all.
+    A schema can then report its own faults together with these. If a key is given twice, its first
+    value is used. A value that cannot be read is None. Raises InputError if there is no document at
+    all.
     """
     text = _decoded(content, file)
     try:

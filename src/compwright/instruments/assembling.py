@@ -25,11 +25,12 @@ class ReadingGrid:
     """The readings of a positioning test, one array per direction with a row per target and a
     column per run.
 
-    ``targets`` (m,) ascending; per direction ``deviations`` (m, n), NaN for none, and ``runs``
-    (n,).
-
-    ``times``: when they were taken, None if the file does not state it. ``one_sided``: targets that
-    were left out, because a bidirectional test approached them from one side only, in words.
+    - ``targets`` (m,): ascending.
+    - ``deviations`` (m, n): by direction; NaN where there is no reading.
+    - ``runs`` (n,): by direction, the numbers of the runs.
+    - ``times``: when the readings were taken; None if the file does not state it.
+    - ``one_sided``: in words, targets that were left out because a bidirectional test approached
+      them from one side only.
     """
 
     targets: FloatArray
@@ -48,11 +49,11 @@ def grid_of(readings: Readings, kind: AxisKind, faults: FaultList) -> ReadingGri
     """Return the readings, which can be in any order, as arrays with a row per target and a column
     per run.
 
-    Raises InputError (with the faults noted before) when there are no readings or too many, a
-    reading is given twice, or a bidirectional test does not have the same targets in both
-    directions (ISO 230-2, clause 4: each target is approached from both sides); up to one target in
-    four that was approached in one direction only is left out. Targets are the same when their
-    numbers are exactly equal: nothing is rounded to make them so.
+    Raises InputError, with the faults found before, if there are no readings or too many, or if a
+    reading is given twice. In a bidirectional test both directions must have the same targets (ISO
+    230-2, clause 4: each target is approached from both sides). Up to one target in four that was
+    approached in one direction only is left out; more are an error. Two targets are the same if
+    their numbers are exactly equal: no target is rounded.
     """
     one_sided: dict[float, str] = {}
     if not faults:
@@ -134,7 +135,7 @@ def _check_both_directions(
     """Return, as text, the targets that have readings in only one direction, if these are few in a
     bidirectional test. If they are many, add a fault for each.
 
-    If they are many, each is a fault; so is one near a different target of the opposite direction.
+    A target close to a different target of the opposite direction is always a fault.
     """
     positive, negative = (_first_of(readings, direction) for direction in Direction)
     if not positive or not negative:

@@ -1,9 +1,9 @@
 """Reader of Renishaw ballbar files ``.b5r`` (QC10, QC20-W): XML with the runs of a test.
 
-Reading rules from six published files, whose own results are reproduced to 0.1 µm: samples
-START_INDEX to END_INDEX inclusive, at half steps of the arc; length = NOMINAL_LENGTH + reading,
-calibration and temperature already in it; angles from the first named axis to the second, whatever
-the view.
+The rules for reading come from six published files, whose own results are reproduced to 0.1 µm. The
+samples of the arc are START_INDEX to END_INDEX inclusive. Each sample is in the middle of an equal
+part of the arc. The length is NOMINAL_LENGTH + reading, and calibration and temperature are already
+in it. Angles are counted from the first named axis to the second, whatever the view.
 
 Codes made here:
 
@@ -78,10 +78,10 @@ class _FeedRun:
 def read_b5r(content: bytes, file: str, name: str) -> CircularTest:
     """Return the circular test in a ``.b5r`` file. Raises InputError with every fault at once.
 
-    Faults have the line of the element and its path as place: XML that is broken or declares a
-    document type, another instrument's file, a file without readings, a missing or invalid number,
-    a test radius other than the length of the bar, an arc below 90 deg, indices outside the
-    readings, a number of readings that does not fit arc and overshoot.
+    Each fault states the line of the element and its path. These are faults: XML that is broken or
+    declares a document type, another instrument's file, a file without readings, a missing or
+    invalid number, a test radius other than the length of the bar, an arc below 90 deg, indices
+    outside the readings, and a number of readings that does not fit arc and overshoot.
     """
     root = read_xml(content, file)
     bar = _ballbar(root, file)
@@ -238,7 +238,8 @@ def _run(
 ) -> _FeedRun | None:
     """Return one run with the angle of each sample (deg).
 
-    Sample k of N at start + (k + 1/2) extent/N for ccw, at the end minus that for cw.
+    Sample k of N (from 0) is at start + (k + 1/2) extent/N for ccw, and at start + extent - (k +
+    1/2) extent/N for cw.
     """
     readings = _readings(element, faults)
     indices = _indices(element, readings, faults)

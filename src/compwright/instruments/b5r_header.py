@@ -74,7 +74,8 @@ def vendor_results(
     """Return the results that the vendor's software printed: those of each run, and those of each
     analysis.
 
-    By run (``ccw``, ``cw``, ``ccw 2``) and by analysis (name and version), then by feature name.
+    The first key is a run (``ccw``, ``cw``, ``ccw 2``) or an analysis (name and version), the
+    second the name of the result.
     """
     groups = [
         *(

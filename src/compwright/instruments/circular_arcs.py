@@ -32,9 +32,9 @@ _TINY: Final = 1e-9  # deg: rounding of sums
 class Sweep:
     """The samples of a run sorted by angle: ``angles`` (n,) deg, and their indices ``order``.
 
-    The first angle lies in 0 <= a < 360. ``step``: median distance of neighbours, deg; ``gap``: the
-    widest distance inside and where it begins. ``full``: the run covers the circle up to one
-    sample.
+    The first angle a is in 0 <= a < 360. ``step``: the median distance of neighbouring samples,
+    deg. ``gap``: the widest distance of two neighbouring samples, and the angle at which it begins,
+    deg.
     """
 
     sense: Sense
@@ -65,9 +65,9 @@ class Sweep:
 def sweep_of(sense: Sense, number: int, angles: FloatArray, faults: FaultList) -> Sweep | None:
     """Return a run's samples in order of their ``angles`` (n,) deg, or None after a fault.
 
-    Angles may be counted modulo 360, so an arc through 0 is given as two pieces: the widest gap on
-    the circle is the part outside the arc. Samples all around with a gap of at most 5 deg are a
-    circle with some samples missing.
+    Angles may be counted modulo 360, so that an arc through 0 is in two pieces. Therefore the
+    widest gap on the circle counts as the part outside the arc. If the samples go all around and
+    the widest gap is at most 5 deg, they count as a full circle with missing samples.
     """
     name = f"{sense} run {number}"
     if angles.size < FEWEST_SAMPLES:
@@ -124,7 +124,7 @@ def run_of(sweep: Sweep, deviations: FloatArray, start: float) -> CircularRun:
     ccw, descending for cw. Whole turns are added so that the smallest angle is as near as possible
     to ``start`` deg.
 
-    ``deviations`` (n,) mm in the order given to `sweep_of`.
+    ``deviations`` (n,): in mm, in the order of the angles that were given to `sweep_of`.
     """
     angles = sweep.angles + 360.0 * np.round((start - float(sweep.angles[0])) / 360.0)
     along = slice(None) if sweep.sense == "ccw" else slice(None, None, -1)

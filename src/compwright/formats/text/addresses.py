@@ -1,7 +1,7 @@
 """Axis addresses and names in the control's files, and the key that identifies an entry.
 
-If the files list the names, all of them are one axis, with the name under which it was requested.
-Without the list each name is an axis of its own.
+If the files list the names of an axis, all of them count as one axis, under the name by which it
+was requested. Without such a list each name counts as an axis of its own.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from compwright.words.sentences import control_text
 def normal_text(definition: Definition, address: str) -> str:
     """Return an address in its standard spelling (``ax1`` -> ``AX1``, ``00`` -> ``0``).
 
-    Raises UsageError when the control cannot have such an axis.
+    Raises UsageError if the control cannot have an axis with this address.
     """
     rule = definition.addresses
     text = address.strip()
@@ -48,9 +48,9 @@ def normal_text(definition: Definition, address: str) -> str:
 def normal_address(definition: Definition, axis: Axis) -> tuple[str, Assumption | None]:
     """Return the control's address of an axis, with the assumption made if the job gives none.
 
-    If the control numbers its axes and the job gives only an axis letter, the number is the
-    letter's index in the list of the definition (such as XYZABCUVW). Raises UsageError when the
-    control cannot name the axis.
+    If the control numbers its axes and the job gives only an axis letter, the number is the index
+    of this letter in the definition's list (such as XYZABCUVW). Raises UsageError if the control
+    cannot have such an axis.
     """
     letters = definition.addresses.letters
     letter = axis.address.strip().upper()
@@ -83,9 +83,10 @@ def normal_address(definition: Definition, axis: Axis) -> tuple[str, Assumption 
 class AxisNames:
     """The names that a control's files give to each axis, with the line of each name.
 
-    ``places``: name -> place; ``machine``: those of them that are the machine's own names;
-    ``requested``: place -> the name under which the axis was requested; ``place``: the form of a
-    place, None if the control has no such names.
+    - ``places``: by name, the control's index of the axis, such as AX1.
+    - ``machine``: the machine axis names among them.
+    - ``requested``: by index, the name under which the axis was requested.
+    - ``place``: the form of such an index; None if the control has none.
     """
 
     places: Mapping[str, str] = field(default_factory=dict)
@@ -119,7 +120,8 @@ class AxisNames:
         """Return those of the names ``spoken_of`` that possibly mean the axis at ``address``,
         because the files assign them to no axis.
 
-        The files give an axis index (AX1) without a name, or names without an index.
+        There are two cases. If the address is an index (AX1) without a name in the files, these are
+        all names without an index. If it is a name, these are all indices without a name.
         """
         place = self.places.get(address, address)
         named = {one for name, one in self.places.items() if not self._is_place(name)}
@@ -136,8 +138,8 @@ class AxisNames:
     def machine_name(self, address: str) -> str | None:
         """Return the name of the axis at an address, such as X1; None if the files do not state it.
 
-        The channel's letter if there is one (X), which measurement files have too, else the
-        machine's name (X1).
+        A name of one letter has priority (X, the axis name in the channel), because measurement
+        files contain it too. Otherwise it is the machine axis name (X1).
         """
         one = self.address(address)
         names = [
@@ -148,7 +150,8 @@ class AxisNames:
     def written(self, address: str) -> str:
         """Return the axis name to write in new lines of the files.
 
-        ``address`` itself if it is its place or the machine's name, else its place.
+        This is ``address`` itself if it is an index (AX1) or a machine axis name, else the index of
+        the axis.
         """
         if address in self.machine or self._is_place(address):
             return address

@@ -1,13 +1,16 @@
 """Open a commissioning archive, and return those of its texts that state active data of the
 control.
 
-The container (``@@MMCIBN.``) is a relative of tar: a header of 512 bytes, the content, zeros up to
-the next multiple of 512, member after member up to the end of the file; the first member is a list
-of all others. Every header of two real archives fits (versions 000 and 002). The texts are in it as
-the control exports them, uncompressed. The control loads the folder of active data; programs,
-definitions and drive data are no state: it is unknown whether a program ran. No byte of a header of
-version 002 changes with the contents, so edited contents are not noticed here; a control may refuse
-such an archive, so none is ever written.
+The format of the container (``@@MMCIBN.``) is similar to tar. Each member is a header of 512 bytes,
+the content, and zeros up to the next multiple of 512. The first member is a list of all others. All
+headers of two real archives fit this description (versions 000 and 002). The texts in the archive
+are those that the control exports, uncompressed.
+
+Only the folder of active data is returned, because the control loads it. Programs, definitions and
+drive data do not show the state: it is unknown whether a program was executed.
+
+In version 002 no byte of a header depends on the contents, so changed contents are not noticed
+here. A control may refuse a changed archive, so no archive is ever written.
 """
 
 from __future__ import annotations
@@ -54,7 +57,8 @@ _KEPT = 8
 class Member:
     """One member of an archive: folder, name, kind, date, and the bytes that it occupies.
 
-    Its kind as written there, the seconds of its date, and where its ``size`` bytes begin.
+    ``kind``: as written in the header. ``date``: in seconds, as written there. ``start``: the byte
+    at which its contents of ``size`` bytes begin.
     """
 
     folder: str
@@ -74,8 +78,8 @@ class Member:
 class Container:
     """The members of an opened archive.
 
-    ``state``: the texts that the control loads, in its order, each named after its container;
-    ``programs``: every other member that is a text.
+    ``state``: the texts that the control loads, in the order of the archive. The name of each
+    begins with that of the archive. ``programs``: all other members that are texts.
     """
 
     state: tuple[ControlFile, ...]
@@ -90,7 +94,8 @@ def is_container(file: ControlFile) -> bool:
 def unpacked(files: Sequence[ControlFile], faults: list[Fault]) -> tuple[ControlFile, ...]:
     """Return the files, with archives replaced by their texts, which come before other files.
 
-    The other files were loaded later. A container that cannot be opened goes to ``faults``.
+    The texts come first because the other files are loaded after the archive. If a container cannot
+    be opened, a fault is added to ``faults``.
     """
     result: list[ControlFile] = []
     for file in sorted(files, key=is_container, reverse=True):

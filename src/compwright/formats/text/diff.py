@@ -28,9 +28,8 @@ class EntryChange:
     """One entry of the control's files that differs, with its old and new value as the control
     writes them.
 
-    ``old`` or ``new`` None: it does not exist there.
-
-    ``address`` None: the line names no axis.
+    ``old``: None if the entry is new. ``new``: None if the entry was removed. ``address``: the axis
+    address; None if the line names no axis.
     """
 
     entry: str
@@ -43,8 +42,8 @@ class EntryChange:
 class FileDiff:
     """All entries that differ between two sets of files, and the number of unchanged lines.
 
-    ``changes`` in the order of the new files, then removed entries; ``untouched``: unchanged lines
-    of the old files.
+    ``changes``: the changed entries in the order of the new files, then the removed entries.
+    ``untouched``: the number of unchanged lines of the old files.
     """
 
     changes: tuple[EntryChange, ...]
@@ -55,8 +54,8 @@ class FileDiff:
 class DiffEntry:
     """One value in the control's files, as text, with its axis, for comparing two sets of files.
 
-    ``label`` returns the control's text up to the value; a function, because few labels of a whole
-    backup are needed.
+    ``label``: a function that returns the control's text up to the value. It is a function because
+    only few entries of a whole backup need their label.
     """
 
     label: Callable[[], str]
@@ -74,7 +73,7 @@ def compare_files(
     """Return the differences between the entries of two sets of files. Tables are compared row by
     row.
 
-    Both sets were read before: entries that cannot be read here are left out.
+    Entries that cannot be read are left out: their faults were reported when the files were read.
     """
     old, new = unpacked(old, []), unpacked(new, [])
     before, after = dict(entries_of(definition, old)), dict(entries_of(definition, new))

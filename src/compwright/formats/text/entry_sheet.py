@@ -1,8 +1,9 @@
 """The entry sheet: a CSV file of the values that an engineer types in at the control.
 
-Comment lines ``# key: value``; columns point, position, value, unit; comma and decimal point. Point
-data have their number as point, parameters their name and no position. ``# value: error`` or ``#
-value: correction`` states what the control is assumed to expect.
+Comment lines have the form ``# key: value``. The columns are point, position, value and unit,
+separated by commas; numbers have a decimal point. In a line of point data, point is the point
+number. In a line of a parameter, point is the parameter's name, and position is empty. ``# value:
+error`` or ``# value: correction`` states what the control is assumed to expect.
 """
 
 from __future__ import annotations

@@ -26,11 +26,12 @@ _SECTION = re.compile(r"[ \t]*\[([^\]]+)\][ \t]*")
 class FileValue:
     """One value in the files with the name that it has on the control.
 
-    ``name``: the control's text up to the value; ``group``: under which many such entries are
-    counted; ``axis``: the address that the entry names, empty if it names none.
-
-    ``relevant``: it belongs to a compensation of an axis, or decides its unit, kind or zero;
-    ``meaning``: in words, empty if unknown.
+    - ``name``: the control's text up to the value.
+    - ``group``: a common name for counting entries of the same kind.
+    - ``axis``: the address that the entry names; empty if it names none.
+    - ``relevant``: the value belongs to a compensation, or decides the unit, kind or zero of an
+      axis.
+    - ``meaning``: in words; empty if unknown.
     """
 
     name: str
@@ -67,7 +68,7 @@ FileValues = Mapping[str, FileValue]
 def changes(old: FileValues, new: FileValues) -> tuple[FileValueChange, ...]:
     """Return the values that differ, in the order of the new files, then those that were removed.
 
-    Numbers are the same whatever their decimals; TRUE is 1.
+    Numbers are equal whatever their number of decimals, and TRUE equals 1.
     """
     found = [
         FileValueChange(old.get(key), entry)
@@ -98,7 +99,7 @@ def by_statements(definition: Definition, files: Sequence[ControlFile]) -> dict[
     """Return all values of files, each under a unique key: values in statements of the definition,
     then the values in all lines that are no statement.
 
-    By the definition's statements; other lines by name within their section.
+    Values in other lines are identified by their name and the section of the file.
     """
     found: dict[str, FileValue] = {}
     texts = texts_of(files)

@@ -35,7 +35,9 @@ class FoundValue(NamedTuple):
 class Gathered:
     """All values in the files by axis and measuring system.
 
-    ``singles[key][quantity]`` and ``rows[key]`` in the order of the files.
+    ``singles``: the values of each quantity, ``singles[key][quantity]``. ``rows``: the lines of the
+    table, ``rows[key]``. A key is the address and the measuring system. Both are in the order of
+    the files.
     """
 
     definition: Definition
@@ -63,8 +65,8 @@ class Gathered:
     def addresses(self) -> list[str]:
         """Return the axis addresses in the files, in the order of their first appearance.
 
-        If the control numbers measuring systems, settings of the axis as a whole (such as its kind)
-        do not count as naming it.
+        If the control numbers measuring systems, an axis is listed only if a line names it with a
+        measuring system. Settings of the whole axis, such as its kind, are not enough.
         """
         counted = any(
             "system" in statement.fields for statement in self.definition.statements.values()

@@ -81,10 +81,8 @@ class Notes:
     def find(self, name: str, severity: str, axis: str = "", /, **values: object) -> None:
         """Add a finding.
 
-        Arguments as those of `Finding.of`; ``axis``: the address of its axis, or its label with
-        further words.
-
-        After which more may follow (``axis AX1, measuring system 2``).
+        The arguments are those of `Finding.of`. ``axis``: the address of the finding's axis, or its
+        label, which may have further words (``axis AX1, measuring system 2``).
         """
         about = (axis.removeprefix("axis ").partition(",")[0],) if axis else ()
         grave: Severity = "warning" if severity == "warning" else "info"
@@ -97,7 +95,7 @@ class Notes:
     def switched_off(self, label: str, what: str) -> None:
         """Report that a table in the files corrects nothing.
 
-        ``what``: the statement that deactivates it.
+        ``label``: the table in messages. ``what``: the statement that deactivates it.
         """
         self.find("CW-S007", "info", label=label, switch=what)
 
@@ -123,8 +121,8 @@ class Notes:
     ) -> None:
         """Add a fault at the line of ``place``, unless it is there already.
 
-        ``expected``, ``found``: values; ``found`` defaults to the text of the place. ``hint``: the
-        next step.
+        ``expected``, ``found``: the expected value and the value found, which defaults to the text
+        of ``place``. ``hint``: the next step.
         """
         fault = Fault(
             message=f"{label}: {message}",

@@ -21,8 +21,8 @@ _DATA = re.compile(
 def holds_no_data(definition: Definition, file: ControlFile) -> bool:
     """Return whether a text contains no statement of the control and no line that looks like data.
 
-    Not a file that is damaged in part or has another character set; nor any file of a control on
-    which every line is a command, known or not.
+    False for a file that is partly damaged or has another character set. False too for any file of
+    a control whose lines are all commands, because an unknown line may then be a command.
     """
     if any(_of_commands(kind) for kind in definition.texts.values()):
         return False
@@ -50,8 +50,9 @@ def without_other_files(
 ) -> tuple[tuple[ControlFile, ...], tuple[Finding, ...]]:
     """Return ``files`` without those that contain no data of the control, and a finding on these.
 
-    A file that was named itself stays. All files stay if none would be left, and for a control that
-    does not number its blocks: there any line may be a command.
+    Only files that were found in a folder are left out, not those that the user named. All files
+    stay if none would be left. They also stay if the control's statements do not begin with a
+    number, because then any line may be a statement.
     """
     if not _numbered(definition):
         return tuple(files), ()

@@ -1,8 +1,8 @@
 """Change values in the control's own files; everything else keeps its bytes.
 
-Values keep their decimal places, signs and blanks as far as the new ones allow; rows are added
-after the last one, as a copy of that line; rows that the new table does not use become zero. A
-changed line loses its checksum.
+Values keep their decimal places, signs and blanks as far as the new values allow. New rows are put
+after the last row of the table, as copies of it. Rows that the new table does not use get zero. A
+changed line loses its checksum, which would be wrong.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ from compwright.records.correction import ControlFile
 class TablePlaces:
     """The lines of a table in the files: its rows by index, and its single values by quantity.
 
-    ``value``: the quantity of a row's value; ``named``: the fields that every line of the table has
-    (axis and system, or table).
+    ``value``: the quantity of the value in a row. ``named``: the fields that every line of the
+    table has, with their texts (axis and measuring system, or table).
     """
 
     rows: Mapping[int, Sequence[FoundValue]]
@@ -69,10 +69,9 @@ class OwnFiles(Patches):
     ) -> None:
         """Set the values of a table that is already in the files.
 
-        Values by index, single values by quantity, all as text.
-
-        Missing rows and values are put after the last row, or after the last line of the table if
-        there is no row.
+        ``rows``: the values by index, as text. ``singles``: the single values by quantity, as text.
+        Missing rows and single values are put after the last row, or after the last line of the
+        table if it has no rows.
         """
         field = self.definition.bindings[places.value].field
         for index, founds in places.rows.items():
@@ -125,7 +124,8 @@ class OwnFiles(Patches):
         """Return a line for a new value: a copy of a neighbouring row with the index and the value
         of the new row.
 
-        Without block number and comment.
+        The copy has no block number and no comment. If the table has no row yet, the line is made
+        from the definition.
         """
         binding = self.definition.bindings[places.value]
         if not places.rows:
@@ -152,7 +152,7 @@ class OwnFiles(Patches):
 def styled(old: str, new: str) -> str:
     """Return the new number in the style of the old one: its decimals, and its plus sign.
 
-    Other text is returned unchanged.
+    If one of the texts is not a number, the new text is returned unchanged.
     """
     try:
         value = Decimal(new)

@@ -1,6 +1,6 @@
 """Changes to files by byte position; all other bytes stay as they are.
 
-A fresh file is a patch of a skeleton, so both cases share the code.
+A new file is made by changing a template, so the same code serves both cases.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class BytesPlace:
 def set_field(occurrence: Occurrence, field: str, text: str) -> tuple[BytesChange, ...]:
     """Return the byte changes that put ``text`` into one field of a line.
 
-    A line checksum is removed, because it becomes wrong.
+    A checksum of the line is removed, because it would be wrong after the change.
     """
     token = occurrence.tokens[field]
     changes = [BytesChange(token.start, token.end, text.encode("ascii"))]
@@ -49,8 +49,8 @@ def set_field(occurrence: Occurrence, field: str, text: str) -> tuple[BytesChang
 def apply_changes(original: bytes, changes: Iterable[BytesChange]) -> bytes:
     """Return the original with all changes made. All other bytes stay.
 
-    Insertions at one place keep their order. Raises ValueError for changes that overlap or are
-    outside of the text.
+    Insertions at the same byte keep their order. Raises ValueError for changes that overlap or are
+    outside of the file.
     """
     parts: list[bytes] = []
     place = 0
@@ -123,7 +123,7 @@ class Patches:
     ) -> None:
         """Add lines after (or ``before``) the line that contains the byte ``place``.
 
-        A last line without an end gets one, and the new last line has none.
+        If the file's last line has no line end, it gets one, and the new last line has none.
         """
         line = self.line(number, place)
         found = self.files[number].content[line.end : line.next].decode()

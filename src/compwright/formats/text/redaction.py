@@ -1,6 +1,7 @@
 """Copy a control's text without private data: numbers and keywords stay, names are removed.
 
-Statements that are read keep their numbers, and so do lines of numbers and keywords.
+Statements of the definition keep their numbers. Other lines stay if they contain only numbers and
+keywords.
 """
 
 from __future__ import annotations
@@ -49,7 +50,7 @@ _LETTERS: Final = re.compile(r"[A-Za-z0-9]{4,}")
 class RedactedText:
     """A copy of a text without private data.
 
-    ``renamed``: old name -> new name; ``words``: its keywords, in lower case.
+    ``renamed``: the new name of each old name. ``words``: the keywords of the text, in lower case.
     """
 
     file: ControlFile
@@ -60,7 +61,7 @@ class RedactedText:
 class TextRedactor:
     """Copies a control's text without private data, and without the folders in file names.
 
-    ``read``: the statements in it; ``kept``: other lines that may stay.
+    ``read``: the statements in the text. ``kept``: which other lines may stay.
     """
 
     def __init__(

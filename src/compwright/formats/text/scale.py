@@ -1,7 +1,7 @@
 """Convert numbers in the control's text to mm or deg and back, without rounding.
 
-Reading uses decimal arithmetic, writing whole counts of the last decimal place, so a number that is
-written is read back unchanged.
+Numbers are read as decimals and written as whole multiples of the last decimal place. So a number
+that is written is read back unchanged.
 """
 
 from __future__ import annotations
@@ -40,7 +40,8 @@ class NotHeld(ValueError):  # noqa: N818 - it says what is the matter, and never
 class NumberScale:
     """Unit, sign and decimal places of the numbers of one axis in the control's text.
 
-    ``choices``: the neutral values on which signs depend.
+    ``choices``: the settings in the files on which signs depend, each with the meaning of its
+    value.
     """
 
     definition: Definition
@@ -68,7 +69,8 @@ class NumberScale:
     def range(self, quantity: str) -> tuple[float, float]:
         """Return the smallest and largest value of a quantity in mm or deg.
 
-        For an error: with the sign of the correction.
+        If the control stores errors, the range is that of the correction, which has the opposite
+        sign.
         """
         binding = self.definition.measure(quantity)
         factor = float(self.factor(quantity))
@@ -100,7 +102,7 @@ class NumberScale:
         ``position``: that of the table point, because some tables contain actual positions instead
         of corrections.
 
-        Raises NotHeld when the decimal places or the range do not allow it.
+        Raises NotHeld if the value needs more decimal places or is outside the range.
         """
         binding = self.definition.measure(quantity)
         count = self._count(quantity, value)

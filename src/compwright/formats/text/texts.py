@@ -1,8 +1,8 @@
 """Read the bytes of a control's file as statements, with the byte position of each value.
 
-Characters are read one byte each, so that comments in any 8-bit character set survive and spans fit
-the original. A line that looks like a known statement but cannot be read is a fault; if the
-definition states it, every line has to be readable.
+One byte is read as one character. So comments in any 8-bit character set stay as they are, and
+positions in the text are byte positions in the file. A line that looks like a known statement but
+cannot be read is a fault. If the definition says so, every line that cannot be read is a fault.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ KEPT_TEXTS, KEPT_READERS = 256, 16
 class TextLine(NamedTuple):
     """One line without its line end.
 
-    ``start``: its place in bytes; ``ended``: whether a line end follows.
+    ``start``: the byte at which it begins. ``ended``: whether a line end follows.
     """
 
     number: int
@@ -63,7 +63,7 @@ class TextLine(NamedTuple):
 class ReadText:
     """The statements of one file.
 
-    ``number`` is its index among the files that were given; ``sections`` the names of all sections
+    ``number``: the index of the file among the given files. ``sections``: the names of all sections
     in it.
     """
 
@@ -79,7 +79,8 @@ def no_text(content: bytes) -> str:
     """Return for a file that is no text of a control what it is instead: two bytes per character,
     or binary.
 
-    By its byte order mark, or if every second byte of its beginning is 0.
+    A file has two bytes per character if it begins with such a byte order mark, or if every second
+    byte of its beginning is 0.
     """
     head = content[:_HEAD]
     halves = head[::2], head[1::2]
@@ -130,9 +131,9 @@ class TextReader:
         """Return a pattern of words, of which every relevant line contains at least one; None if
         every line has to be read.
 
-        In every line of a kind that is a statement with one of them, or looks like one.
-
-        Used to skip lines quickly: an archive has a thousand others for each of them.
+        Every line that is a statement of this kind of text, or looks like one, contains one of the
+        words. The pattern serves to skip lines quickly: in an archive only one line of a thousand
+        is relevant.
         """
         matchers = self.of(kind)
         if kind.other_lines_refused or any(matcher.number is not None for matcher in matchers):
@@ -360,7 +361,7 @@ class _KindReader:
         """Return False if a line resembles statements, but only such of other sections of the file;
         True for all other lines.
 
-        A key of the same name in another section is another key.
+        A key of the same name in another section has another meaning.
         """
         similar = [matcher for matcher in self.matchers if matcher.head and matcher.head in probe]
         return not similar or any(self._here(matcher) for matcher in similar)
@@ -377,7 +378,9 @@ class _KindReader:
     ) -> Iterator[Finding]:
         """Check the end of a file for signs that the file was cut short.
 
-        Without its end mark it may have been; if it ends within a number, it cannot be trusted.
+        A missing end mark is a finding, because the file may have been cut short. If such a text
+        ends with a statement without a line end, that is a fault, because its number may be
+        incomplete.
         """
         final = lines[last - 1] if last else None
         marked = final is not None and self._code(final).strip(" \t").upper() in self.kind.ends_with

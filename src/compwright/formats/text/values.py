@@ -43,9 +43,9 @@ class Values:
         """Return the line whose value of a quantity is in effect; all files must state the same
         value. Unless ``quiet``, report a value that one file states repeatedly and differently.
 
-        Within a file the first, the last, or any if all have to be the same, as the binding states.
-        None if there is none, or if values contradict each other, which is a fault at file and line
-        of the second.
+        The definition states which value of one file is in effect: the first, the last, or any if
+        all must be the same. None is returned if there is no value. If values contradict each
+        other, None is returned and a fault is added with file and line of the second one.
         """
         if len(places) < 2:
             return places[0] if places else None
@@ -87,7 +87,7 @@ class Values:
         """Return the meaning, such as "no", of the value that the files state for a setting with a
         few possible values; None if unknown.
 
-        A text that the definition does not know is a fault at its line.
+        If the definition does not list the value, a fault is added at its line.
         """
         binding = self.definition.bindings.get(quantity)
         if found is None or not isinstance(binding, Choice):
@@ -108,7 +108,7 @@ class Values:
         """Return the meaning of a text for a setting with a few possible values, upper or lower
         case; None if the definition does not list the text.
 
-        A number that represents a word may be rounded.
+        A number in the definition's list also matches a text that is the same number rounded.
         """
         for known, word in binding.values.items():
             if same_value(known, text):
@@ -123,7 +123,7 @@ class Values:
         definition requires a report (and ``tell``), list the default as an assumption; ``meaning``:
         the quantity in words.
 
-        The rule requires nothing, an assumption, or an assumption with a warning.
+        The definition requires no report, an assumption, or an assumption with a warning.
         """
         absent = self.definition.bindings[quantity].when_absent
         if absent is None:

@@ -1,11 +1,11 @@
 """The only code that accesses the file system. It writes files completely or not at all.
 
-What a command writes goes from old to new as one (`transaction`); a failure on the way puts back
-what was there before, and where the process itself was stopped, the next one that reads or writes
-there does (`recovery`).
+The files that a command writes replace the old ones all together (`transaction`). If this fails,
+the old files are restored. If the process itself was stopped, the next command that reads or writes
+there restores them (`recovery`).
 
-What a command has read is never overwritten or deleted by it, whatever name leads there: the
-`Session` that every function takes which reads, writes or looks for what was left unfinished.
+A file that a command has read is never overwritten or deleted by it, under whatever name. The
+`Session` records these files; every function that reads, writes or restores files takes it.
 """
 
 from compwright.foundations.storage.hindrances import refuse_overwriting

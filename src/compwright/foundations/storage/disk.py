@@ -41,8 +41,8 @@ def write_new(path: Path, content: bytes) -> None:
 def sync_folder(folder: Path) -> None:
     """Wait until the file names in a folder are stored on the disk. Raises OSError.
 
-    Windows opens no folders and keeps the order of what is done to names itself (NTFS); a file
-    system that knows no such thing is left to its own order too.
+    Nothing is done on Windows, which cannot open folders and itself keeps the order of changes to
+    names (NTFS). Nothing is done on a file system without this operation either.
     """
     if not hasattr(os, "O_DIRECTORY"):
         return

@@ -1,9 +1,10 @@
 """The journal of planned file changes; with it, the next command restores an interrupted change.
 
-While files are written, each folder contains a folder `UNFINISHED`. It holds the lock, the new
-files (``0.new``, ``1.new``, ..), the earlier ones (``0.old``, ..) and the journal, in which files
-have the number of their place in the list. The journal of the first folder decides for all: as
-long as it exists, the earlier files count. The journals of the other folders name the first one.
+While files are written, each folder contains a temporary folder `UNFINISHED`. This contains the
+lock, the new files (``0.new``, ``1.new``, ..), the old files (``0.old``, ..) and the journal. The
+number of a file is its index in the journal's list. The journal of the first folder decides for all
+folders: as long as it exists, the old files are valid. The journals of the other folders name the
+first folder.
 """
 
 from __future__ import annotations
@@ -35,8 +36,9 @@ class JournalEntry:
     """A file that the change writes (``digest``: SHA-256 of the new bytes), or removes if it has no
     ``digest``.
 
-    ``name``: below the folder, with ``/``; ``there``: whether something stood there before, and
-    ``earlier`` the sha256 of its bytes, empty where it was no file or could not be read.
+    - ``name``: the path below the folder, with ``/``.
+    - ``there``: whether something existed under this name before.
+    - ``earlier``: SHA-256 of the old bytes; empty if it was no file or could not be read.
     """
 
     name: str
@@ -49,8 +51,11 @@ class JournalEntry:
 class Journal:
     """The planned changes of the files in one folder.
 
-    ``made``: folders below it that are made for it; ``parts``: the other folders that take part, or
-    ``first``, the one that decides; both named from this folder.
+    - ``made``: folders below it that are created for the change.
+    - ``parts``: in the journal that decides, the paths of the other folders of the change.
+    - ``first``: in the other journals, the path of the folder whose journal decides.
+
+    All paths are relative to this folder.
     """
 
     key: str
@@ -109,8 +114,8 @@ def put_journal(folder: Path, journal: Journal) -> None:
 def read_journal(folder: Path) -> Journal | None:
     """Return the journal of a folder, or None if there is no journal.
 
-    Raises DamagedError for one that names files outside of the folder or is not as it was written,
-    OSError where it cannot be read.
+    Raises DamagedError if the journal is damaged or names files outside of the folder. Raises
+    OSError if it cannot be read.
     """
     staging = folder / UNFINISHED
     try:
@@ -134,7 +139,8 @@ def read_journal(folder: Path) -> Journal | None:
 def _has_both(staging: Path) -> bool:
     """Return whether the temporary folder contains both old and new files.
 
-    That is so only while there is a journal: it has not come along with a copy.
+    This is possible only while there is a journal. If there is none, the folder is an incomplete
+    copy.
     """
     try:
         kinds = {name.partition(".")[2] for name in os.listdir(staging) if is_ours(name)}  # noqa: PTH208

@@ -18,8 +18,8 @@ from compwright.foundations.storage.recovery import put_right_above, put_right_i
 def list_files(session: Session, path: Path) -> list[Path]:
     """Return ``[path]`` for a file, or the files in a folder by name. Hidden ones are left out.
 
-    What is no ordinary file (a pipe, a link to nowhere) is listed too: `read_bytes` says so. Raises
-    InputError when the folder cannot be listed.
+    Entries that are no ordinary files (a pipe, a link to nowhere) are listed too; `read_bytes`
+    raises an error for them. Raises InputError if the folder cannot be listed.
     """
     put_right_in(session, path, InputError)
     try:
@@ -68,9 +68,8 @@ def folders_holding(
     """Return those folders in ``top`` (at any depth) that contain a file with one of ``names``, and
     a fault for each unreadable folder.
 
-    In the order of their names; hidden folders and links to folders are left out.
-
-    Raises InputError where ``top`` is no folder.
+    The folders are sorted by name. Hidden folders and links to folders are left out. Raises
+    InputError if ``top`` is no folder.
     """
     if not is_folder(top):
         raise InputError(

@@ -1,8 +1,8 @@
 """A lock so that two running processes never write into the same folder at once.
 
-It is held on a file in the folder of what is unfinished and goes with the process, however that
-ends: with ``flock`` on POSIX, with ``msvcrt.locking`` on Windows. A file system that has no locks
-is written to without one.
+It is the lock of a file in the temporary folder, with ``flock`` on POSIX and ``msvcrt.locking`` on
+Windows. The system releases it when the process ends, for whatever reason. On a file system without
+locks, files are written without one.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ def take(staging: Path, *, make: bool = False, patience: float = PATIENCE) -> Lo
     """Return the lock of the temporary folder ``staging``, as soon as no other process has it.
     ``make``: make the folder if it is missing; ``patience``: the longest time to wait, s.
 
-    Raises TimeoutError where another process holds it longer, else OSError.
+    Raises TimeoutError if another process has the lock for longer, and OSError for other failures.
     """
     until = monotonic() + patience
     while True:

@@ -43,7 +43,7 @@ def relative(path: Path, folder: Path) -> str:
 def way_to(path: Path, folder: Path) -> str:
     """Return ``path`` relative to ``folder``, with ``/``; links are resolved before comparison.
 
-    Whole where there is no such way (another drive). The folder need not be there yet.
+    The path is absolute if there is no relative one (another drive). The folder need not exist yet.
     """
     plain = path.name not in {"", ".."}
     whole = resolved(path.parent) / path.name if plain else resolved(path)
@@ -54,7 +54,7 @@ def named_from(folder: Path, name: str) -> Path:
     """Return the path of the file ``name`` in ``folder``. Parts ``..`` are removed if the shorter
     path leads to the same file.
 
-    Without the way into the folder and out of it again, which may not be there yet.
+    They are also removed if the file does not exist: a folder on the longer path may not exist yet.
     """
     path = folder / name
     if ".." not in Path(name).parts:

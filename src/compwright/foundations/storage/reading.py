@@ -27,9 +27,10 @@ _NO_WAITING = (
 def read_bytes(session: Session, path: Path, kind: InputKind = ANY) -> bytes:
     """Return the bytes of a file, or of a pending one, and record the file as an input.
 
-    Raises InputError when it is missing, cannot be read, is no ordinary file (a pipe or device
-    could be waited for without end), is larger than any file of its ``kind`` or plainly of another
-    kind; UsageError where a job, profile, definition or virtual machine was expected.
+    Raises InputError if the file is missing or cannot be read, is no ordinary file (reading a pipe
+    or device might never end), is larger than allowed for its ``kind``, or is clearly of another
+    kind. In the last case the error is a UsageError if a job, profile, definition or virtual
+    machine was expected.
     """
     pending = session.pending.get(path)
     if pending is not None:
@@ -85,7 +86,7 @@ def _at_most(stream: BinaryIO, size: int, count: int) -> bytes:
     """Return up to ``count`` bytes of a stream. Raises OSError if the stream has no data at once,
     such as an empty pipe.
 
-    ``size``: of the file as it states it; no more memory is taken unless there is more to read.
+    ``size``: the size that the file states. More memory is reserved only if there is more to read.
     """
     content = b""
     for most in (size + 1, count - size - 1):
@@ -102,7 +103,7 @@ def earlier_bytes(session: Session, path: Path) -> bytes:
     """Return the bytes of an earlier result, or b"" if there is no such file. The file is not
     recorded as an input of the session.
 
-    Raises InputError where a stopped command left it half-written and that cannot be put right.
+    Raises InputError if an interrupted command left the file incomplete and it cannot be restored.
     """
     put_right_above(session, path, InputError)
     return bytes_as_they_are(path)

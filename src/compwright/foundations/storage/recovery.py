@@ -1,9 +1,8 @@
 """Restore files after an interrupted command, at the next command that uses the folder.
 
-As long as the journal exists, the earlier files count: new files are removed, earlier ones put
-back, then the journal is removed. Each step can be repeated, so a recovery may be stopped too. All
-new files are removed before the first earlier one is put back: a folder never shows old and new
-files together.
+As long as the journal exists, the old files are valid. First all new files are removed, then the
+old files are put back, then the journal is removed. So a folder never shows old and new files
+together. Each step can be repeated, so a recovery may be interrupted too.
 """
 
 from __future__ import annotations
@@ -51,8 +50,8 @@ def put_right_above(session: Session, path: Path, error: type[CompwrightError]) 
     """Restore the files of interrupted processes in the folder of ``path`` and its parents, once
     per session. If that is impossible for ``path``, raise an error of the class ``error``.
 
-    Raises ``error`` where that is impossible and ``path`` is a file that would have to be put back,
-    or a folder with such a file directly in it.
+    The error is raised only if ``path`` is a file that would have to be restored, or a folder that
+    directly contains such a file.
     """
     folder = os.path.dirname(os.path.abspath(path))  # noqa: PTH100, PTH120 - for every file read
     if folder not in session.searched:
@@ -138,8 +137,8 @@ def _take_back(session: Session, folder: Path) -> None:
 def _sweep(folder: Path) -> None:
     """Remove temporary files that belong to no journal, except those of a running process.
 
-    Prepared and never used, or left after the end; and those that cannot be removed: they do no
-    harm.
+    Such files were prepared but not used, or were left after a completed change. Files that cannot
+    be removed stay, because they do no harm.
     """
     with suppress(OSError):
         lock = take(folder / UNFINISHED, patience=0.0)
@@ -215,7 +214,8 @@ def _take_back_undone(session: Session, first: Path, folder: Path, journal: Jour
     """Undo an incomplete change of files in several folders. ``first``: the folder with the main
     journal of the change.
 
-    A copy of a part, of which it knows nothing, before that by itself.
+    If the main journal does not list ``folder``, this is a copy of one of the folders. Its change
+    is then undone first, separately.
     """
     deciding = read_journal(first)
     known = () if deciding is None else tuple(_parts(first, deciding))
@@ -270,8 +270,8 @@ def withdraw(sets: Sequence[Set]) -> None:
     """Undo a change of files in several folders: restore their old files, then remove the journals.
     ``sets``: the folders, each with its journal.
 
-    Raises NotPutRightError, and nothing was done, where a file was changed since or an earlier one
-    did not come along; OSError.
+    Raises NotPutRightError, before anything is changed, if a file was changed since or an old file
+    is missing. Raises OSError.
     """
     faults = [
         fault
@@ -334,8 +334,8 @@ def _lost_since(folder: Path, journal: Journal) -> Iterator[Fault]:
     """Yield a fault for each old file (kept in the temporary folder until the change is complete)
     that is now missing or damaged.
 
-    Of a folder that is copied or synchronised the files come one by one, and not all of them may
-    have come.
+    This happens in a folder that is being copied or synchronised: its files arrive one by one, and
+    some may be missing.
     """
     for number, entry in enumerate(journal.entries):
         target, kept = folder / entry.name, old_file(folder, number)

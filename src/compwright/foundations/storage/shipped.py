@@ -27,7 +27,7 @@ def reference_files(session: Session) -> dict[str, bytes]:
 def _shipped(session: Session, folder: str, pattern: str = "*.yaml") -> Iterator[tuple[str, bytes]]:
     """Yield name and bytes of the files in a folder that is installed with compwright.
 
-    Next to the code in an installed wheel, at the top of a source checkout.
+    In an installed wheel the folder is in the package, in a source checkout it is at the top.
     """
     package = Path(__file__).resolve().parents[2]
     for place in (package / folder, package.parents[1] / folder):

@@ -1,10 +1,10 @@
 """Replace several files together, all or none, even if the process is stopped.
 
-What is written waits in a folder of ours, on the disk, before anything is touched. Then a journal
-is put there by one rename, earlier files are moved to it, new ones to their places, and the removal
-of the journal is the one moment at which all of it has happened. Stopped before, the next command
-takes it back (`recovery`); so does this one after an error or Ctrl-C. One file whose folder is
-there needs no journal: it is one rename.
+The new files are first written to a temporary folder and synced, before any other file is changed.
+Then the journal is put there by one rename. The old files are moved there, then the new files are
+moved to their places. The removal of the journal completes the change. If the process is stopped
+before, the next command undoes the change (`recovery`). After an error or Ctrl-C this command
+itself undoes it. A single file in an existing folder needs no journal: one rename is enough.
 """
 
 from __future__ import annotations
@@ -51,8 +51,9 @@ def put(
     """Write ``targets`` (path to bytes) and remove the paths ``removed``, all or nothing. ``check``
     is called just before that, and raises an error if a file was changed in the meantime.
 
-    ``folder``: the one that decides, where any of them lies below it. During ``check`` no other
-    process can write there any more. Raises StorageError; then everything is as it was before.
+    ``folder``: the folder whose journal decides, if any of the files is below it. During ``check``
+    all folders are locked, so no other process can write there. Raises StorageError; then
+    everything is as it was before.
     """
     try:
         parts = _parts(folder, targets, removed)
@@ -234,8 +235,8 @@ class _Work:
     def _move(self) -> None:
         """Move all old files to the temporary folders, then the new files to their places.
 
-        The first step is synced before the second begins: a disk that changes the order could lose
-        an earlier file under a new one.
+        The first step is synced before the second one begins. Otherwise the disk could store the
+        changes in another order, and an old file could be lost under a new one.
         """
         for folder, journal in self.sets:
             for number, entry in enumerate(journal.entries):

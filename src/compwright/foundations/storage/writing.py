@@ -35,15 +35,20 @@ def write_files(
     to their own paths, all or none. The other arguments state which existing files are replaced,
     removed or kept.
 
-    ``known``: whether an earlier run wrote an existing file; any other file is the user's and is
-    not replaced. ``whole``: folders below ``folder`` that contain exactly these files afterwards;
-    ``renewed``: folders in which the user may keep files; ``completed``: files of an earlier
-    command that this one replaces without ``force``. Further known files directly in these folders
-    are removed with ``force``, and so are ``outdated`` files, which no longer fit the new ones;
-    unknown files stay, and in a ``whole`` folder they stop the writing. Returns the paths in the
-    order given. Raises StorageError when a file exists (unless ``force``), was read by this command
-    or is unknown, for missing permission, for a full disk and for a name that leads out of
-    ``folder``; then everything is as before, replaced files included.
+    - ``known``: a function that returns whether an earlier run wrote an existing file, given its
+      name and bytes. Any other file is the user's and is not replaced.
+    - ``whole``: folders below ``folder`` that contain only new files afterwards. Another file in
+      them is an error, unless it is known and ``force`` is true.
+    - ``renewed``: folders in which the user may keep files.
+    - ``completed``: files of an earlier command that are replaced even without ``force``.
+    - ``outdated``: files that no longer fit the new ones.
+
+    With ``force``, outdated files and further known files directly in the ``whole`` and ``renewed``
+    folders are removed. Returns the paths in the given order.
+
+    Raises StorageError if a file exists (unless ``force``), was read by this command or is the
+    user's. Raises it also for missing permission, a full disk, and a name that leads out of
+    ``folder``. After an error all files are as before, replaced ones included.
     """
     below = {_below(folder, name): name for name in files}
     _put_right(session, folder, [*below, *(elsewhere or ())], [*whole, *renewed])
@@ -80,7 +85,8 @@ def _put_right(session: Session, folder: Path, paths: Sequence[Path], names: Seq
     """Restore files of interrupted commands in the folders of ``paths``, and in the folders
     ``names`` below ``folder``, before these are written to.
 
-    Another look is taken, for one may have been stopped meanwhile.
+    Folders that were searched before are searched again, because another command may have been
+    interrupted in the meantime.
     """
     session.search_again()
     for path in paths:
