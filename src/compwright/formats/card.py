@@ -1,7 +1,7 @@
 """Steps of the commissioning card: how to load a table into the control, and what to check if it
 has no effect.
 
-Sentences of the definition with their evidence.
+The steps are sentences of the control's definition, with their evidence.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ class CardStep:
     """One step of the commissioning card: title, text, evidence for the text, and a table of the
     values that differ between axes.
 
-    ``rows``: values that differ by axis, under ``heads``; the text refers to a column as
-    ``‹head›``.
+    ``heads``: headings of the columns of this table. ``rows``: its rows, one per axis. The text
+    refers to a column as ``‹head›``.
     """
 
     title: str
@@ -62,9 +62,9 @@ def card_steps_of_all(
     """Return the commissioning card's steps for several ``axes``, each given with its texts by
     field name. ``rules``: the steps to return (None: all steps of the definition).
 
-    The texts of each axis fill the ``{name}`` fields of the steps (see `AxisCard`); a missing one
-    reads "(not known)"; a step without any text is left out. A text that is the same for all axes
-    is printed once; short values that differ go into a table with a row per axis.
+    The texts of each axis fill the ``{name}`` fields of the steps (see `AxisCard`). A missing text
+    reads "(not known)". A step without any text is left out. A text that is the same for all axes
+    is printed once. Short values that differ are put into a table with a row per axis.
     """
     known = [{**axis_values(definition, axis), **values} for axis, values in axes]
     return tuple(
@@ -179,7 +179,8 @@ def points_needed(control: ResolvedDefinition, table: AxisCompensation) -> int |
     """Return how many points the control must reserve for a table; None if it has nothing to
     reserve.
 
-    None if it reserves none, or if its files show that it has them.
+    It has nothing to reserve if this control never reserves points. The same applies if its files
+    show that it has reserved enough points, and the table has one curve.
     """
     reserves = any(
         control.definition.limit(limit) is not None for limit in ("points_reserved", "max_points")
@@ -197,9 +198,10 @@ def look_at(
     """Return the sentences on what the user has to check at the control, by the verdict on how the
     table was loaded (such as inverted or not active).
 
-    ``compensation``: the table that was to be loaded, which decides between texts for one and for
-    two curves. A sentence that no manual confirms says so. ``loaded``: the check that the planned
-    table is active, if the test would show the same with another one.
+    ``compensation``: the table that was to be loaded. It decides between texts for one and for two
+    curves. A sentence that no manual confirms is marked as such. The verdict ``loaded`` has
+    sentences too, because a test may show the same with another table. They tell how to check that
+    the planned table is active.
     """
     values = axis_values(control.definition, axis)
     pair = not np.array_equal(compensation.positive, compensation.negative)

@@ -1,7 +1,8 @@
-"""Read a definition from YAML. All faults are reported at once, with file, line and key path.
+"""Read the definition of a control from YAML. All faults are reported at once, with file, line and
+key path.
 
-A missing key is an error, never a default; an unknown key is an error too. The keys are explained
-in docs/definition-keys.md.
+A missing key is an error and never replaced by a default. An unknown key is an error too. The keys
+are explained in docs/definition-keys.md.
 """
 
 from __future__ import annotations
@@ -40,9 +41,9 @@ def load_definition(
     """Return the definition in a YAML file, merged with the definition that it ``extends``, which
     ``find`` looks up. ``own``: the file belongs to the user, not to compwright.
 
-    ``file`` is the name for messages. Raises InputError with every fault: not YAML, newer schema,
-    missing or unknown key, wrong type, a value outside its closed list, parts that do not fit
-    together; each names the text that contains it.
+    ``file``: the file name for messages. Raises InputError with every fault: not YAML, newer
+    schema, missing or unknown key, wrong type, a value outside its closed list, parts that do not
+    fit together. Each fault names the file that contains it.
     """
     return definition_of(texts_of(content, file, find), own=own)
 
@@ -52,7 +53,7 @@ def definition_of(texts: Texts, *, own: bool = False) -> Definition:
     """Return the definition made of ``texts``: first its own YAML text, then the texts that it
     extends. ``own``: the files belong to the user, not to compwright.
 
-    Raises as `load_definition`.
+    Raises the same errors as `load_definition`.
     """
     return definition_in(merged(texts), texts if own else ())
 
@@ -84,7 +85,7 @@ def definitions_from(files: Iterable[tuple[str, bytes]]) -> dict[str, Definition
     """Return the definitions in ``files`` (name, bytes) by id, except definitions that only serve
     as a base for others.
 
-    Raises InputError with the faults of all files, and when two files give the same id.
+    Raises InputError with the faults of all files, and if two files give the same id.
     """
     given = dict(files)
     found: dict[str, Definition] = {}

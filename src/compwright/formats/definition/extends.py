@@ -1,8 +1,8 @@
 """Merge a definition that states only its differences from another definition with that definition;
 the result is checked later.
 
-The rules are in docs/formats.md: mappings are merged key by key, everything else (lists too) is
-replaced whole; ``without`` removes keys of the extended text before the merge.
+The rules are in docs/formats.md. Mappings are merged key by key. Everything else, lists included,
+is replaced as a whole. ``without`` removes keys of the extended text before the merge.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class DefinitionText:
         """Return a fault at a key of the definition, with the file and line of this key or, if it
         is missing, of the nearest existing key that should contain it.
 
-        ``place``: shown instead of the path.
+        ``place``: text that is shown instead of the key path.
         """
         probe = path
         while probe and probe not in self.places:

@@ -62,9 +62,10 @@ def resolve_options(
     control's files (``state``), else the default. ``strict``: the user stated each value of
     ``given``, so one that contradicts the files is a fault.
 
-    ``given`` may hold text from the command line (``"0.001"``, ``"3,4"``). From a ``state``, only
-    options that the control's files answer for all axes alike (such as the unit) are taken. Raises
-    UsageError with every fault: unknown option, wrong type, contradiction to the control's files.
+    ``given`` may contain text from the command line (``"0.001"``, ``"3,4"``). An option is taken
+    from ``state`` only if the control's files give the same value for all axes (such as the unit).
+    Raises UsageError with every fault: unknown option, wrong type, contradiction to the control's
+    files.
     """
     faults: list[Fault] = []
     known = [*definition.options, REFERENCE, REFERENCE_RETURN, KIND]
@@ -115,13 +116,12 @@ def axis_options(
     *,
     unit_needed: bool = True,
 ) -> Mapping[str, object]:
-    """Return the options of one axis by name; an option that the job does not state for the axis
-    has its value for the whole control (``resolved``). ``unit_needed``: a missing required value is
-    an error.
+    """Return the options of one axis by name. An option that the job does not state for the axis
+    has its value for the whole control (``resolved``).
 
-    ``axis`` None: an axis without a job. ``unit_needed``: False while files that may hold a
-    required value are not read yet. Raises UsageError with every fault: unknown option, wrong
-    value, a required value that is missing.
+    ``axis``: None for an axis without a job. ``unit_needed``: a missing required value is an error;
+    False as long as files that may contain the value are not read. Raises UsageError with every
+    fault: unknown option, wrong value, a required value that is missing.
     """
     faults: list[Fault] = []
     values = dict(resolved)
@@ -209,11 +209,11 @@ def describe_options(definition: Definition) -> tuple[str, ...]:
 def resolved_number(
     definition: Definition, name: str, options: Mapping[str, object], fact: object
 ) -> int | None:
-    """Return a whole number that an option, the control's files (``fact``), or both can state; if
-    both state it, the option's rule decides which applies. None if neither states it.
+    """Return a whole number that an option, the control's files (``fact``), or both can state. None
+    if neither states it.
 
-    ``fact`` has priority unless the option's rule states otherwise. A fact of 0 means that nothing
-    is reserved yet; that is no limit.
+    If both state it, ``fact`` applies, unless the option's rule gives priority to the option. A
+    fact of 0 means that nothing is reserved yet, which is no limit.
     """
     given = options.get(name)
     rule = definition.options[name]

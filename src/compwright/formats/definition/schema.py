@@ -79,7 +79,7 @@ class Dialect:
     """Rules for every line of a control's files: line ends, upper and lower case, block numbers and
     checksums.
 
-    ``blanks_anywhere``: blanks are allowed between any two parts of a line that is read.
+    ``blanks_anywhere``: when a line is read, blanks are allowed between any two of its parts.
     """
 
     newline: str
@@ -95,9 +95,9 @@ class Dialect:
 class TextKind:
     """The rules by which the lines of one kind of file are read.
 
-    ``recognised_by`` names a statement that such a file contains (None: any text). A line that
-    contains a ``claims_anywhere`` word or begins with a ``claims_at_start`` word has to be
-    readable. ``other_lines_refused``: every line has to be readable.
+    ``recognised_by``: name of a statement that such a file contains; None: any text.
+    ``claims_at_start``, ``claims_anywhere``: words. A line that begins with, or contains, such a
+    word must be readable. ``other_lines_refused``: every line must be readable.
     """
 
     name: str
@@ -143,7 +143,8 @@ class Absent:
 class Binding:
     """Where a quantity such as the backlash is in the files: its statement and field.
 
-    ``repeated``: which repetition counts within a file; between files they must agree.
+    ``repeated``: which of several values within one file counts. Values in several files must
+    agree.
     """
 
     quantity: str
@@ -158,10 +159,10 @@ class Binding:
 class Measure(Binding):
     """A quantity that is a length or an angle: unit, sign and range of its number in the files.
 
-    ``sign`` may depend on a choice; ``range`` bounds position, correction or backlash in ``unit``.
-
-    ``sign_option``: the option whose value is the sign, where no file states it. ``typed``: how the
-    card prints it, with the control's parameter, number and unit.
+    ``sign_by``, ``signs``: the choice on which the sign depends, and the sign for each of its
+    values. ``sign_option``: the option that states the sign if no file does. ``range``: smallest
+    and largest position, correction or backlash, in the unit of the file. ``typed``: the card's
+    text of the value, with the control's parameter, number and unit.
     """
 
     linear_unit: str | OptionValue
@@ -206,8 +207,8 @@ class Layout:
     """How a table is arranged in the files: its shape, its value columns, and the correction below
     its first and above its last point.
 
-    ``shape``: a key of ``RULES`` in `families.shapes`; ``singles``: quantities outside the rows,
-    one value each.
+    ``shape``: a key of ``RULES`` in `families.shapes`. ``singles``: quantities that have one value
+    each, outside the rows.
     """
 
     shape: str
@@ -244,8 +245,8 @@ class DiameterRule:
     """Whether the tables of an axis programmed in diameter count in radius, and the card's text
     about such an axis.
 
-    ``tables``: they count in radius whatever programs count in, or this is unknown. ``card``: the
-    card's text for such an axis (``{name}``).
+    ``tables``: ``radius``, whatever the programs count in, or ``unconfirmed``. ``card``: the card's
+    text for such an axis, with the field ``{name}``.
     """
 
     tables: DiameterTables
@@ -267,11 +268,10 @@ class ParameterRule:
 class OptionRule:
     """One option of a definition: its type, default, choices, effect, and evidence.
 
-    ``settled_by``: the quantity in the control's files that answers it; ``option_wins`` if both
-    differ.
-
-    ``whole_control``: it cannot be set for one axis. ``asked``: for a number that every axis needs,
-    the text of the question if it is not given; None: the default is used.
+    ``settled_by``: the quantity in the control's files that answers the option. ``option_wins``: if
+    both are given and differ, the option applies. ``whole_control``: the option cannot be set for
+    one axis. ``asked``: the text of the question if a number that every axis needs is not given;
+    None: the default is used.
     """
 
     name: str
@@ -291,10 +291,8 @@ class WrittenFile:
     """A template for one file to be written: its name, its lines before and after the table, and
     the statement for each table row.
 
-    ``rows`` None: the file has no table.
-
-    ``optional``: not part of the set, but a second form of the same values, on request. ``when``:
-    the tables that it is for.
+    ``rows``: None for a file without a table. ``optional``: the file is a second form of the same
+    values, which is written only on request. ``when``: the kind of tables that the file is for.
     """
 
     name: str
@@ -311,7 +309,7 @@ class WrittenFile:
 class CardRule:
     """One step of the commissioning card, as text with ``{name}`` fields.
 
-    ``two_curves``: its text if each direction has its own table.
+    ``two_curves``: the text of the step if each direction has its own table.
     """
 
     title: str
@@ -324,7 +322,7 @@ class CardRule:
 class LookRule:
     """A sentence on what to check at the control, with ``{name}`` fields.
 
-    ``two_curves``: its text if each direction has its own table.
+    ``two_curves``: the sentence if each direction has its own table.
     """
 
     text: str
@@ -359,15 +357,16 @@ class Expectation:
 class Definition:
     """All facts about the compensation files of one control.
 
-    Compared by identity: its compiled forms are cached with it.
+    Two definitions are equal only if they are the same object, because compiled patterns are cached
+    with the definition.
 
-    ``maker``: the control's maker, the heading of lists; empty where unknown. ``aliases``: further
-    names by which users look for it; other definitions may have the same. ``parameters``: those in
-    addition to the table, by the names that the family of its shape uses. ``look_at``: by verdict
-    of loading, what to check; empty where the definition does not state it. ``restore``: steps that
-    bring the old values back, by file and parameter; empty where it does not state them. ``text``:
-    the place of each key, for faults. ``own``: of a user's definition, its text and what it
-    extends; empty for those that ship.
+    ``maker``: maker of the control, used as a heading in lists; empty if unknown. ``aliases``:
+    further names by which users look for the control; several definitions may have the same alias.
+    ``parameters``: parameters in addition to the table, by the names that the family of the shape
+    uses. ``look_at``: what to check, by the verdict on loading; empty if not stated. ``restore``:
+    steps that bring the old values back, by file and parameter; empty if not stated. ``text``: file
+    and line of each key, for faults. ``own``: the texts of a user's own definition and of those
+    that it extends; empty for a definition of compwright.
     """
 
     id: str

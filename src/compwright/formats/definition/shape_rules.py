@@ -19,9 +19,9 @@ AXIS: Final = r"(?:[A-Za-z]{1,2}|AX|M[AXSC]_?[A-Z]?|CA_?[A-Z]|SP)[0-9]{0,2}"
 class KeptLines:
     """Patterns of the lines that stay in a copy without private names, for tables of one shape.
 
-    ``whole``: lines that may stay unchanged. ``naming``: lines of numbers, marks and names; a name
-    is private unless it is an axis name. ``first``: first lines that identify the shape, whatever
-    else they contain.
+    ``whole``: lines that may stay unchanged. ``naming``: lines of numbers, marks and names; in them
+    a name is private unless it is an axis name. ``first``: first lines that identify the shape,
+    whatever else they contain.
     """
 
     whole: tuple[str, ...]
@@ -54,17 +54,21 @@ def _compiled(lines: tuple[str, ...]) -> re.Pattern[str]:
 class ShapeRules:
     """The rules for all definitions whose tables have the same shape in the files.
 
-    ``words``: the shape in words. ``grid``: the quantities that define the nodes. ``signs``:
-    quantities with a fixed sign, with the signs that a definition may state. ``row``: where
-    position and values of a node are: in one statement that has the position (``position``), a
-    field ``index`` (``index``), or only the values (``values``); None: each may be in a statement
-    of its own. ``by_axis``: a file belongs to one axis. ``columns``: every table has columns for
-    other axes, so that corrections between axes need nothing else. ``afresh``: files are always
-    written anew, never patched. ``parameters``: those in addition to the table whose meaning a
-    definition states. ``kept``: lines that `redact` may leave unchanged, in addition to the
-    definition's statements. ``repeats_turns``: the table of a rotary axis over several turns
-    repeats its turn. ``quantities``: those that only definitions of this shape bind, taken as
-    written. ``typed``: fields of its own that the text of a typed parameter may have.
+    - ``words``: description of the shape.
+    - ``kept``: lines that `redact` may leave unchanged, in addition to the definition's statements.
+    - ``grid``: quantities that define the table points.
+    - ``signs``: for each quantity with a fixed sign, the signs that a definition may state.
+    - ``row``: statement that contains position and values of a point. It has the position
+      (``position``), a field ``index`` (``index``), or only the values (``values``). None: each may
+      be in a statement of its own.
+    - ``by_axis``: a file belongs to one axis.
+    - ``columns``: every table has columns for other axes, which contain the corrections between
+      axes.
+    - ``afresh``: files are always written anew, never patched.
+    - ``repeats_turns``: on a rotary axis that travels several turns, the table repeats one turn.
+    - ``quantities``: quantities that only definitions of this shape have; they are used as written.
+    - ``parameters``: parameters in addition to the table, whose meaning a definition must state.
+    - ``typed``: fields that only this shape allows in the text of a typed parameter.
     """
 
     words: str

@@ -1,8 +1,8 @@
 """Line templates of control files: one template serves to read a line and to write it.
 
-A form is literal text with ``{fields}``. A blank in it matches any blanks; next to brackets, commas
-and ``=`` blanks are optional, between words and numbers at least one is needed. Printing writes the
-form unchanged.
+A template (form) is literal text with ``{fields}``. When a line is read, a blank in the form
+matches any number of blanks. Next to brackets, commas and ``=`` blanks are optional. Between words
+and numbers at least one blank is needed. A line is written exactly in its form.
 """
 
 from __future__ import annotations
@@ -58,11 +58,9 @@ class Token(NamedTuple):
 class Occurrence(NamedTuple):
     """One line of a file that matches a statement, with the text of each field (``tokens``).
 
-    ``line`` counts from 1. ``tokens`` also contains the fields of the section that contains the
-    line.
-
-    ``form``: index of the statement's form, 0 for the one that is written, then those that are only
-    read. ``checksum``: a line checksum with the blanks before it.
+    ``line``: line number, from 1. ``tokens`` also contains the fields of the section header above
+    the line. ``form``: index of the matching form: 0 for the form that is written, more for forms
+    that are only read. ``checksum``: the checksum of the line, with the blanks before it.
     """
 
     statement: str
@@ -102,10 +100,8 @@ class Matcher:
     """The compiled templates of a statement: first the template for writing, then the templates
     that are only read.
 
-    ``section`` matches the section's name.
-
-    ``number``: the number with which such a line begins (``N00007``), without leading zeros; None
-    where the form has none.
+    ``section``: pattern of the section's name. ``number``: the number with which such a line begins
+    (``N00007``), without leading zeros; None if the template has none.
     """
 
     statement: Statement
@@ -136,9 +132,9 @@ def readable(form: str) -> str:
 
 
 def name_in_form(form: str) -> str:
-    """Return the parameter's name in a line template: ``$BACKLASH``, or ``7`` of ``N#00007Q1``.
+    """Return the parameter's name in a line template.
 
-    ``$BACKLASH``, or ``N#00007Q1(A{axis}P{value})*`` -> ``7``.
+    Examples: ``$BACKLASH`` is such a name; the name in ``N#00007Q1(A{axis}P{value})*`` is ``7``.
     """
     match = _NAME.match(form)
     return "" if match is None else match[1] or match[0]
@@ -152,7 +148,7 @@ def field_names(form: str) -> tuple[str, ...]:
 def print_form(form: str, values: Mapping[str, str]) -> str:
     """Return a line template with its fields filled in. Raises KeyError if a value is missing.
 
-    A repeating group is printed once.
+    A group that may repeat on the line is printed once.
     """
     return "".join(
         values[piece["field"]] if piece["field"] else piece["padded"] or piece[0]
@@ -174,7 +170,7 @@ def field_matches(kind: FieldType, text: str) -> bool:
 def plain_number(kind: FieldType, text: str) -> str:
     """Return the text of a field as a plain decimal number, such as ``0.015`` for ``1.5EX-2``.
 
-    TRUE and FALSE are 1 and 0; ``'H1'`` and ``'B1'`` are numbers of base 16 and 2.
+    TRUE is 1 and FALSE is 0. ``'H1'`` is a number of base 16, ``'B1'`` of base 2.
     """
     if kind == "truth" and text[0] not in "+-.0123456789":
         word = text.upper()

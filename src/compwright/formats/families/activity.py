@@ -1,8 +1,9 @@
 """Decide whether tables were active during a test if the control's files do not show it.
 
-The job's answer (`active`) holds only for what the files leave open. A table was active
-if the last value in the files activates it. A cross-axis table that they deactivate was not
-active if the leadscrew table of its axis was: one answer never covers two mechanisms.
+The job's answer (`active`) applies only where the files do not decide. A table was active if the
+last value in the files activates it. The files may deactivate a cross-axis table while the
+leadscrew table of its axis was active. Then the cross-axis table was not active: one answer never
+covers two mechanisms.
 """
 
 from __future__ import annotations
@@ -28,7 +29,8 @@ class Activity:
     nothing).
 
     ``asking``: the answer is required, because measurements depend on it. ``carried_out``: all
-    values of programs count, by the answer or because it was checked before.
+    assignments in programs count as executed. Either the job's answer says so, or it was checked
+    before.
     """
 
     stated: bool | None = None
@@ -42,7 +44,8 @@ class Activity:
         ``switches``: the name of its activation parameter; ``word``: the parameter's last value in
         the files (``yes``, ``no``, None: not stated), in the line ``place``.
 
-        None: neither the files nor the job state it, and no answer is required.
+        The result is None if the files do not activate the table and the job states nothing. If an
+        answer is required, ``notes`` then gets the question to the user.
         """
         during = control_text("{label}: compensation during the test", label=label)
         if word == "yes":

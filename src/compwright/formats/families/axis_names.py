@@ -1,8 +1,8 @@
 """The names of one machine axis in the control's files: by index (AX1), by machine (X1), by channel
 (X).
 
-Where the files list the names (SINUMERIK: MD10000, MD20080 with MD20070), all of them are one axis:
-the one that the job names by any of them. Without the list each name is an axis of its own.
+If the files list the names (SINUMERIK: MD10000, MD20080 with MD20070), they all mean the same axis.
+The job may name the axis by any of them. Without this list each name is an axis of its own.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ def axis_names(
     """Return the names of each machine axis in the files, such as AX1, X1 and X for one axis.
     ``wanted``: the axis addresses in a job or on the command line, which must be different axes.
 
-    Raises InputError where the files give one name to two axes, UsageError where two addresses are
-    one axis.
+    Raises InputError if the files give one name to two axes, UsageError if two addresses are the
+    same axis.
     """
     if "machine_axis" not in definition.bindings:
         return AxisNames()

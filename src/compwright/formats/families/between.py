@@ -20,7 +20,7 @@ _NO_SHIFT = 2e-6
 class FileReading(Protocol):
     """A function that reads the compensation from control files.
 
-    ``written``: compwright wrote them, so a contradiction is compwright's own fault.
+    ``written``: compwright wrote the files. A contradiction in them is then a fault of compwright.
     """
 
     def __call__(self, files: tuple[ControlFile, ...], *, written: bool = False) -> ControlState:
@@ -33,9 +33,10 @@ class FileReading(Protocol):
 class BetweenRequest:
     """A request to add corrections between axes to a control's files.
 
-    ``axes``: those of the job by name; ``tabled``: the names of those that get a table of their own
-    in ``tables``. ``base``: the control's own files with ``tables`` replaced. ``found``: the
-    control's own files as they were found.
+    ``planned``: the corrections. ``axes``: the job's axes by name. ``tables``: the new files with
+    tables of single axes; ``tabled``: names of the axes that have a table in them. ``found``: the
+    control's own files as they were found. ``base``: these files, with ``tables`` in place of those
+    of the same name. ``read``: reads the compensation from files.
     """
 
     planned: tuple[PlannedCross, ...]
@@ -51,10 +52,11 @@ class BetweenRequest:
 class Between:
     """A control's answer to a request for corrections between axes: files, sheets, card steps.
 
-    ``files``: files of ``BetweenRequest.base`` that change, and new ones; None: no file holds them.
-    ``held``: the corrections as the files hold them; None: all, as planned. ``sheets``: entry
-    sheets. ``remarks``: findings; ``steps``: title, text and evidence of steps of the card.
-    ``quantum``: rounding of the values in the files, mm or deg; 0: they hold what was planned.
+    ``files``: files of ``BetweenRequest.base`` that change, and new files; None: no file contains
+    the corrections. ``held``: the corrections as the files contain them; None: all, as planned.
+    ``sheets``: entry sheets. ``remarks``: findings. ``steps``: title, text and evidence of steps of
+    the card. ``quantum``: rounding step of the values in the files, mm or deg; 0: the files contain
+    the planned values.
     """
 
     files: tuple[ControlFile, ...] | None = None
@@ -68,7 +70,7 @@ class Between:
 def error_label(entry: PlannedCross) -> Sentence:
     """Return the name of the error that a cross-axis table corrects: squareness or a slope.
 
-    For an angle above 90° the output axis deviates towards -.
+    If the angle between the axes is above 90°, the output axis deviates towards -.
     """
     squareness = entry.squareness * 1e6
     if entry.source == "circle":
@@ -120,9 +122,10 @@ def alternative_answer(definition: Definition, planned: Iterable[PlannedCross]) 
     """Return the answer of a control without cross-axis tables to the ``planned`` corrections
     between axes: for each, the alternative that the control's definition describes.
 
-    The text may contain the angle to be removed by kinematics (``{squareness}``, rad), the axes
-    (``{input}`` and ``{output}``, lower case), and the shift this also causes (``{shift}``): the
-    line of the angle runs through machine zero, the correction is zero at the reference.
+    The text may contain fields. ``{squareness}`` is the angle to be removed by kinematics, rad.
+    ``{input}`` and ``{output}`` are the axes, lower case. ``{shift}`` is the shift of the output
+    axis that this also causes. It arises because the line of the angle passes through machine zero,
+    while the correction is zero at the reference.
     """
     return combined_answer(
         cannot_hold(entry, ControlText(definition.between_axes.instead, _named(entry)))

@@ -48,9 +48,9 @@ class CardRequest:
     """The data from which the commissioning card of one written table is made: the axis, its table,
     and facts about the axis in the control's files.
 
-    ``table``: as it was read back; ``facts``: facts of the axis in the written files. ``check_at``:
-    positions at which the axis can be measured, mm or deg, ascending. ``files``: all that were
-    written.
+    ``table``: the table as it was read back. ``facts``: facts of the axis in the written files.
+    ``check_at``: positions at which the axis can be measured, mm or deg, ascending. ``files``: all
+    written files.
     """
 
     axis: Axis
@@ -64,9 +64,9 @@ class CardRequest:
 class AxisCard:
     """The contents of the commissioning card for one table.
 
-    ``values``: by field of the card's texts: points, start, end, spacing and backlash in the
+    ``values``: texts by field of the card: points, start, end, spacing and backlash in the
     control's unit, numbers, names of files, the check of the sign. ``numbered``: the number of each
-    section, for the drawing; None where points have no numbers that an engineer sets.
+    section, for the drawing; None if the points have no numbers that an engineer sets.
     """
 
     values: Mapping[str, str]
@@ -88,7 +88,7 @@ def table_values(
     start, end, spacing, backlash. ``node``: the quantity of the table's positions, needed only for
     a cross-axis table.
 
-    The backlash is in its own unit.
+    The backlash may have another unit than the positions; both units are returned too.
     """
     node = node or ("table_start" if "table_start" in definition.bindings else "node_position")
     lost = "backlash" if "backlash" in definition.bindings else node
@@ -133,7 +133,7 @@ def named_files(
     """Return, by card field, the names of the files that were written for an axis, where the
     definition does not give these names.
 
-    ``files``: all that were written.
+    ``files``: all written files.
     """
     definition = control.definition
     written = loading_order(definition, files)
@@ -198,7 +198,8 @@ _VALUES = ("value", "cross_value")
 def loading_order(definition: Definition, files: Sequence[ControlFile]) -> list[str]:
     """Return file names in the order in which a control loads them.
 
-    A whole archive before the files over it, values before the switches that protect them.
+    A whole archive comes before files that replace parts of it. Table values come before the
+    activation parameters, because an active table cannot be changed.
     """
 
     def holds(file: ControlFile, quantity: str) -> bool:

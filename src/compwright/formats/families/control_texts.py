@@ -49,7 +49,7 @@ def gathered_files(
     """Return all values in the files, sorted by axis and measuring system. ``wanted``: the axis
     addresses in a job or on the command line.
 
-    Errors as in `axis_names`; also InputError for files that cannot be read.
+    Raises the errors of `axis_names`, and InputError for files that cannot be read.
     """
     reader, faults = text_reader(definition), list[Fault]()
     whole = texts_of(definition, files, faults)
@@ -78,9 +78,10 @@ def texts_of(
 ) -> tuple[ControlFile, ...]:
     """Return the texts of a control's files, with archives unpacked.
 
-    Files next to a container were loaded over it, whatever their order. So the texts of the
-    container are blank for every entry in those files, and for values after the end of a table in
-    them. Faults of a container go to ``faults``.
+    Files that are given next to an archive were loaded after it, whatever their order here. Entries
+    of the archive that these files contain too are therefore replaced by blanks. The same is done
+    with values of a table for which these files state the end. Faults of an archive are added to
+    ``faults``.
     """
     found, wrong = _texts_of(definition, tuple(files))
     faults.extend(wrong)
@@ -103,7 +104,8 @@ def under_new_entries(
     """Return the ``own`` files with blanks in place of each line whose value is also in one of the
     ``new`` files.
 
-    Unchanged where a file is unreadable: its reader reports it.
+    If any of the files cannot be read, ``own`` is returned unchanged. The reader of that file
+    reports the fault.
     """
     if not (own and new):
         return tuple(own)
@@ -119,7 +121,7 @@ def under_new_entries(
 def is_listing(definition: Definition, file: ControlFile) -> bool:
     """Return whether a file is a listing for people, not an export that the control can load.
 
-    All its values have decimal commas, which no control accepts.
+    All values with decimals in a listing have decimal commas, which no control accepts.
     """
     return (
         "files" in definition.options
@@ -132,7 +134,7 @@ def is_listing(definition: Definition, file: ControlFile) -> bool:
 def _listed(files: Sequence[ControlFile], definition: Definition) -> tuple[ControlFile, ...]:
     """Return files with decimal points in place of the decimal commas of printed listings.
 
-    Entries without a value in a listing (``n/a``) are removed if another file has them.
+    An entry without a value (``n/a``) is replaced by blanks if another file has a value for it.
     """
     pointed = [
         replace(file, content=_COMMA.sub(rb"\1.\2", file.content))
@@ -147,10 +149,11 @@ def _listed(files: Sequence[ControlFile], definition: Definition) -> tuple[Contr
 
 
 def _assigned_names(files: Sequence[ControlFile]) -> list[tuple[bytes, int]]:
-    """Return the names to which the files assign values (``name = value``), each reversed and with
-    the index of its file; sorted, so that names with the same ending are neighbours.
+    """Return the names to which the files assign values (``name = value``), each with the index of
+    its file.
 
-    In lower case.
+    The names are in lower case, reversed and sorted. Names with the same ending are thus
+    neighbours.
     """
     return sorted(
         {

@@ -1,7 +1,8 @@
 """Find axes that move together by the control's own files, and compare them with the job.
 
-A table on one of them alone racks the machine. The job names the synchronised axis (``gantry``), or
-states that the axis moves alone where a program or the PLC switches the coupling.
+A table on only one of two coupled axes racks the machine. The job must therefore name the
+synchronised axis (``gantry``). If a program or the PLC switches the coupling, the job may state
+instead that the axis moves alone.
 """
 
 from __future__ import annotations
@@ -38,11 +39,11 @@ def whole_number(text: str) -> int | None:
 class Coupling:
     """The statement of a control's files that one axis (``follows``) moves with another axis.
 
-    ``leads``: the addresses of the leading axis; several if the files leave it open, empty if they
-    do not state it. ``parameter``: the parameter with its value; ``file``, ``place``: its place.
-    ``switched``: a program or the PLC switches it. ``unlike``: why one table for both does not
-    help; empty if both move alike. ``drive``: only the drive follows, without a position of its
-    own, so that the leading axis needs no other table.
+    ``leads``: addresses of the leading axis: several if the files leave it open, none if they do
+    not state it. ``parameter``: the parameter that states the coupling, with its value; ``file``,
+    ``place``: where it is. ``switched``: a program or the PLC switches the coupling. ``unlike``:
+    why one table for both axes does not help; empty if both move alike. ``drive``: only the drive
+    follows and has no position of its own, so that the leading axis needs no other table.
     """
 
     leads: tuple[str, ...]
@@ -74,9 +75,9 @@ def check_couplings(couplings: Sequence[Coupling], axes: Mapping[str, Axis], not
     """Compare the axis couplings in the files with the gantries of the job's axes, given by
     address.
 
-    The user has to name a synchronised axis that is missing in the job. A coupling for which one
-    table for both axes does not help is a fault. A synchronised axis may be among ``axes`` itself;
-    then it gets a table of its own.
+    If the job does not name a synchronised axis, ``notes`` gets a question to the user. A coupling
+    for which one table for both axes does not help is a fault. A synchronised axis may be among
+    ``axes`` itself. Then it gets a table of its own.
     """
     led = {axis.gantry for axis in axes.values()}
     for address, axis in axes.items():
@@ -258,7 +259,7 @@ def find_partners(
     have equal tables although the job does not couple them. ``partners``: the slave's address by
     that of its master; ``read``: the compensations by address.
 
-    ``single``: axes that are in no gantry by the files.
+    ``single``: addresses of axes that, by the files, belong to no gantry.
     """
     compare_partners(partners, read, notes)
     if not of_job:

@@ -1,9 +1,8 @@
 """The common interface of all families of controls.
 
-Bound to a definition, its options and the contents of the control's own files.
-
-A family is a shape of compensation data (a grid, whole steps by section, columns in the user's own
-tables), never a maker. The single controls differ by their definitions.
+A family is a shape of compensation data, never a maker: a grid, whole steps by section, or columns
+in the user's own tables. Controls of one family differ by their definitions. A family object
+contains a definition, its options and the contents of the control's own files.
 """
 
 from __future__ import annotations
@@ -47,7 +46,7 @@ def tables_with_axes(
 ) -> list[AxisTable]:
     """Return (address in the files, axis of the job, table) for each table, in given order.
 
-    Raises UsageError for every table without an axis, and for two of one axis.
+    Raises UsageError for every table without an axis, and if an axis has two tables.
     """
     by_address = dict(axes)
     faults = []
@@ -117,18 +116,21 @@ class Listing:
     """Functions of one family that list the values, axis names and programs in a control's files
     without reading the whole state of the control.
 
-    ``file_values`` (files, and further ones of the machine that may name its axes): every value in
-    the files, active or not, by a unique key; raises InputError. ``value_location`` (one of the
-    entries, all of them, the state if it could be read): the addresses of the axes that it belongs
-    to, and the position of a table value in the files' coordinates. ``names``: for each axis name,
-    the axis' address and its evidence; raises InputError. ``readable_alone``: the addresses that
-    can be read alone if one faulty axis spoils the whole. ``is_idle``: whether the readings of
-    other axes show that nothing is active on the axis at an address. ``executed``: files without
-    the programs that were not executed by the job's answer (``active: no``), and findings that name
-    these; raises InputError if that is impossible. ``for_display``: the control for files that are
-    only displayed: what no measurement depends on may be assumed, and is reported. ``for_draft``:
-    the control for the draft of a job: doubts that cannot affect a measurement exclude no axis;
-    None: as ``for_display``.
+    - ``file_values``: every value in the files, active or not, by a unique key. Its arguments are
+      the files and further files of the machine that may name its axes. Raises InputError.
+    - ``value_location``: the addresses of the axes to which a value belongs, and the position of a
+      table value in the files' coordinates. Its arguments are the value, all values, and the state
+      if it could be read.
+    - ``names``: for each axis name, the axis' address and its evidence. Raises InputError.
+    - ``readable_alone``: the addresses that can be read alone if one faulty axis prevents reading
+      all.
+    - ``is_idle``: whether the readings of other axes show that nothing is active on an axis.
+    - ``executed``: the files without programs that were not executed by the job's answer (``active:
+      no``), and findings that name these programs. Raises InputError if that is impossible.
+    - ``for_display``: the control for files that are only displayed. It may assume, and reports,
+      values on which no measurement depends.
+    - ``for_draft``: the control for the draft of a job. Doubts that cannot affect a measurement
+      exclude no axis. None: as ``for_display``.
     """
 
     file_values: Callable[
@@ -171,11 +173,11 @@ class Family(ResolvedDefinition, ABC):
         at ``address``, or for every axis. ``activity``: the job's answer whether the tables were
         active.
 
-        ``axes`` give kind, measuring system and direction of the reference return, and limit the
-        reading to these axes. Without them every axis in the files is read, or only ``address``,
-        and the options ``reference`` and ``reference_return`` are listed in ``assumed``. The axes
-        of the result have the addresses of `Family.address`. Raises InputError with every fault
-        (file and line), UsageError for a wrong option or address, and for questions that only the
+        ``axes`` state kind, measuring system and direction of the reference return. Only these axes
+        are read. Without ``axes``, every axis in the files is read, or only ``address``. The
+        options ``reference`` and ``reference_return`` are then listed in ``assumed``. The axes of
+        the result have the addresses of `Family.address`. Raises InputError with every fault (file
+        and line). Raises UsageError for a wrong option or address, and for questions that only the
         user can answer.
         """
 
@@ -197,8 +199,8 @@ class Family(ResolvedDefinition, ABC):
         ``one_curve``: the limits of one table with a backlash value, even if the control can store
         one table per direction.
 
-        Options answered by the control's own files count. Raises UsageError for an address that the
-        control cannot have, CapacityError if it can hold nothing.
+        Option values that the control's own files state are included. Raises UsageError for an
+        address that the control cannot have, CapacityError if the control can hold no table.
         """
 
     @abstractmethod
@@ -210,10 +212,11 @@ class Family(ResolvedDefinition, ABC):
     ) -> tuple[ControlFile, ...]:
         """Return the files that put ``compensations`` into the control, in the order of the axes.
 
-        ``axes`` holds the axis of every compensation. ``files``: the control's own, to be patched.
-        Same input, same bytes: no dates, no random order. Raises UsageError for a compensation
-        without an axis, CapacityError with everything that the control cannot hold exactly: all
-        limits are checked here again (`check_tables`), even if they were checked before.
+        ``axes``: the axis of every compensation. ``files``: the control's own files, to be patched.
+        The same input gives the same bytes: no dates, no random order. All limits are checked here
+        again (`check_tables`), even if they were checked before. Raises UsageError for a
+        compensation without an axis, CapacityError with everything that the control cannot hold
+        exactly.
         """
 
     @abstractmethod
@@ -224,8 +227,8 @@ class Family(ResolvedDefinition, ABC):
     def between(self, request: BetweenRequest) -> Between:
         """Return the control's answer to a request for corrections between axes.
 
-        A correction that it cannot hold is reported, with what would help, and not written. Raises
-        CompwrightError if its files cannot be read.
+        A correction that the control cannot hold is not written. The answer reports it, with what
+        would help. Raises CompwrightError if the control's files cannot be read.
         """
 
     def sheets(
@@ -234,7 +237,7 @@ class Family(ResolvedDefinition, ABC):
         """Return written compensations in other forms: entry sheets, or programs that enter the
         values.
 
-        ``compensations`` belong to ``axes`` one by one.
+        Each of ``compensations`` belongs to the axis at the same index of ``axes``.
         """
         del compensations, axes
         return ()
@@ -249,7 +252,7 @@ class Family(ResolvedDefinition, ABC):
         contents. ``own``: the control's files before; ``files``: the files written from them for
         ``axes``.
 
-        Raises UsageError for a form of files that is not available.
+        Raises UsageError if the required form of files is not available.
         """
         del own, axes
         return Delivery(tuple(files))
@@ -264,7 +267,7 @@ def in_patched_files(
     """Return a copy of ``control`` with the state of the axes of ``compensations``, read from the
     ``files`` that are to be changed; without files ``control`` itself.
 
-    Raises UsageError for a table without an axis, InputError for the files.
+    Raises UsageError for a table without an axis, InputError for files that cannot be read.
     """
     if not files:
         return control
@@ -312,7 +315,7 @@ def check_tables(
     """Return all tables, those of gantry slaves included, and a fault for each limit that they
     break. ``own_limits``: a function that returns the faults by limits that only this family has.
 
-    Limits of endless axes are among these. Raises UsageError for a table without an axis.
+    The limits of endless axes are checked too. Raises UsageError for a table without an axis.
     """
     tables = with_partners(control.definition, _paired(control, compensations, axes))
     faults = [
@@ -327,7 +330,7 @@ def _broken(
     """Return a fault for each limit of the control that the table of an axis breaks.
     ``own_limits``: a function that returns the faults by limits that only this family has.
 
-    Each names the limit, the excess and what would help.
+    Each fault names the limit, the excess and what would help.
     """
     label = f"axis {axis.name} ({compensation.address})"
     unsound = limits.invalid_values(compensation)

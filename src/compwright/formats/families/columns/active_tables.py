@@ -18,7 +18,8 @@ def activate(
 ) -> None:
     """Add each active table to ``sources``, under the axis whose motion the table follows.
 
-    The active line of the .CMA file states it, or the names of the tables if there is no such file.
+    The active line of the .CMA file states this axis. Without a .CMA file, the name of the table
+    states it.
     """
     values = [table for table in tables if table.kind == "values"]
     lines = [table for table in tables if table.kind == "assignments"]

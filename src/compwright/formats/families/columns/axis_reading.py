@@ -280,7 +280,7 @@ class ColumnAxisReader:
         """Return whether a table that contains only zeros must be treated as active. ``found``: the
         line that activates tables; None if it is in no file.
 
-        It corrects nothing, but if it is not active, the linear error is.
+        Such a table corrects nothing. But if it is not active, the linear error parameter is.
         """
         slope = self._found("slope")
         if found is not None or self.sources.starred:
@@ -334,7 +334,7 @@ class ColumnAxisReader:
         """Return whether the table is active: by the value ``word`` of its activation parameter,
         else by the job. ``found``: the line of this parameter, if there is one.
 
-        If neither states it, the table is assumed to be active.
+        If neither the parameter nor the job states it, the table is assumed to be active.
         """
         place = found if found is not None and found.occurrence.tokens else None
         active = self.activity.was_active(self.label, self._switch, word, place, self.notes)

@@ -1,10 +1,11 @@
 """Corrections between axes, written as columns of the table that follows the moving axis.
 
-They are filled in if the user's own table has the column and its rows can hold them, else typed in
-by the engineer. The sign of such a table is unconfirmed either way.
+The correction is written if the user's own table has the column and its rows can hold it. Otherwise
+the engineer types it in. The sign of such a table is unconfirmed in both cases.
 
-A column corrects an axis only while tables are selected for that axis, and then its linear error is
-not active. So an axis with a linear error gets no column, with a remark.
+A column corrects an axis only while tables are selected for that axis. The linear error parameter
+of the axis is not active then. An axis that is corrected by its linear error parameter therefore
+gets no column, and a remark reports this.
 """
 
 from __future__ import annotations
@@ -151,7 +152,8 @@ def _by_line(family: Family, request: BetweenRequest, entry: PlannedCross) -> st
     """Return why no table corrects the axis to be corrected (it uses the linear error parameter);
     empty if tables can correct it.
 
-    The linear error of that axis is active, now or after this job.
+    The axis uses this parameter if the job corrects the axis by it, or if its value is not zero now
+    and the axis gets no table.
     """
     axis, linear = request.axes.get(entry.output), _parameter(family, "slope")
     if axis is None:

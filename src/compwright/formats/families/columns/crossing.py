@@ -1,6 +1,6 @@
 """Write a correction between axes into a column of the table that follows the moving axis.
 
-Only cells of that column change; the grid stays.
+Only cells of that column change. The positions of the table stay.
 """
 
 from __future__ import annotations
@@ -57,7 +57,8 @@ class CrossFiller(Patches):
         self.values = TableValues(family, self.sources, self.by_address, notes)
 
     def fill(self, entry: PlannedCross) -> Filled:
-        """Record the table cells that a correction changes; return the correction as written.
+        """Note the change of each table cell that a correction needs; return the correction as
+        written.
 
         Raises NotHeld, with the reason, if the user's files have no place for it.
         """
@@ -124,8 +125,8 @@ class CrossFiller(Patches):
 def _on_rows(added: CrossCompensation, rows: FloatArray, file: str) -> FloatArray:
     """Return the correction (k,), mm or deg, interpolated at the positions of the table's rows.
 
-    A straight line is extended to the ends of the table; a curve must have its bends at rows.
-    Raises NotHeld.
+    A straight line is extended to the ends of the table. Raises NotHeld if each direction has its
+    own curve, if the rows do not cover the correction, or if a bend is at no row.
     """
     if not np.array_equal(added.positive, added.negative):
         raise NotHeld(

@@ -10,9 +10,10 @@
     NR  AXISPOS  X                                  primaryKey:="NR"
                                                   )
 
-Source: tables of other kinds that such controls export (pallets, cutting data, tools), public with
-the reader github drunsinn/pyLSV2 (`table_reader.py`, tests/test_files). No .COM of this form was at
-hand: unconfirmed there. WIDTH leaves out the blank behind a column, ``width`` counts it.
+Source: tables of other kinds that such controls export (pallets, cutting data, tools). They are
+public with the reader github drunsinn/pyLSV2 (`table_reader.py`, tests/test_files). No .COM file of
+this form was available, so the form is unconfirmed for .COM files. The blank behind a column is not
+part of WIDTH, but it is part of ``width``.
 """
 
 from __future__ import annotations
@@ -36,9 +37,8 @@ _SETTING = re.compile(r"[ \t]*([A-Za-z-]+)[ \t]*:?=[ \t]*\"?([^\"]*?)\"?[ \t]*,?
 class TableDescription:
     """The columns that the head of a table describes, by name in capitals.
 
-    ``key``: the column with the row number; ``lines``: length of the description.
-
-    None: it has no end.
+    ``key``: the column with the row number. ``lines``: number of lines of the description; None:
+    the description has no end.
     """
 
     columns: Mapping[str, Described] = field(default_factory=dict)
@@ -53,7 +53,7 @@ class TableDescription:
         """Return whether the distances between the column names (name, character) are the column
         widths that the description states.
 
-        False if no width is described.
+        The result is False if no width is described.
         """
         gaps = [
             (
@@ -69,7 +69,7 @@ class TableDescription:
 def read_description(lines: Sequence[str]) -> TableDescription:
     """Return the description at the beginning of ``lines``, which follow the first line of a table.
 
-    Empty if there is none.
+    The description is empty if the table has none.
     """
     first = lines[0].strip().upper() if lines else ""
     if first == _STRUCT:

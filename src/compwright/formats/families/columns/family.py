@@ -122,7 +122,8 @@ class ColumnsFamily(Family):
     def _loading(self, request: CardRequest, names: Mapping[str, str]) -> str:
         """Return the card's text on how to load the table: as a file, or by typing an entry sheet.
 
-        A control has one .COM file for each moving axis; that of another axis must stay.
+        A control has one .COM file for each moving axis. The text warns not to use the file of
+        another axis.
         """
         if not request.table.positions.size:
             return ""

@@ -1,6 +1,6 @@
 """Write an axis' corrections into its column of the user's table, in the table's own number style.
 
-Datum and spacing are in its first line.
+The datum (first position) and the spacing are in the first line of the table.
 """
 
 from __future__ import annotations
@@ -71,7 +71,8 @@ class ColumnEntry:
     def parameters(self) -> dict[str, str]:
         """Return the texts of the axis' parameters: backlash, linear error, table active.
 
-        With a table the linear parameter is 0, so nothing counts twice whichever of them is active.
+        With a table the linear error parameter is 0. So no error is corrected twice, whichever of
+        the two is active.
         """
         straight = column_scale(self.definition, AxisKind.LINEAR, self.options)
         texts = {
@@ -101,7 +102,7 @@ def _one_turn(
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return positions and corrections (+, -) of a table; on an endless axis from 0 to 360 degrees.
 
-    Raises NotHeld when no node is at 0 degrees.
+    Raises NotHeld if no table point is at 0 degrees.
     """
     nodes, positive, negative = compensation.positions, compensation.positive, compensation.negative
     if axis.modulo is None or not nodes.size:

@@ -1,10 +1,10 @@
 """Read the compensation from the files of a control with user-made tables (HEIDENHAIN).
 
-A table belongs to the axis that moves; each of its columns is the correction of one axis by that
-motion: its own column corrects itself, another axis' column corrects that one (facts of the
-manuals: TNC 407 technical manual p153, MANUALplus 620 p716 and p718). Entry sheets hold what is
-typed in at the control. Parameters (backlash, linear error, which of line and table is active) are
-in sheets or lines.
+A table belongs to the axis that moves. Each of its columns is the correction of one axis by that
+motion. The axis' own column corrects the axis itself; the column of another axis corrects the other
+axis. Sources: TNC 407 technical manual p153, MANUALplus 620 p716 and p718. Entry sheets contain
+what is typed in at the control. Parameters are in sheets or in lines of a text: backlash, linear
+error, and whether line or table is active.
 """
 
 from __future__ import annotations
@@ -80,9 +80,9 @@ def read_columns(
 ) -> ControlState:
     """Return the compensation in ``files``; arguments and errors as `Family.read`.
 
-    ``facts`` hold, for every axis of the result: ``enabled`` (its table is active), ``own_column``
-    and ``second_column`` (its own table among the files has a column for it, and one for travel
-    towards -).
+    ``facts`` of the result state for every axis: ``enabled`` (its table is active), ``own_column``
+    (its own table is among the files and has a column for it), and ``second_column`` (this table
+    has a column for travel towards -).
     """
     require_files(files)
     known = {control.address(axis)[0]: axis for axis in axes}

@@ -1,7 +1,8 @@
 """Sort the files of a control with user-made tables (HEIDENHAIN), and read their points and
 parameters for each axis.
 
-Entry sheets and lines of parameters (including bit masks).
+Points are in entry sheets. Parameters are in entry sheets or in lines of a text, partly as bit
+masks.
 """
 
 from __future__ import annotations

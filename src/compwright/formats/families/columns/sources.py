@@ -28,8 +28,8 @@ _ASSIGNED_COLUMN = re.compile(r"([0-9]{1,3})(?:=F\(\))?", re.IGNORECASE)
 class AxisNumbers:
     """The axis numbers of a control, from 1, and the axis addresses that belong to them.
 
-    A job's ``axis_number`` overrides the letters; so does a synchronised axis that the job names by
-    its number (AX4).
+    By default the numbers follow the letters X, Y, Z, A, B, C. An ``axis_number`` in the job has
+    priority over this order. So has a synchronised axis that the job names by its number (AX4).
     """
 
     def __init__(self, definition: Definition, axes: Sequence[Axis]) -> None:
@@ -56,8 +56,8 @@ class AxisNumbers:
         """Return the address of an axis that moves with another axis, given by its number.
         ``known``: addresses of the axes that the job names.
 
-        AX and its number if the axis is unknown, or if its letter is that of a rotary axis which
-        the job does not name.
+        It is AX and the number if the axis is unknown. The same applies if its letter is that of a
+        rotary axis which the job does not name.
         """
         letter = self.address(number)
         assumed = self.by_number.get(number) == letter and number not in self.stated
@@ -86,12 +86,10 @@ class SheetPoint:
 class Sources:
     """The contents of the files: tables, entry sheets and parameters.
 
-    ``tables``: the active ones, by moving axis; ``idle``: tables that the active line does not
-    name.
-
-    ``given``: parameters by axis and quantity, in the unit of the quantity; those of a sheet have
-    no tokens. ``missing``: axis -> table that the active line names and that was not given.
-    ``active``: that line.
+    ``tables``: the active tables, by moving axis. ``active``: the line of the .CMA file that names
+    the active tables. ``idle``: tables that this line does not name. ``missing``: by axis, the name
+    of a table that this line names and that was not given. ``given``: parameters by axis and
+    quantity, in the unit of the quantity; a parameter from an entry sheet has no tokens.
     """
 
     definition: Definition

@@ -26,7 +26,7 @@ Kind = Literal["values", "assignments"]
 class Row:
     """One row of an exported table: its cells by column, and its place in the file.
 
-    ``line`` counts from 1; ``start`` and ``end`` are the bytes of its text.
+    ``line``: line number, from 1. ``start``, ``end``: the bytes of the row in the file.
     """
 
     line: int
@@ -44,8 +44,8 @@ class Row:
 class Described:
     """The description of one column: its width in characters, decimals, and range of values.
 
-    ``width`` in characters, without the ``blanks`` that follow; ``decimals`` after the point;
-    ``least`` and ``most``: range of values, as text. None: not described.
+    ``width``: without the ``blanks`` that follow the column. ``decimals``: number of digits after
+    the point. ``least``, ``most``: smallest and largest value. None: not described.
     """
 
     width: int | None = None
@@ -81,10 +81,10 @@ class TableColumn:
     """A column of a table, with the range of character positions in a line that its cells may
     occupy.
 
-    From ``low`` to before ``high``, aligned with one of them.
-
-    ``edge``: the character at which cells begin (``flush`` left) or after which they end (right);
-    ``flush`` "free": only blanks separate the cells. ``described``: its description in the table.
+    Cells may be at the characters from ``low`` up to, not including, ``high`` (None: to the end of
+    the line). ``flush``: cells are aligned ``left`` or ``right``, or ``free``: only blanks separate
+    them. ``edge``: the character at which left-aligned cells begin, or after which right-aligned
+    cells end. ``described``: the description of the column in the table.
     """
 
     name: str
@@ -109,7 +109,7 @@ class TableColumn:
 class UserTable:
     """A table as written in a file: compensation values, or the assignment of such tables to axes.
 
-    ``head``: the fields of its first line, with ``name`` and ``unit``.
+    ``head``: the fields of its first line, among them ``name`` and ``unit``.
     """
 
     file: str
@@ -151,7 +151,7 @@ def is_number(text: str) -> bool:
 def set_cell(table: UserTable, line: str, name: str, text: str) -> str:
     """Return a table line with new text in one column; other columns keep their characters.
 
-    Raises NotHeld when the text does not fit the width of the column.
+    Raises NotHeld if the text does not fit the width of the column.
     """
     column = table.column(name)
     if column is None:
@@ -188,7 +188,7 @@ def cell_changes(
     """Return the byte changes that put the texts ``cells`` (by column) into a row with the text
     ``line``.
 
-    Raises NotHeld when a text does not fit its column.
+    Raises NotHeld if a text does not fit its column.
     """
     columns = [column for name in cells if (column := table.column(name)) is not None]
     if any(column.flush == "free" for column in columns):

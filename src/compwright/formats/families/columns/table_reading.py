@@ -7,8 +7,9 @@ fixed width.
     END X .COM
 
 Newer controls describe the columns before their names (`columns.description`). No manual shows such
-a file as text: only what the file itself shows is taken for certain. Cells may be blank, so a cell
-belongs to the column above or below it; a cell that fits two columns is refused.
+a file as text. Therefore only what the file itself shows is taken as certain. Cells may be blank,
+so the column of a cell follows from its place below the column names. A cell that fits two columns
+is refused.
 """
 
 from __future__ import annotations
@@ -244,10 +245,10 @@ class _ColumnTableReader:
     def _assigned(
         self, titles: Sequence[Token], lines: Sequence[TextLine]
     ) -> tuple[list[list[int]] | None, str]:
-        """Return, for each row, the index of the column to which each of its words belongs; and the
+        """Return, for each row, the index of the column to which each of its words belongs, and the
         alignment of all cells (left, right, free).
 
-        None if the columns are ambiguous.
+        Instead of the indices, None is returned if the columns are ambiguous.
         """
         words = [_words(line) for line in lines]
         tabs = any("\t" in line.text for line in lines)

@@ -1,6 +1,7 @@
 """Convert the numbers of a user's table to positions and corrections in mm or deg.
 
-Unit, sign, datum and spacing, blank cells, one turn.
+The conversion applies unit, sign, datum and spacing, fills blank cells, and brings rotary axes to
+one turn.
 """
 
 from __future__ import annotations
@@ -56,9 +57,10 @@ def column_scale(
 
 
 class TableValues:
-    """Reads the numbers in the tables of each moving axis. Errors in the files go to the notes.
+    """Reads the numbers in the tables of each moving axis. Errors in the files are added to
+    ``notes``.
 
-    ``axes``: those of the job.
+    ``axes``: the axes of the job, by address.
     """
 
     def __init__(
@@ -82,7 +84,7 @@ class TableValues:
     def scale(self, address: str, kind: AxisKind | None = None) -> NumberScale:
         """Return unit, sign and resolution of an axis' numbers.
 
-        ``kind``: that of the corrected axis, if the table corrects another axis.
+        ``kind``: the kind of the corrected axis, if the table corrects another axis.
         """
         return column_scale(self.definition, kind or self.kind(address), self.own_options(address))
 
@@ -137,8 +139,8 @@ class TableValues:
         """Report a table whose points are not equally spaced; its positions are used as they are
         written.
 
-        The control requires equal spacing (MANUALplus 620 technical manual p715); what it does with
-        others is not known.
+        The control requires equal spacing (MANUALplus 620 technical manual p715). Its behaviour
+        with other tables is not known.
         """
         steps = {after - before for before, after in itertools.pairwise(found)}
         if len(steps) > 1:

@@ -1,8 +1,8 @@
 """Write compensations into the user's tables and parameters, or else into entry sheets.
 
-No manual shows the text of these files, so none is invented: only cells of the axis' own column
-change, rows are added in the table's own style, and one bit of a mask that was read. Everything
-else keeps its bytes.
+No manual shows the text of these files, so compwright does not make such files. It changes only the
+user's own files: cells of the axis' own column, and one bit of a mask that was read. Rows are added
+in the style of the table. All other bytes stay.
 """
 
 from __future__ import annotations
@@ -32,10 +32,10 @@ def write_columns(
 ) -> tuple[ControlFile, ...]:
     """Return the files that load the tables of ``pairs`` (address, axis, table) into the control.
 
-    All the user's own ``files`` come back patched, except old entry sheets, so that the set is
-    complete; one entry sheet per axis holds what they have no place for. Raises InputError for
-    files that cannot be read, CapacityError with everything that cannot be written exactly,
-    UsageError if a value to be replaced is in no file.
+    The result contains all of the user's own ``files``, patched, so that the set is complete; only
+    old entry sheets are left out. Values that no file has a place for are put into one entry sheet
+    per axis. Raises InputError for files that cannot be read, CapacityError with everything that
+    cannot be written exactly, UsageError if a value to be replaced is in no file.
     """
     if files:
         _refuse_unknown_backlash(control, pairs, files)
@@ -180,7 +180,7 @@ class _OwnTables(Patches):
         activate (``awake``) or deactivate columns that correct this axis in tables that follow
         other axes.
 
-        The bit selects every table that corrects the axis, not only its own.
+        The bit selects every table that corrects the axis, not only the axis' own table.
         """
         column = self.sources.column_of(address)
         others = [

@@ -39,8 +39,8 @@ _DECIMALS = 6
 class AxisSource:
     """One axis in the control's files, with the matching axis of the job (``axis``), if any.
 
-    ``rows``: its table rows if they do not name their axis; None if they do.
-    ``elsewhere``: tables of another kind correct it, so that it needs none of this kind.
+    ``rows``: its table rows, if the rows themselves do not name their axis; None if they do.
+    ``elsewhere``: tables of another kind correct the axis, so that it needs no table of this kind.
     """
 
     address: str
@@ -160,8 +160,8 @@ class GridAxisReader:
     def _facts(self, kind: AxisKind, stated: Mapping[str, Fact], *, enabled: bool) -> AxisFacts:
         """Return the facts of the axis in the files: kind, letter, software limits (mm or deg).
 
-        An angle unit other than degrees is a fault on a rotary axis: its table would be written in
-        degrees.
+        On a rotary axis, an angle unit other than degrees is a fault, because its table would be
+        written in degrees.
         """
         word = self.values.stated_word("rotary")
         names, order, joints = (
@@ -373,11 +373,11 @@ class GridAxisReader:
 
     def _backlash(self, scale: NumberScale, *, has_table: bool) -> tuple[float, float]:
         """Return two values in mm or deg: the backlash, and half the backlash as a constant
-        correction of each direction. The second is 0 if the control adds the backlash as a whole,
-        the first otherwise.
+        correction of each direction.
 
-        Both are 0 if the control adds half and the axis has a table, next to which the control
-        ignores it.
+        If the control adds the whole backlash, the second value is 0. If it adds half in each
+        direction, the first value is 0. In this case both are 0 for an axis with a table, because
+        the control ignores the backlash next to a table.
         """
         if "backlash" not in self.definition.bindings:
             return 0.0, 0.0

@@ -1,7 +1,7 @@
 """Settings of an axis apart from its table: gantries, modulo ranges, limits, other functions.
 
-A function that stays the same during the test and afterwards is left alone and reported; one that
-would make a table wrong is refused with its parameter.
+A function that is the same during the test and afterwards is reported and otherwise ignored. A
+function that would make a table wrong is refused, with its parameter.
 """
 
 from __future__ import annotations

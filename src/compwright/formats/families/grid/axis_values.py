@@ -1,7 +1,7 @@
 """Single values of one axis in the files, and the length unit (inch or metric) of linear axes.
 
-A number (SINUMERIK's MD10240, LinuxCNC's LINEAR_UNITS) states the unit, or a word on a line of its
-own. If the files hold both, they must agree.
+The unit is stated by a number (SINUMERIK's MD10240, LinuxCNC's LINEAR_UNITS) or by a word on a line
+of its own. If the files contain both, they must agree.
 """
 
 from __future__ import annotations
