@@ -5,6 +5,7 @@ really did is named, and a table whose total would be wrong is not written.
 from __future__ import annotations
 
 import json
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 
@@ -197,3 +198,48 @@ def test_an_old_backlash_is_on_the_card_and_no_contradiction_of_the_new_ini(
     again = ["export", str(tmp_path / "job"), "--format", "linuxcnc", "--out", str(tmp_path / "a")]
     assert compwright(again) == 0  # the folder of the run, as its help says
     assert (tmp_path / "a" / "joint_0.comp").read_bytes() == (back / "joint_0.comp").read_bytes()
+
+
+def test_an_old_table_that_was_idle_in_the_first_test_is_told_by_the_read_back(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The test after loading alone could also come from a total added to the old table; no step is
+    named that is right for one of the two only, and the lost motion turned is explained.
+    """
+    monkeypatch.chdir(tmp_path)
+    Path("first.csv").write_text(csv_of(TARGETS, MACHINE.measure(TARGETS, 31)))
+    old = 0.004 * np.sin(NODES / 90.0)
+    rows = zip(NODES, NODES - old, NODES - old + 0.003, strict=True)
+    Path("joint_0.comp").write_text("".join(f"{a:.4f} {b:.4f} {c:.4f}\n" for a, b, c in rows))
+    Path("joint_0.ini").write_text(
+        "[JOINT_0]\nCOMP_FILE = joint_0.comp\nCOMP_FILE_TYPE = 0\nBACKLASH = 0\n"
+    )
+    Path("job.yaml").write_text(
+        "compwright: 1\ncontroller: {format: linuxcnc}\n"
+        "states: {as_found: [joint_0.comp, joint_0.ini]}\n"
+        "axes: {X: {travel: [0, 800], address: 0, before: [first.csv]}}\n"
+    )
+    compwright(["run", "job.yaml"])
+    new = np.loadtxt("job/tables/linuxcnc/joint_0.comp").T
+
+    def loaded(x: Floats, sign: int) -> Floats:
+        added: Floats = np.interp(x, new[0], new[0] - new[1 if sign > 0 else 2])
+        return added
+
+    Path("after.csv").write_text(csv_of(TARGETS, MACHINE.measure(TARGETS, 2, loaded)))
+    capsys.readouterr()
+    verify = ["verify", "job.yaml", "--after", "after.csv", "--force"]
+    assert compwright(verify) == 1
+    shown = " ".join(capsys.readouterr().out.split())
+    assert "Loading: added to the existing table." in shown
+    assert "would give the same test: existing table not active in the first test." in shown
+    assert "Clear the table" not in shown
+    assert "CW-T032" not in shown
+    shutil.copytree("job/tables/linuxcnc", "read_back")
+    assert compwright([*verify, "--loaded", "read_back"]) == 1
+    lines = capsys.readouterr().out.splitlines()
+    assert "Loading: existing table not active in the first test." in lines
+    assert lines[-1] == (
+        "Next: state what was active in the first test (states), then type:"
+        " compwright run job.yaml --out job --force"
+    )

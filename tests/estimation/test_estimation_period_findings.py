@@ -81,7 +81,7 @@ def test_what_looks_alike_is_not_named_and_comes_with_targets_that_tell() -> Non
 def test_nothing_found_says_why_that_may_be() -> None:
     assert set(said(targets=EQUAL)[0].values) == {"interval", "unit"}
     assert said(targets=ODD[:5], curve=None)[0].values == {"targets": 5}
-    assert "hardly show is below 1 %" in said()[0].message
+    assert "the readings show none" in said()[0].message
     assert said(known=(10.0,), fitted=(10.0,)) == []
 
 

@@ -217,7 +217,7 @@ def test_a_fault_at_one_place_is_named() -> None:
     acting[1, 6] += 6 * UM
     verdict = judge(axis, acting, 4)
     assert verdict.verdict == "undecided"
-    assert f"{POSITIONS[6]:g} mm approached in -" in verdict.message
+    assert f"{POSITIONS[6]:g} mm approached in −" in verdict.message
     assert "µm" in verdict.message
 
 

@@ -156,7 +156,7 @@ def test_which_findings_leave_it_undecided(
     assert [entry.code for entry in found] == (["CW-V024"] if told else [])
     if told:
         assert found[0].message.startswith(
-            f"A warning about the test after loading leaves the verdict undecided ({code}): Something."
+            f"With this warning about the test after loading the verdict cannot be good ({code}): Something."
         )
 
 

@@ -307,6 +307,7 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
                 *_decision(axis["accept"].get(parameter)),
             )
         loading = axis["loading"]
+        verdict = str(say("loading.name", name=loading["verdict"], detail=None))
         message = "" if is_first(loading["message"]) else f" {loading['message']}"
         shown += [
             Rule(
@@ -316,7 +317,7 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
             ),
             table,
             *(Text(str(line)) for line in rule_lines(axis["accept"], unit, after=True)),
-            Text.assemble("Loading: ", _word(loading["verdict"]), f".{message}"),
+            Text.assemble("Loading: ", _word(loading["verdict"], verdict), f".{message}"),
             *(Text(f"  look at: {sentence}") for sentence in loading.get("look_at", ())),
             *finding_lines([one for one in axis["findings"] if not is_first(one["message"])]),
             Text(),
@@ -385,5 +386,5 @@ def plain_table() -> Table:
     return Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="bold")
 
 
-def _word(word: str) -> Text:
-    return Text(word.replace("_", " "), style=_STYLES.get(word, ""))
+def _word(word: str, shown: str = "") -> Text:
+    return Text(shown or word.replace("_", " "), style=_STYLES.get(word, ""))

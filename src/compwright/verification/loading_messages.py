@@ -105,7 +105,7 @@ class ShownTest:
             "loading.worst",
             value=self.length(float(values[side, target])),
             position=Amount(float(self.targets[target]), self.unit, "g"),
-            direction="+" if side == 0 else "-",
+            direction="+" if side == 0 else "−",
         )
 
     def between_directions(self, values: FloatArray) -> float:
@@ -158,7 +158,10 @@ def named_message(
 
     ``expected`` (2, m): the test that the verdict would show.
     """
-    sentences = [_sentence(shown, name, way, factor), *_evidence(shown, name, expected)]
+    sentences = [
+        _sentence(shown, name, way, factor, undecided=bool(equivalent) and not shown.read_back),
+        *_evidence(shown, name, expected),
+    ]
     if equivalent:
         sentences.append(
             say(
@@ -170,7 +173,12 @@ def named_message(
     return sentences
 
 
-def _sentence(shown: ShownTest, name: LoadingName, way: Hypothesis, factor: float) -> Sentence:
+def _sentence(
+    shown: ShownTest, name: LoadingName, way: Hypothesis, factor: float, *, undecided: bool
+) -> Sentence:
+    """Return the first sentence of a verdict. ``undecided``: another fault would give the same
+    test; then it names no step that is right for one of them only.
+    """
     if name == "measurement":
         return say(
             "loading.measurement",
@@ -187,6 +195,7 @@ def _sentence(shown: ShownTest, name: LoadingName, way: Hypothesis, factor: floa
         nodes=abs(way.shift_nodes),
         direction="+" if way.shift_nodes > 0 else "-",
         axis=way.of,
+        open=undecided,
     )
 
 

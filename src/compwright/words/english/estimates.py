@@ -118,12 +118,11 @@ SENTENCES: Final[dict[str, str]] = {
         " more, with random offsets"
     ),
     "CW-E014.hidden": (
-        "The job gives no screw pitch or other period, and none was found. With a probability of"
-        " {probability:.0f} % the error repeats with a period that these targets hardly show"
+        "The job gives no screw pitch or other period, and none is certain: with a probability of"
+        " {probability:.0f} % the readings contain an error that repeats"
     ),
     "CW-E014.unlikely": (
-        "The job gives no screw pitch or other period, and none was found. The probability that"
-        " the error repeats with a period that these targets hardly show is below 1 %"
+        "The job gives no screw pitch or other period, and the readings show none"
     ),
     "CW-E015": (
         "The readings show {fitted} of the {known} known periods: {periods:g} {unit}. The other"

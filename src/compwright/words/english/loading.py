@@ -70,8 +70,8 @@ SENTENCES: Final[dict[str, str]] = {
         " give it as --after {meant}=FILE."
     ),
     "CW-V024": (
-        "A warning about the test after loading leaves the verdict undecided ({code}): {finding}"
-        " Remove its cause, then measure again."
+        "With this warning about the test after loading the verdict cannot be good ({code}):"
+        " {finding} Remove its cause, then measure again."
     ),
     "CW-V025": (
         "The file given with --after for circle {circle} was measured before loading. Measure the"
@@ -180,9 +180,10 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.name": (
         "{name:choose|loaded=loaded|not_active=not"
         " active|inverted=inverted|scaled=scaled|shifted=shifted|mirrored=mirrored|wrong_axis=wrong"
-        " axis|one_direction=one"
-        " direction|backlash=backlash|partial=partial|increment=increment|on_top=on"
-        " top|state=state|thermal=thermal|measurement=measurement}{detail:if|: {detail}}"
+        " axis|one_direction=one direction|backlash=backlash|partial=partial|increment=only the"
+        " change loaded|on_top=added to the existing table|state=existing table not active in the"
+        " first test|thermal=thermal|measurement=measurement|undecided=undecided}{detail:if|:"
+        " {detail}}"
     ),
     "loading.neither": (
         "The test after loading fits neither the loaded table, nor the control as it was before,"
@@ -253,13 +254,13 @@ SENTENCES: Final[dict[str, str]] = {
         " table is loaded back to front, its last value first{detail:if| ({detail})}|wrong_axis=The"
         " active table is that of axis {axis}{detail:if| ({detail})}|one_direction=The table is"
         " active in one direction only: {detail}|backlash=The table is active, but the backlash"
-        " value is wrong: {detail}|partial=Only a part of the table is active: {detail}|"
-        "increment=Only the change to the existing table is active{detail:if| ({detail})}. Load the"
-        " total, which is in the written files|on_top=The control added the new total to the"
-        " existing table{detail:if| ({detail})}. Clear the table and load the written files again|"
-        "state=The existing table was not active during the first test, although the job says so."
-        " Run the job again with `active: no` in the entry of `states` that was in the control"
-        " during the first test (measured_in)}."
+        " value is wrong: {detail}|partial=Only a part of the table is active:"
+        " {detail}|increment=Only the change to the existing table is active{detail:if|"
+        " ({detail})}{open:if||. Load the total, which is in the written files}|on_top=The control"
+        " added the new total to the existing table{detail:if| ({detail})}{open:if||. Clear the"
+        " table and load the written files again}|state=The existing table was not active during"
+        " the first test, although the job says so{open:if||. Run the job again with `active: no`"
+        " in the entry of `states` that was in the control during the first test (measured_in)}}."
     ),
     "loading.worst": "{value} ({position} approached in {direction})",
     "next.between_again": (

@@ -115,14 +115,13 @@ SENTENCES: Final[dict[str, str]] = {
         " points visés ou plus, à décalages aléatoires"
     ),
     "CW-E014.hidden": (
-        "Le dossier de travail ne donne ni pas de vis ni autre période, et aucune n'a été"
-        " trouvée. Avec une probabilité de {probability:.0f} %, l'erreur se répète avec une"
-        " période que ces points visés ne montrent guère"
+        "Le dossier de travail ne donne ni pas de vis ni autre période, et aucune n'est certaine :"
+        " avec une probabilité de {probability:.0f} %, les mesures contiennent une erreur qui se"
+        " répète"
     ),
     "CW-E014.unlikely": (
-        "Le dossier de travail ne donne ni pas de vis ni autre période, et aucune n'a été"
-        " trouvée. La probabilité que l'erreur se répète avec une période que ces points visés ne"
-        " montrent guère est inférieure à 1 %"
+        "Le dossier de travail ne donne ni pas de vis ni autre période, et les mesures n'en"
+        " montrent aucune"
     ),
     "CW-E015": (
         "Les mesures montrent {fitted} des {known} périodes connues : {periods:g} {unit}. Les"

@@ -70,8 +70,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {meant} et le donner par --after {meant}=FILE."
     ),
     "CW-V024": (
-        "Un avertissement sur l'essai après chargement laisse le verdict non décidé ({code}) :"
-        " {finding} Éliminer sa cause, puis mesurer de nouveau."
+        "Avec cet avertissement sur l'essai après chargement, le verdict ne peut pas être bon"
+        " ({code}) : {finding} Éliminer sa cause, puis mesurer de nouveau."
     ),
     "CW-V025": (
         "Le fichier donné par --after pour le cercle {circle} a été mesuré avant le chargement."
@@ -186,8 +186,10 @@ SENTENCES: Final[dict[str, str]] = {
         "{name:choose|loaded=chargée|not_active=non active|inverted=signe"
         " opposé|scaled=facteur|shifted=décalée|mirrored=à l'envers|wrong_axis=mauvais"
         " axe|one_direction=un seul sens|backlash=jeu|partial=une partie"
-        " seulement|increment=changement seulement|on_top=ajoutée|state=état"
-        " précédent|thermal=température|measurement=mesure fausse}{detail:if| : {detail}}"
+        " seulement|increment=changement seul chargé|on_top=ajoutée à la table"
+        " existante|state=table existante non active au premier"
+        " essai|thermal=température|measurement=mesure fausse|undecided=non décidé}{detail:if| :"
+        " {detail}}"
     ),
     "loading.neither": (
         "L'essai après chargement ne correspond ni à la table chargée, ni à la commande telle"
@@ -260,14 +262,15 @@ SENTENCES: Final[dict[str, str]] = {
         " {direction}{detail:if| ({detail})}|mirrored=La table est chargée à l'envers, sa dernière"
         " valeur en premier{detail:if| ({detail})}|wrong_axis=La table active est celle de l'axe"
         " {axis}{detail:if| ({detail})}|one_direction=La table n'est active que dans un sens :"
-        " {detail}|backlash=La table est active, mais la valeur de jeu est fausse : {detail}|"
-        "partial=Seule une partie de la table est active : {detail}|increment=Seul le changement"
-        " par rapport à la table existante est actif{detail:if| ({detail})}. Charger la somme, qui"
-        " est dans les fichiers écrits|on_top=La commande a ajouté la nouvelle somme à la table"
-        " existante{detail:if| ({detail})}. Vider la table et charger de nouveau les fichiers"
-        " écrits|state=La table existante n'était pas active pendant le premier essai, bien que le"
-        " dossier de travail le dise. Refaire le calcul avec `active: no` dans l'entrée de `states`"
-        " qui était dans la commande pendant le premier essai (measured_in)}."
+        " {detail}|backlash=La table est active, mais la valeur de jeu est fausse :"
+        " {detail}|partial=Seule une partie de la table est active : {detail}|increment=Seul le"
+        " changement par rapport à la table existante est actif{detail:if| ({detail})}{open:if||."
+        " Charger la somme, qui est dans les fichiers écrits}|on_top=La commande a ajouté la"
+        " nouvelle somme à la table existante{detail:if| ({detail})}{open:if||. Vider la table et"
+        " charger de nouveau les fichiers écrits}|state=La table existante n'était pas active"
+        " pendant le premier essai, bien que le dossier de travail le dise{open:if||. Refaire le"
+        " calcul avec `active: no` dans l'entrée de `states` qui était dans la commande pendant le"
+        " premier essai (measured_in)}}."
     ),
     "loading.worst": "{value} ({position}, approche dans le sens {direction})",
     "next.between_again": (

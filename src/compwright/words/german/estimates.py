@@ -119,14 +119,13 @@ SENTENCES: Final[dict[str, str]] = {
         " acht oder mehr Zielpositionen mit zufälligen Versätzen messen"
     ),
     "CW-E014.hidden": (
-        "Der Auftrag nennt keine Spindelsteigung oder andere Periode, und keine wurde gefunden."
-        " Mit einer Wahrscheinlichkeit von {probability:.0f} % wiederholt sich der Fehler mit"
-        " einer Periode, die diese Zielpositionen kaum zeigen"
+        "Der Auftrag nennt keine Spindelsteigung oder andere Periode, und keine ist sicher: Mit"
+        " einer Wahrscheinlichkeit von {probability:.0f} % enthalten die Messwerte einen Fehler,"
+        " der sich wiederholt"
     ),
     "CW-E014.unlikely": (
-        "Der Auftrag nennt keine Spindelsteigung oder andere Periode, und keine wurde gefunden."
-        " Die Wahrscheinlichkeit, dass sich der Fehler mit einer Periode wiederholt, die diese"
-        " Zielpositionen kaum zeigen, ist unter 1 %"
+        "Der Auftrag nennt keine Spindelsteigung oder andere Periode, und die Messwerte zeigen"
+        " keine"
     ),
     "CW-E015": (
         "Die Messwerte zeigen {fitted} der {known} bekannten Perioden: {periods:g} {unit}. Die"

@@ -70,8 +70,8 @@ SENTENCES: Final[dict[str, str]] = {
         " Messen wie für {meant} und als --after {meant}=FILE angeben."
     ),
     "CW-V024": (
-        "Eine Warnung zur Prüfung nach dem Laden lässt das Urteil offen ({code}): {finding} Ihre"
-        " Ursache beseitigen, dann neu messen."
+        "Mit dieser Warnung zur Prüfung nach dem Laden kann das Urteil nicht gut sein ({code}):"
+        " {finding} Ihre Ursache beseitigen, dann neu messen."
     ),
     "CW-V025": (
         "Die mit --after angegebene Datei des Kreises {circle} wurde vor dem Laden gemessen. Den"
@@ -190,8 +190,10 @@ SENTENCES: Final[dict[str, str]] = {
         "{name:choose|loaded=geladen|not_active=nicht aktiv|inverted=umgekehrtes"
         " Vorzeichen|scaled=Faktor|shifted=verschoben|mirrored=rückwärts|wrong_axis=falsche"
         " Achse|one_direction=nur eine Richtung|backlash=Losewert|partial=nur ein"
-        " Teil|increment=nur die Änderung|on_top=addiert|state=vorheriger"
-        " Zustand|thermal=Temperatur|measurement=Messung falsch}{detail:if|: {detail}}"
+        " Teil|increment=nur die Änderung geladen|on_top=zur vorhandenen Tabelle"
+        " addiert|state=vorhandene Tabelle bei der ersten Prüfung nicht"
+        " aktiv|thermal=Temperatur|measurement=Messung falsch|undecided=offen}{detail:if|:"
+        " {detail}}"
     ),
     "loading.neither": (
         "Die Prüfung nach dem Laden passt weder zur geladenen Tabelle noch zur Steuerung, wie sie"
@@ -258,20 +260,22 @@ SENTENCES: Final[dict[str, str]] = {
         "{verdict:choose|loaded=Die Tabelle ist aktiv wie geplant{effect:if|: Die Prüfung nach dem"
         " Laden zeigt {effect}}|not_active=Die Tabelle ist nicht aktiv{detail:if|"
         " ({detail})}{effect:if|: Die Prüfung nach dem Laden zeigt {effect}}|inverted=Die Tabelle"
-        " ist mit umgekehrtem Vorzeichen aktiv{detail:if| ({detail})} und vergrößert den Fehler|"
-        "scaled=Die Tabelle ist mit dem Faktor {factor:3sig} aktiv{detail:if| ({detail})}|"
-        "shifted=Die Tabelle ist um {nodes} {nodes:plural|Tabellenpunkt|Tabellenpunkte} in Richtung"
-        " {direction} verschoben{detail:if| ({detail})}|mirrored=Die Tabelle ist rückwärts geladen,"
-        " ihr letzter Wert zuerst{detail:if| ({detail})}|wrong_axis=Aktiv ist die Tabelle der Achse"
+        " ist mit umgekehrtem Vorzeichen aktiv{detail:if| ({detail})} und vergrößert den"
+        " Fehler|scaled=Die Tabelle ist mit dem Faktor {factor:3sig} aktiv{detail:if|"
+        " ({detail})}|shifted=Die Tabelle ist um {nodes}"
+        " {nodes:plural|Tabellenpunkt|Tabellenpunkte} in Richtung {direction} verschoben{detail:if|"
+        " ({detail})}|mirrored=Die Tabelle ist rückwärts geladen, ihr letzter Wert"
+        " zuerst{detail:if| ({detail})}|wrong_axis=Aktiv ist die Tabelle der Achse"
         " {axis}{detail:if| ({detail})}|one_direction=Die Tabelle ist nur in einer Richtung aktiv:"
-        " {detail}|backlash=Die Tabelle ist aktiv, aber der Losewert ist falsch: {detail}|"
-        "partial=Nur ein Teil der Tabelle ist aktiv: {detail}|increment=Nur die Änderung zur"
-        " vorhandenen Tabelle ist aktiv{detail:if| ({detail})}. Die Summe laden, die in den"
-        " geschriebenen Dateien ist|on_top=Die Steuerung hat die neue Summe zur vorhandenen Tabelle"
-        " addiert{detail:if| ({detail})}. Die Tabelle leeren und die geschriebenen Dateien neu"
-        " laden|state=Die vorhandene Tabelle war bei der ersten Prüfung nicht aktiv, obwohl der"
-        " Auftrag es sagt. Den Auftrag neu rechnen, mit `active: no` in dem Eintrag von `states`,"
-        " der bei der ersten Prüfung in der Steuerung war (measured_in)}."
+        " {detail}|backlash=Die Tabelle ist aktiv, aber der Losewert ist falsch:"
+        " {detail}|partial=Nur ein Teil der Tabelle ist aktiv: {detail}|increment=Nur die Änderung"
+        " zur vorhandenen Tabelle ist aktiv{detail:if| ({detail})}{open:if||. Die Summe laden, die"
+        " in den geschriebenen Dateien ist}|on_top=Die Steuerung hat die neue Summe zur vorhandenen"
+        " Tabelle addiert{detail:if| ({detail})}{open:if||. Die Tabelle leeren und die"
+        " geschriebenen Dateien neu laden}|state=Die vorhandene Tabelle war bei der ersten Prüfung"
+        " nicht aktiv, obwohl der Auftrag es sagt{open:if||. Den Auftrag neu rechnen, mit `active:"
+        " no` in dem Eintrag von `states`, der bei der ersten Prüfung in der Steuerung war"
+        " (measured_in)}}."
     ),
     "loading.worst": "{value} ({position}, angefahren in {direction})",
     "next.between_again": (

@@ -89,6 +89,10 @@ def after_verify(
             "Next: load what differs from the plan or is missing, save the control's files to"
             f" {READ_BACK}, then type: " + _command("compare", plan, "--loaded", READ_BACK)
         )
+    if any(axis["loading"]["verdict"] == "state" for axis in axes):
+        return "Next: state what was active in the first test (states), then type: " + _command(
+            "run", job, "--out", plan.parent if plan.suffix == ".json" else plan, "--force"
+        )
     if not then and active:
         return "Next: the table is active, but not enough. To correct again, type: " + _command(
             "verify", job, *again, *given, "--loaded", READ_BACK, "--update", "--force"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -91,6 +92,7 @@ def verified_axis(
         if fault is None
         else LoadingVerdict(verdict="measurement", of=fault.of, margin=0.0, sentence=fault.sentence)
     )
+    result = _without_explained_doubt(before, result, loading)
     exchange = () if as_planned else _exchange(axis.name, loading, others)
     given = read_back.state.findings if read_back is not None and not ours else ()
     files = tuple(each for each in given if each.is_doubt and not each.axes)
@@ -108,6 +110,21 @@ def verified_axis(
         guard=guard_bands(job, planned, place, before, posterior, change) if guarded else None,
         findings=(*loading.findings, *_named(loading), *exchange, *findings, *compared),
     )
+
+
+def _without_explained_doubt(
+    before: PositioningResult, after: PositioningResult, loading: LoadingVerdict
+) -> PositioningResult:
+    """Return the result ``after`` loading without the doubt about a mean reversal above zero
+    (CW-T032), if a fault of the table explains it.
+
+    The verdict compared the test with exchanged directions and a reversed sign too. Where the test
+    ``before`` had the doubt already, both may be wrong.
+    """
+    unexplained = {"loaded", "undecided", "measurement", "thermal"}
+    if loading.verdict in unexplained or any(one.code == "CW-T032" for one in before.findings):
+        return after
+    return replace(after, findings=tuple(one for one in after.findings if one.code != "CW-T032"))
 
 
 def _change(planned: PlannedAxis, as_found: DecodedState, repeated: PlannedTest) -> Correction:
