@@ -2,13 +2,12 @@
 --loaded b --loaded c``. Also options whose values are ``KEY=VALUE``.
 
 The words after such an option are its values, up to the next option. The first value may follow
-``=``.
+``=``. A word that does not look like a value (`OptionForm.more`) ends them, and so does ``--``.
 
-Three things are not taken as values: a word that does not look like one (`OptionForm.more`), all
-words after ``--``, and file arguments that the command itself needs. If the command's files are not
-elsewhere on the line, they are taken from these words. If as many words as needed have the usual
-extension of such a file, it is these words. Otherwise it is the last words after the last file
-option, or all words after it but the first if the command takes many files.
+File arguments that the command itself needs are not values either. If they are not elsewhere on the
+line, they are taken from these words. If as many words as needed have the usual extension of such a
+file, it is these words. Otherwise it is the last words after the last file option, or all words
+after it but the first if the command takes many files.
 """
 
 from __future__ import annotations

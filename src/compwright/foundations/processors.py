@@ -43,9 +43,9 @@ def keep_free_memory() -> None:
 def use_one_thread() -> None:
     """Restrict the linear algebra of numpy and scipy to one thread. Call it before numpy is loaded.
 
-    The matrices here are small, so several threads need more time than they save (27 s of processor
-    time instead of 6 s for a job with four axes). Environment variables that the user has set keep
-    their values.
+    The matrices here are small, so several threads need more time than they save. A job with four
+    axes needs 27 s of processor time with several threads, and 6 s with one. Environment variables
+    that the user has set keep their values.
     """
     for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
         os.environ.setdefault(name, "1")

@@ -69,9 +69,9 @@ def in_order(
     An item is taken from ``items`` only when it is needed. Raises the errors of ``work``, as `Each`
     does.
 
-    The first items are worked on in this process, and their time is measured. If the rest would
-    take longer than `_WORTH` seconds in this process, the ``crew`` is started; to start a process
-    takes a good part of this time. The crew gets as many items at once as take about `_WINDOW`
+    The first items are worked on in this process, and their time is measured. The ``crew`` is
+    started only if the rest would take longer than `_WORTH` seconds here, because the start of a
+    process takes almost as long. The crew gets as many items at once as take about `_WINDOW`
     seconds, with at most `_WEIGHT` bytes together. So results come steadily, and few items are in
     memory at once.
     """

@@ -78,10 +78,12 @@ class _FeedRun:
 def read_b5r(content: bytes, file: str, name: str) -> CircularTest:
     """Return the circular test in a ``.b5r`` file. Raises InputError with every fault at once.
 
-    Each fault states the line of the element and its path. These are faults: XML that is broken or
-    declares a document type, another instrument's file, a file without readings, a missing or
-    invalid number, a test radius other than the length of the bar, an arc below 90 deg, indices
-    outside the readings, and a number of readings that does not fit arc and overshoot.
+    Each fault states the line of the element and its path. These are faults:
+
+    - XML that is broken or declares a document type, or another instrument's file;
+    - no readings, or a missing or invalid number;
+    - a test radius other than the length of the bar, or an arc below 90 deg;
+    - indices outside the readings, or a number of readings that does not fit arc and overshoot.
     """
     root = read_xml(content, file)
     bar = _ballbar(root, file)
@@ -238,8 +240,8 @@ def _run(
 ) -> _FeedRun | None:
     """Return one run with the angle of each sample (deg).
 
-    Sample k of N (from 0) is at start + (k + 1/2) extent/N for ccw, and at start + extent - (k +
-    1/2) extent/N for cw.
+    For sample k of N (from 0), let s be (k + 1/2) extent/N. Its angle is start + s for ccw, and
+    start + extent - s for cw.
     """
     readings = _readings(element, faults)
     indices = _indices(element, readings, faults)

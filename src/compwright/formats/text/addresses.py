@@ -48,9 +48,9 @@ def normal_text(definition: Definition, address: str) -> str:
 def normal_address(definition: Definition, axis: Axis) -> tuple[str, Assumption | None]:
     """Return the control's address of an axis, with the assumption made if the job gives none.
 
-    If the control numbers its axes and the job gives only an axis letter, the number is the index
-    of this letter in the definition's list (such as XYZABCUVW). Raises UsageError if the control
-    cannot have such an axis.
+    If the control numbers its axes and the job gives only an axis letter, the definition's list of
+    letters (such as XYZABCUVW) is used. The number is then the index of the letter in this list.
+    Raises UsageError if the control cannot have such an axis.
     """
     letters = definition.addresses.letters
     letter = axis.address.strip().upper()

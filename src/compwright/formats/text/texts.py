@@ -79,8 +79,8 @@ def no_text(content: bytes) -> str:
     """Return for a file that is no text of a control what it is instead: two bytes per character,
     or binary.
 
-    A file has two bytes per character if it begins with such a byte order mark, or if every second
-    byte of its beginning is 0.
+    Two signs show two bytes per character: such a byte order mark, or a 0 in every second byte of
+    the file's beginning.
     """
     head = content[:_HEAD]
     halves = head[::2], head[1::2]

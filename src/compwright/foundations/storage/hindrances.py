@@ -21,9 +21,12 @@ def refuse_overwriting(
     """Raise StorageError if the command must not write some of the files ``targets``, such as files
     that exist already. ``completed``: existing files that may be replaced even without ``force``.
 
-    Four kinds of targets are refused even with ``force``: a file that this command has read (unless
-    the same bytes are written), the name of a folder, something that is no ordinary file (a device,
-    a pipe), and a file that would be written twice.
+    Four kinds of targets are refused even with ``force``:
+
+    - a file that this command has read, unless the same bytes are written;
+    - the name of a folder;
+    - something that is no ordinary file, such as a device or a pipe;
+    - a file that would be written twice.
     """
     faults = dict.fromkeys(
         fault for path, content in targets.items() for fault in _hindrances(session, path, content)

@@ -27,10 +27,10 @@ _NO_WAITING = (
 def read_bytes(session: Session, path: Path, kind: InputKind = ANY) -> bytes:
     """Return the bytes of a file, or of a pending one, and record the file as an input.
 
-    Raises InputError if the file is missing or cannot be read, is no ordinary file (reading a pipe
-    or device might never end), is larger than allowed for its ``kind``, or is clearly of another
-    kind. In the last case the error is a UsageError if a job, profile, definition or virtual
-    machine was expected.
+    Raises InputError for a file that is missing, cannot be read, or is larger than allowed for its
+    ``kind``. Raises it too for a device or a pipe, because reading that might never end. A file
+    that is clearly of another kind is a UsageError if a job, profile, definition or virtual machine
+    was expected, else an InputError.
     """
     pending = session.pending.get(path)
     if pending is not None:

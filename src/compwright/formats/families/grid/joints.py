@@ -102,10 +102,15 @@ def homing_of(
     which a shifted correction is zero. ``values``: the settings of one joint; ``factor``: mm or deg
     per unit of the files.
 
-    Homing to a switch sets the motor offset to the commanded position less the correction at this
-    position, so it shifts the correction. Three kinds of homing leave the correction unchanged
-    ("absolute"): to an encoder index that resets its counter, with an absolute encoder, and in
-    place before the first motion (homing.c). If the files do not show the kind, the word is empty.
+    Homing to a switch shifts the correction: it sets the motor offset to the commanded position
+    less the correction at this position. Three kinds of homing leave the correction unchanged
+    ("absolute", homing.c):
+
+    - homing to an encoder index that resets its counter;
+    - homing with an absolute encoder;
+    - homing in place before the first motion.
+
+    If the files do not show the kind, the word is empty.
     """
     if "home_offset" not in values.definition.bindings:
         return "", None

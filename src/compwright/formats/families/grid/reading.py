@@ -1,7 +1,7 @@
 """Read a control's files as the active compensation of every axis that they name.
 
 A missing value does not count as zero. These are errors: a grid without values, a table that is
-switched on but is in no file, and an axis of the job that no file names. Every assumption is
+switched on but was not given, and an axis of the job that no file names. Every assumption is
 listed.
 """
 

@@ -159,8 +159,8 @@ class TableFiles:
 def unused_table_files(definition: Definition, files: Sequence[ControlFile]) -> list[str]:
     """Return the names of files that the control never opens, because no loaded file names them.
 
-    A machine's folder holds many such files, for example its tool table. A damaged file that states
-    what is loaded when intact is not returned.
+    A machine's folder holds many such files, for example its tool table. A damaged file is not
+    returned if, without the damage, it would state what is loaded.
     """
     binding = definition.bindings.get("table_file")
     if binding is None:

@@ -68,8 +68,9 @@ def _filled(family: Family, request: BetweenRequest, entry: PlannedCross) -> Bet
     """Return an answer with files in which unused parameters of straightness compensation contain
     the straight line; None if impossible.
 
-    It is impossible if no axis pair is unused, or if the line cannot be written exactly: its ends
-    must be points of the moving axis' table, and both directions must have the same correction.
+    It is impossible if no axis pair is unused. It is also impossible if the line cannot be written
+    exactly. Its ends must be points of the moving axis' table, and both directions must have the
+    same correction.
     """
     added, bent = entry.added, request.axes.get(entry.output)
     places = free_pair(Parameters(request.base, family.definition.parameters), added.input)

@@ -36,12 +36,13 @@ def detection_unit(own: AxisParameters, kind: AxisKind) -> DetectionUnit | None:
     """Return the detection unit (least command increment / CMR) by an axis' parameters ``own``;
     None if these do not state it.
 
-    Parameter 1820 states the command multiplier CMR: from 1 to 96 it is 2 x CMR, from 101 to 127 it
-    is 100 + 1/CMR (B-63950EN/02 page 106, B-63943EN-1/02 page 109). The least command increment is
-    0.001 mm or deg by IS-B (0.01 by IS-A, 0.0001 by IS-C). A linear axis of an inch machine
-    (1001#0) has a tenth of this number, in inches. Parameter 1013 states the increment system by
-    axis; on older series 1004 states it. No page says which of its bits mean IS-D and IS-E. The
-    effect of diameter programming (1006#3) is not known.
+    Parameter 1820 states the command multiplier CMR. From 1 to 96 its value is 2 x CMR, from 101 to
+    127 it is 100 + 1/CMR (B-63950EN/02 page 106, B-63943EN-1/02 page 109).
+
+    The least command increment is 0.001 mm or deg by IS-B (0.01 by IS-A, 0.0001 by IS-C). A linear
+    axis of an inch machine (1001#0) has a tenth of this number, in inches. Parameter 1013 states
+    the increment system by axis; on older series 1004 states it. No page says which of its bits
+    mean IS-D and IS-E. The effect of diameter programming (1006#3) is not known.
     """
     multiplier, system = own.get(known.MULTIPLIER), own.system
     power = None if system is None else _power(system)

@@ -5,12 +5,12 @@ and an amount in detection units. It is put out at the points and added to the p
 B-63522EN/02 page 222). It is zero at the reference position, and outside the four points it keeps
 the end values.
 
-The second table belongs to the point numbers from 14985 to 14986. The number in 14985 is the start
-of the period. Each number after it, up to that in 14986, belongs to one section of the period. Its
+The second table has the point numbers from 14985 to 14986 (values of these parameters). The first
+of them is the start of the period. Each further one belongs to one section of the period. Its
 increments have the same form as in the main table, and their sum is 0 (A-78868E pages 3 and 6).
 
-Three facts are unconfirmed: that both have the sign of the pitch data, that 3623 does not multiply
-them, and that the period starts at the reference position.
+Three facts are unconfirmed: both have the sign of the pitch data, 3623 does not multiply them, and
+the period starts at the reference position.
 """
 
 from __future__ import annotations

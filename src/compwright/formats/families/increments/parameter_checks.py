@@ -92,10 +92,11 @@ def unclear_path(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
     """Yield a fault for each of an axis' parameters ``own`` that differs between paths, if the
     axis' path is unknown.
 
-    Parameter 981 states the path of an axis; here no file contains it. These parameters are
-    checked: inches (1001#0), which decides lengths and detection unit of a linear axis; the
-    increment system (1004) of an axis without 1013; and 1800#4, which decides whether 1852 is
-    active, if 1852 is in the files.
+    The path is unknown if parameter 981 is in no file. Three parameters are checked:
+
+    - 1001#0 (inches) decides lengths and detection unit of a linear axis.
+    - 1004 decides the increment system of an axis without 1013.
+    - 1800#4 decides whether 1852 is active, if 1852 is in the files.
     """
     for number, bits in {**_deciding_bits(own, kind), known.TOTALS: tuple(range(8))}.items():
         rivals = own.rivals(number, bits)

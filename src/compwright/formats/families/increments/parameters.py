@@ -1,8 +1,8 @@
 """Parameters of a FANUC control that are read but never written.
 
-A backup holds thousands of parameters. The parameters listed here correct an axis, refer to the
-point numbers that all axes share, or decide a unit, the kind of an axis or a direction. Values
-belong to an axis (A), to a path (L) or to the machine. Meaning and evidence of each:
+A backup holds thousands of parameters. Those listed here correct an axis, refer to the point
+numbers that all axes share, or decide a unit, a direction or the kind of an axis. Values belong to
+an axis (A), to a path (L) or to the machine. Meaning and evidence of each:
 docs/controllers/fanuc.md.
 """
 

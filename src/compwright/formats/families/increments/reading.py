@@ -1,10 +1,13 @@
 """Read the files of a FANUC control as compensation.
 
-All axes share one array of point numbers, and every axis has a range of it. With r the number of
-the reference position and b the interval, number n belongs to the section ((n - r - 1) b, (n - r)
-b). The correction at a table point is the sum of the increments from the reference to it: their own
-sign to the right, the opposite sign to the left (FANUC 0i-PB parameter manual B-63980EN/01 p100;
-numbering inferred from its listing). The definition lists what is unconfirmed.
+All axes share one array of point numbers, and every axis has a range of it. Let r be the number of
+the reference position and b the interval. Number n then belongs to the section ((n - r - 1) b, (n -
+r) b).
+
+The correction at a table point is the sum of the increments between it and the reference. They
+count with their own sign to the right of the reference, with the opposite sign to the left. Source:
+FANUC 0i-PB parameter manual B-63980EN/01 p100; numbering inferred from its listing. The definition
+lists what is unconfirmed.
 """
 
 from __future__ import annotations

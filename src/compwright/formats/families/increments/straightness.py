@@ -2,11 +2,12 @@
 only if options include it.
 
 There are three pairs of axes: 5711 to 5713 state the moving axes, 5721 to 5723 the compensated
-axes. Each pair has four point numbers of the moving axis (5731, 5741, 5751 and on) and four amounts
-in detection units of the compensated axis (5761, 5771, 5781 and on). The correction is a straight
-line between two points, is zero at the reference position, and is put out at the points (FANUC
-B-63522EN/02 page 222). Unconfirmed: the parameter numbers, and that a positive amount moves the
-compensated axis towards +.
+axes. Each pair has four point numbers of the moving axis (5731, 5741, 5751 and on). It also has
+four amounts in detection units of the compensated axis (5761, 5771, 5781 and on).
+
+The correction is a straight line between two points and zero at the reference position. It is put
+out at the points (FANUC B-63522EN/02 page 222). Unconfirmed: the parameter numbers, and that a
+positive amount moves the compensated axis towards +.
 """
 
 from __future__ import annotations
@@ -138,8 +139,8 @@ def free_pair(parameters: Parameters, moving: str) -> dict[int, ParameterValue] 
     """Return, by index (0 to 9), the parameters of the first axis pair of straightness compensation
     that is complete in the files and at zero. ``moving``: the moving axis, whose path counts.
 
-    None if there is no such pair. None also if the axis is in a path other than the first: it is
-    not known whether its number is then counted within the path.
+    None if there is no such pair, or if the moving axis is not in the first path. In another path
+    an axis number in these parameters may be counted within the path.
     """
     if (AxisParameters(parameters, moving).path or 1) != 1:
         return None

@@ -39,7 +39,7 @@ class ListsByAxis:
 
     - ``statements``: the lines of each axis, ``statements[address][statement]``, in the order of
       the files.
-    - ``files``: by axis, the indices of its files in the order in which the files were given.
+    - ``files``: by axis, the indices of its files among those given.
     - ``listed``: by axis, its lines in the start-up list.
     - ``start_up``: by statement, the lines of the start-up list.
     - ``missing``: by axis, the line of the start-up list that names a file which was not given.

@@ -242,8 +242,8 @@ def _written(
     ``before``: the state of the control's files. A new file has a name that none of these files
     has.
 
-    Such a file may have been loaded in an earlier round of compensation, and a new file of the same
-    name would replace it in the control.
+    A file of the same name may be in the control from an earlier round of compensation. The new
+    file must not replace it.
     """
     marked = [replace(file, name=_OWN + file.name) for file in request.base]
     taken = {file.name for file in request.base}

@@ -1,8 +1,10 @@
 """Find the axes of a SINUMERIK that move together, except gantries (MD37100).
 
-The files can state three kinds of coupling: master and slave drives (MD37250, MD37252, MD37262),
-coupling in the machine coordinate system (MD63000), and a transformation of coordinates that is
-active after reset (MD20140).
+The files can state three kinds of coupling:
+
+- master and slave drives (MD37250, MD37252, MD37262);
+- coupling in the machine coordinate system (MD63000);
+- a transformation of coordinates that is active after reset (MD20140).
 """
 
 from __future__ import annotations

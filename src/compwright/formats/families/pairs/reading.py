@@ -1,8 +1,8 @@
 """Read the cross-axis tables (SINUMERIK CEC) from the control's files as curves.
 
-For a reversal error that varies with the position, such a control has two tables with the same
-input and output axis, one for each direction. The corrections of active tables with the same axes
-are added. A table that is multiplied by another one is not read.
+If an axis' reversal error varies with the position, such a control has two tables with this axis as
+input and output, one for each direction. The corrections of active tables with the same axes are
+added. A table that is multiplied by another one is not read.
 """
 
 from __future__ import annotations
@@ -90,11 +90,15 @@ class CecReader(SingleValues):
     ``scale``: unit and sign of the numbers in a cross-axis table. ``wanted``: the axes of the job
     (empty: all axes). ``units``: the length units of the files.
 
-    Some tables cannot be read as a curve: the range is no multiple of the step, the output is no
-    machine axis, a key or the unit is unknown, or the control multiplies the table by another one.
-    Such a table is reported and stays unchanged, with two exceptions, which are faults. First, its
-    lines are incomplete or contradict each other. Second, it is active, corrects an axis of the job
-    by that axis' own position or as a product, and may be written (``writable``).
+    A table cannot be read as a curve for one of these reasons: its range is no multiple of the
+    step, its output is no machine axis, a key or the unit is unknown, or the control multiplies it
+    by another table.
+
+    Such a table is reported and stays unchanged, with two exceptions, which are faults:
+
+    - Its lines are incomplete or contradict each other.
+    - It is active, may be written (``writable``), and corrects an axis of the job by that axis' own
+      position or as a product.
     """
 
     def __init__(

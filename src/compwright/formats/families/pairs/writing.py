@@ -1,7 +1,8 @@
 """Write cross-axis tables (CEC) into the control's files.
 
-Only table indices in the option ``cec_tables`` are written, and only if the index is unused or its
-table corrects the axis by its own position. Tables of the machine's builder stay as they are.
+Only table indices in the option ``cec_tables`` are written. Of these, only unused ones are written,
+and those of tables by which the axis already corrects itself. Tables of the machine's builder stay
+as they are.
 """
 
 from __future__ import annotations

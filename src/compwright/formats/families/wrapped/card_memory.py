@@ -1,7 +1,7 @@
 """The state of a motion control card (PMAC) after it has executed scripts: tables and settings.
 
-Checks of the order are here too: the order in which the card allows tables to be defined and
-deleted (ERR003), and the order in which scripts are sent.
+Two orders are checked here: that in which the card allows tables to be defined and deleted
+(ERR003), and that in which scripts are sent.
 """
 
 from __future__ import annotations

@@ -1,8 +1,10 @@
 """Find the motors of a PMAC that move together, from its scripts.
 
-The scripts can state three kinds of coupling: two motors on one axis of a coordinate system
-(`#1->1000X`, `#2->1000X`), motors whose position a kinematics program calculates (`#1->I`), and
-position following (Ixx06; Ixx05 contains the address of the followed register).
+The scripts can state three kinds of coupling:
+
+- two motors on one axis of a coordinate system (`#1->1000X`, `#2->1000X`);
+- motors whose position a kinematics program calculates (`#1->I`);
+- position following (Ixx06), where Ixx05 contains the address of the followed register.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Write tables of motors as new scripts, or into the user's own scripts.
 
 In the user's own scripts all other bytes stay the same. New commands are put where the card accepts
-them: tables from the highest motor number down, and all COMP tables before the buffers that must
-follow them. The result is read again before it is returned.
+them. Tables are in the order from the highest motor number down, and all COMP tables come before
+the buffers that must follow them. The result is read again before it is returned.
 """
 
 from __future__ import annotations
