@@ -1,7 +1,8 @@
 """Replacement of the best table by one that is easier to load, if tests would show almost no
 difference.
 
-It keeps the magnification set in the control, and has fewer points where somebody types them.
+The easier table keeps the magnification set in the control, and has fewer points if a person types
+them in.
 """
 
 from __future__ import annotations
@@ -57,8 +58,8 @@ def planned_request(
     """Return the limits and the requested table points with which a new fit gives the ``planned``
     table again.
 
-    They keep the magnification, if the plan kept the one in the control, and the smaller number of
-    points of a table that is typed.
+    They contain the magnification if the plan kept the one in the control, and the reduced number
+    of points of a table that is typed in.
     """
     lattice, nodes = capacity.lattice, planned.compensation.positions
     kept = None if lattice is None else lattice.there
@@ -75,8 +76,8 @@ def _with_kept_magnification(
     """Return the control's limits and the best table. The table keeps the magnification set in the
     control if the test that ``shown`` predicts for it shows almost no difference.
 
-    A new magnification is a risk: loaded without its increments, or these without it, it multiplies
-    the whole table.
+    A new magnification is a risk. If it is loaded without its increments, or these are loaded
+    without it, the control multiplies the whole table by a wrong factor.
     """
     lattice = capacity.lattice
     best = fit_within(wanted, capacity, request, axis)
@@ -133,7 +134,8 @@ def _fewest(
     or None if there is none. ``enough`` returns both for a grid whose table is good enough, else
     None.
 
-    Search by halving, then among the next coarser grids: usually, more points are better.
+    The search halves the range of grids, because more points are usually better. Then it tries the
+    next coarser grids one by one.
     """
     low, high = 0, len(grids)
     best: _Found | None = None

@@ -99,7 +99,7 @@ def why_not_better(
     Compared are the measured test (evaluated with the present correction ``before`` and with the
     new one ``after``) and quantiles of simulated tests at new targets (``old``, ``new``).
 
-    The first of A, E, ... that the test has decides.
+    Only one parameter is compared: the first of A, E, ... that the test has.
     """
     name = judged_parameter(before)
     if name is None:
@@ -126,10 +126,8 @@ def why_not_seen(
     """Return the reason why no test would show the gain of a table, or None if a test would show
     it. ``old``, ``new``: quantiles of simulated tests with the present and with the new correction.
 
-    The parameter that judges tables has to fall by more than the standard deviation by which it
-    differs from test to test.
-
-    Arguments as of `why_not_better`, which has found the table better.
+    The parameter that judges tables must fall by more than its standard deviation from test to
+    test. The arguments are those of `why_not_better`, which must have found the table better.
     """
     name = judged_parameter(before)
     if name is None or name not in new or name not in old:

@@ -18,11 +18,10 @@ STOP_SCATTER = 5.0
 
 @dataclass(frozen=True, slots=True)
 class CheckReading:
-    """One reading of the quick check, mm or deg: expected value, and the difference from it at
-    which to stop.
+    """One reading of the quick check, mm or deg.
 
-    The correction that the control ``adds`` there, the ``expected`` reading, and the difference
-    from it at which to ``stop``.
+    ``adds``: the correction that the control adds at this position. ``expected``: the expected
+    reading. ``stop``: the difference from the expected reading at which the engineer must stop.
     """
 
     position: float
@@ -35,8 +34,8 @@ class CheckReading:
 def check_positions(work: AxisWork, new: Correction) -> FloatArray:
     """Return the three positions of the quick check: targets of the first test within the travel.
 
-    The two ends and, between them, where the new correction leaves the straight line through the
-    ends most: there its sign shows.
+    Two are the ends. The third is the target at which the new correction deviates most from the
+    straight line through the ends, because a wrong sign shows there best.
     """
     low, high = work.planned.axis.travel
     targets = work.results[0].test.targets
@@ -78,7 +77,8 @@ def moved_by(work: AxisWork, new: Correction, position: float) -> float:
     """Return how far a fixed position of an axis moves, mm or deg, when ``new`` replaces the
     present correction.
 
-    Where homing counts the correction at the reference as zero, a change there moves nothing.
+    If the control takes the correction at the reference as zero after homing, a change of the
+    correction at the reference moves nothing.
     """
     axis, change = work.planned.axis, difference(new, work.as_found)
     moved, zero = change(np.array([position, axis.reference]), axis.reference_return)

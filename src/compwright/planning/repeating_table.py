@@ -40,8 +40,8 @@ def with_repeating_table(
     """Return the table ``plain``, supplemented by a second table that repeats with a known short
     period. ``fit`` fits the main table again.
 
-    The second table is used only if it leaves clearly less error; else the result is ``plain``
-    alone. A finding states the errors with and without the second table.
+    The second table is used only if it clearly reduces the remaining error. Otherwise the result is
+    ``plain`` alone. A finding states the errors with and without the second table.
     """
     if capacity.wave is None or plain.compensation.positions.size < 2:
         return plain
@@ -88,10 +88,9 @@ def _left(
     """Return the mean error (g,) of both directions that ``table`` leaves, at the positions of
     ``wanted``.
 
-    The main table counts as straight between its nodes, so that its steps are no wave.
-
-    The ``periods`` (mm or deg) that the main table holds count as residual too: the table of the
-    period takes all of them.
+    The main table is taken as straight between its points, so that its steps do not look like a
+    wave. The ``periods`` (mm or deg) that the main table reproduces are added to the remaining
+    error, because the repeating table takes them over completely.
     """
     straight = replace(table, interpolation="linear", backlash=0.0)
     plus, minus = (straight.at(wanted.positions, side) for side in Direction)

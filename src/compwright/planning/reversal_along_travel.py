@@ -23,10 +23,9 @@ def reversal_curve(estimate: ErrorEstimate, active: Correction) -> tuple[FloatAr
     """Return positions (k,) in the measured range, and the reversal error of the uncorrected axis
     there, mm or deg.
 
-    It is the mean in + minus the mean in -, without the ``active`` correction.
-
-    For a rotary axis whole turns are removed: its travel may begin at a reference some turns away
-    from the measured range.
+    The reversal error is the mean in + minus the mean in -, without the ``active`` correction. For
+    a rotary axis whole turns are removed, because its travel may begin at a reference that is some
+    turns away from the measured range.
     """
     low, high = estimate.measured
     where = estimate.positions

@@ -1,8 +1,9 @@
 """Scale error of an axis without a positioning test, from circular tests.
 
-The radius of a circle also shrinks by the lag of the position loop, v²/(2 Kv² R). A scale is
-therefore taken from a calibrated bar at a low feed, from two feeds extrapolated to zero, or from
-the mismatch with an axis that has a positioning test; else not at all.
+The lag of the position loop also makes the radius of a circle smaller, by v²/(2 Kv² R). Therefore a
+scale is taken from one of three sources: a calibrated bar at a low feed, two feeds extrapolated to
+zero, or the mismatch with an axis that has a positioning test. Without one of these, no scale is
+given.
 """
 
 from __future__ import annotations
@@ -75,7 +76,8 @@ def correct_scales(
     """Return the scale correction of each axis listed in ``apply.scale``. A positioning test, if
     there is one, takes precedence.
 
-    ``state``: the present contents of the control.
+    ``state``: the present contents of the control. ``capacity``: returns the limits of the control
+    for an axis.
     """
     found = []
     for name in job.apply.scale:
@@ -205,7 +207,8 @@ def _two_feeds(
     """Yield pairs of circular tests at clearly different feeds, as (fast, slow, scale error
     extrapolated to feed 0).
 
-    They have the same size and centre and were taken in one state.
+    Both tests of a pair have the same size and centre and were measured in the same state of the
+    control.
     """
     for slow in works:
         for fast in works:

@@ -1,8 +1,8 @@
 """Simulated tests for a fit whose goal is a small parameter such as A: some to optimise the table,
 and others to judge the result.
 
-They are drawn as predictions are, from separate draws; a third set, that of the prediction,
-confirms the result or not.
+Both sets are simulated as predictions are, from separate random draws. The prediction is a third
+set, which confirms or contradicts the result.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Findings about what one test of an axis leaves open and a second one would decide.
+"""Findings about what one test of an axis leaves open and a second test would decide.
 
-Three properties of the noise of one test: a drift that may not repeat, readings that may lie
-between two limits (two places of rest) instead of around one, and a scatter that differs between
-the runs.
+There is a finding for each of three properties of the noise of one test: a drift that may not
+repeat, readings that may lie between two limits (two places of rest) instead of around one value,
+and a scatter that differs between the runs.
 """
 
 from __future__ import annotations
@@ -114,10 +114,11 @@ def unequal_scatter(test: PositioningTest) -> FloatArray | None:
     """Return the standard deviation of a reading in each run (n,), mm or deg, or None if the runs
     do not clearly differ.
 
-    Absolute residuals are compared within their target (Brown and Forsythe, J. Am. Stat. Assoc. 69,
-    1974), where equal runs may be exchanged (Friedman, J. Am. Stat. Assoc. 32, 1937): the sums over
-    the targets follow chi-squared with n - 1 degrees of freedom, in the approximation of Wilson and
-    Hilferty (Proc. Natl. Acad. Sci. 17, 1931). Traverses may shift and tilt.
+    Absolute residuals are ranked within their target (Brown and Forsythe, J. Am. Stat. Assoc. 69,
+    1974), because runs with equal scatter could be exchanged there (Friedman, J. Am. Stat. Assoc.
+    32, 1937). The sums over the targets then follow chi-squared with n - 1 degrees of freedom, in
+    the approximation of Wilson and Hilferty (Proc. Natl. Acad. Sci. 17, 1931). An offset and a tilt
+    of each traverse are removed first.
     """
     readings = cell_readings(test)
     n = readings.runs
@@ -139,8 +140,9 @@ def unequal_scatter(test: PositioningTest) -> FloatArray | None:
 def _stds_of_runs(residuals: FloatArray) -> FloatArray:
     """Return the standard deviation (n,) of the ``residuals`` (c, n) in each run.
 
-    The mean of each target is not known: EM algorithm (Dempster, Laird and Rubin, J. R. Stat. Soc.
-    B 39, 1977), with mean absolute values, which outliers change less.
+    The mean of each target is unknown, so it is estimated too (EM algorithm: Dempster, Laird and
+    Rubin, J. R. Stat. Soc. B 39, 1977). Mean absolute values are used, because outliers change them
+    less.
     """
     variances = np.full(residuals.shape[1], float(np.var(residuals)))
     for _ in range(_ROUNDS):

@@ -40,8 +40,8 @@ def with_line(
     """Return the table ``plain``, supplemented by a straight line in a separate table of the
     control. ``fit`` fits the main table again.
 
-    The line is used only if it clearly reduces the error at the table points; else the result is
-    ``plain`` alone. A finding states the errors with and without the line.
+    The line is used only if it clearly reduces the error at the table points. Otherwise the result
+    is ``plain`` alone. A finding states the errors with and without the line.
     """
     if capacity.slope is None or capacity.period is not None:
         return plain

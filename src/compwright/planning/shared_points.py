@@ -18,13 +18,15 @@ _TO_SPARE: Final = 2
 def share_points(
     capacities: Mapping[str, Capacity], planned: Mapping[str, PlannedAxis]
 ) -> dict[str, Capacity]:
-    """Return the limits of each axis after the shared points are divided. Axes whose spacing the
-    job states keep their points.
+    """Return the limits of each axis after the shared points are divided.
 
-    An axis whose spacing the job names gets the points that it needs; two tables need twice as
-    many. That request is not changed: where it does not fit, writing refuses it. An existing grid
-    that stays takes no free points, unless other axes use its points too; nor does a grid that fits
-    into the points that its axis already has. No axis gets fewer points than those.
+    An axis whose spacing the job states gets as many points as this spacing needs, and twice as
+    many for two tables. If these are too many, the spacing is not changed: the files are refused
+    later.
+
+    Two grids take no shared points: an existing grid that stays, unless other axes use its points
+    too, and a grid that fits into the points that its axis already has. No axis gets fewer points
+    than it already has.
     """
     sharing = {
         name: one

@@ -1,10 +1,9 @@
 """The parts of the wanted correction that a table cannot reproduce, as one curve per cause.
 
-Their sum is the whole shortfall.
-
-A single curve cannot hold a reversal that varies along the travel. Straight lines between the nodes
-cannot hold what bends there (by how much, the best curve on the same nodes without limits of value
-shows). The rest comes from limits of value and whole numbers.
+The sum of these curves is everything that the table lacks. There are three causes. A single curve
+cannot reproduce a reversal that varies along the travel. Straight lines between the points cannot
+reproduce bends; the size of this part follows from the best curve on the same points without limits
+of value. The rest comes from limits of value and from whole numbers.
 """
 
 from __future__ import annotations
@@ -45,7 +44,7 @@ _FINE: Final = 1e-9
 class Shortfall:
     """The part of the wanted correction that a table lacks for one ``cause``, mm or deg.
 
-    ``rms``: what the fit reports for this cause, None where it reports nothing.
+    ``rms``: the rms error that the fit states for this cause, or None if it states none.
     """
 
     cause: str
@@ -58,7 +57,8 @@ def shortfalls(
 ) -> tuple[Shortfall, ...]:
     """Return what the ``fitted`` table lacks of the ``wanted`` correction (totals), by cause.
 
-    Without a constant, which only moves the datum, and without those that are zero.
+    A constant is removed from each curve, because it only moves the datum. Causes without any
+    effect are left out.
     """
     rms = {limit.cause: limit.value for limit in fitted.limits}
     return tuple(

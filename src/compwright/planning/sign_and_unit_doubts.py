@@ -2,17 +2,21 @@
 job state.
 
 The readings as stated are compared with the same readings under another assumption: opposite sign,
-+ and - exchanged, targets in the opposite order, positions counted against the machine, or the
-table of the control not active.
++ and - exchanged, targets in the opposite order, positions counted in the opposite direction, or
+the table of the control not active.
 
-Each assumption leaves an error of the axis, and is as likely as that error. Errors of axes are
-smooth. Jumps from target to target must therefore come from jumps of the active table, and targets
-with random parts (ISO 230-2:1988, 4.3.2) must lie where the error predicts. Four tables of five are
-assumed to be made for their axis: the error is the opposite of the table times a factor of 1 ±
-0.25. Half of these tables hold the jumps too (periods, wear), half the smooth part alone. For the
-fifth the factor is anything about 0. Flat readings with an active table are therefore what a good
-table leaves, and no doubt. Without a table, sign and directions leave an error as smooth as before;
-they are not judged here (`evaluation.plausibility` judges the reversal).
+From each assumption follows an error of the axis, and the assumption is as probable as this error.
+Errors of axes are smooth. If the error jumps from target to target, these must be jumps of the
+active table. If the targets have random parts (ISO 230-2:1988, 4.3.2), their deviations must agree
+with the error at these positions.
+
+Four tables of five are assumed to be made for their axis: the error is the opposite of the table
+times a factor of 1 ± 0.25. Half of these tables also reproduce the jumps (periods, wear), the other
+half only the smooth part. For the fifth table the factor is any number around 0. Therefore flat
+readings with an active table are no doubt: a good table leaves them.
+
+Without a table, the error is equally smooth for every sign and direction. Such tests are not judged
+here; `evaluation.plausibility` judges their reversal.
 """
 
 from __future__ import annotations

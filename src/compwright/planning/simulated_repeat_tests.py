@@ -60,12 +60,14 @@ FIRST: Final = RepeatConditions()
 class FreshTests:
     """Random draws of the deviation of an axis at new targets, mm or deg.
 
-    ``sets`` (k, m): sets of targets with the ``expected`` deviation (k, m), and ``chosen`` (s,):
-    the set of each draw, ascending. Tests like ``result`` add the scatter of the readings, from the
-    generator in ``state``, and ``slopes`` (s, m) from an uncertain temperature. ``drawn``: the
-    scatter of all parts of the noise, once it is needed, and the scatter without the last removed
-    parts (both are large). ``hidden``: returns the periods that the readings leave open, and
-    ``waves``: draws (s, m) of these, once they are needed.
+    ``sets`` (k, m): k sets of m targets. ``expected`` (k, m): the expected deviation at these.
+    ``chosen`` (s,): for each of s draws the index of its set, ascending. A simulated test repeats
+    the test ``result``: it adds the scatter of the readings, from the random generator in
+    ``state``, and ``slopes`` (s, m) from an uncertain temperature.
+
+    ``drawn``: the scatter of all parts of the noise, and the scatter without the parts that were
+    removed last. Both are large, so they are drawn only when needed. ``hidden``: returns the
+    periods that the readings leave open. ``waves``: returns draws (s, m) of these periods.
     """
 
     result: PositioningResult
@@ -96,13 +98,13 @@ class FreshTests:
         waves: FloatArray | None = None,
     ) -> Mapping[str, Quantiles]:
         """Return quantiles of each parameter of the simulated tests after a ``change`` of the
-        correction. Other arguments leave out parts of the deviation (``known``, ``unknown``,
-        ``warm`` False) or of the noise (``cured``), add periodic errors ``waves``, or select one
-        parameter (``only``).
+        correction. The other arguments leave out parts of the deviation or of the noise, add
+        periodic errors, or select one parameter.
 
-        ``known``: whether to include the estimated error and the change, ``unknown``: the
-        uncertainty of the estimate, ``warm``: the slopes; ``cured``: parts of the noise to leave
-        out; ``only``: the one parameter to compute; ``waves`` (s, m): added to the deviation.
+        ``known``: whether to include the estimated error and the change. ``unknown``: whether to
+        include the uncertainty of the estimate. ``warm``: whether to include the slopes. ``cured``:
+        parts of the noise to leave out. ``only``: the one parameter to calculate. ``waves`` (s, m):
+        periodic errors that are added to the deviation.
         """
         deviations = []
         for direction, drawn in (
@@ -135,8 +137,9 @@ class FreshTests:
         """Return quantiles of each parameter (or ``only`` one) of the simulated tests after a
         ``change`` of the correction, with all possible periods of the error included.
 
-        Those that the readings show at all are in the draws, each as often as it is probable. Those
-        that they leave open count for the upper end alone: the axis may have none of them.
+        Periods that the readings show are in the draws, each as often as it is probable. Periods
+        that the readings leave open change only the upper end, because the axis may have none of
+        them.
         """
         shown, waves = self.quantiles(change, only=only), self.open_waves()
         if waves is None:
@@ -190,8 +193,8 @@ def draws_like(result: PositioningResult) -> int:
     """Return the number of repetitions of the test ``result`` to simulate, fewer if it has many
     readings.
 
-    Time and memory of all of them grow no more than its own readings do, and many readings scatter
-    less from test to test.
+    Time and memory for the repetitions grow no faster than the number of readings. Fewer
+    repetitions are enough for a test with many readings, because its parameters scatter less.
     """
     readings = result.test.positive.size + result.test.negative.size
     return min(_DRAWS, max(_FEWEST_DRAWS, _DRAWS * _READINGS // max(readings, 1)))

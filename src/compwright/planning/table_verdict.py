@@ -28,7 +28,7 @@ def verdict(
     remaining error is scatter. ``tabled``: a table is written; ``refused``: a table was made, but
     improves nothing.
 
-    A gain counts when it is more than one standard deviation of the parameter between tests.
+    A gain is large enough if it exceeds one standard deviation of the parameter between tests.
     """
     left = limiting.then if tabled else limiting.now if refused else limiting.least
     gained = limiting.now - left

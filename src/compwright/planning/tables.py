@@ -1,7 +1,7 @@
 """Fitting of the best table of one axis within the limits of the control.
 
-It uses the existing grid where that is suitable, else a new one, and states what a new one would
-gain.
+The fit uses the existing grid if that is suitable, and otherwise a new grid. If it uses the
+existing one, it states how much a new grid would improve the axis.
 """
 
 from __future__ import annotations
@@ -41,8 +41,9 @@ def fit_within(
 ) -> FittedTable:
     """Return the fitted table of an axis. Existing tables that stay active are taken into account.
 
-    A line and a wave are used where the control has them and they help. Raises CapacityError where
-    the control cannot hold it by more than the noise of a reading.
+    A separate line and a repeating table are used if the control has them and they reduce the
+    error. Raises CapacityError if the table that the control can hold differs from the wanted
+    correction by more than the noise of a reading.
     """
 
     def fit(limits: Capacity, requested: TableRequest) -> FittedTable:
@@ -68,9 +69,9 @@ def fit_remaining(
     costs: bool = True,
 ) -> FittedTable:
     """Return the table that, added to the existing tables that stay active, gives the wanted
-    correction. With ``costs``, the table states what each limit of the control costs.
+    correction. With ``costs``, the table states the error that each limit of the control adds.
 
-    Raises CapacityError where the control cannot hold it.
+    Raises CapacityError if the control cannot hold the table.
     """
     own = without_kept_tables(wanted, capacity.stays)
     table = fit_table(own, capacity, request, address=axis.address, costs=costs)
@@ -86,7 +87,7 @@ def fit_keeping_grid(
     """Return the table that ``fit`` gives on the existing table points. If no table on these points
     is possible, use new points and add a warning.
 
-    Raises CapacityError as ``fit`` does, for the new grid where there is one.
+    Raises the CapacityError of ``fit`` for the new points, if these are used.
     """
     try:
         return fit(request)
@@ -136,7 +137,7 @@ def negligible_loss(kept: TestPrediction, best: TestPrediction) -> bool:
     """Return whether predicted tests with one table (``kept``) are almost as good as those with the
     best table (``best``).
 
-    Compared at the same targets and at new ones, by the parameter `judged_parameter`.
+    The tests are compared at the same targets and at new ones, by the parameter `judged_parameter`.
     """
     name = judged_parameter(best.before)
     if name is None:
@@ -186,7 +187,7 @@ def new_grid_offer(
     tests predicted with the existing points (without a table if none is ``written``) and with the
     new points.
 
-    A gain counts when it is larger than ``quantum``, the control's resolution, and than one
+    A gain is large enough if it exceeds both ``quantum``, the control's resolution, and one
     standard deviation of the parameter between tests.
     """
     name = judged_parameter(kept.before)

@@ -1,8 +1,8 @@
 """The effect of uncertain temperature and set-up: a slope error of a test that differs from test to
 test.
 
-Counted once: under the decision rule ``simple`` in the band of the prediction, under ``guarded`` in
-the guard band U alone.
+It is counted once. Under the decision rule ``simple`` it is in the band of the prediction; under
+``guarded`` it is in the guard band U alone.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ def with_temperature_slopes(job: Job, tests: Sequence[PlannedTest]) -> tuple[Pla
     """Return the tests of an axis, each with the standard deviation of its slope error (mm/mm) from
     temperature and set-up.
 
-    ``guarded``: the slope relative to the first test, because the slope of the first test is part
-    of U.
+    Under the decision rule ``guarded`` the slope error is relative to that of the first test,
+    because U contains the slope error of the first test.
     """
     first = tests[0].test
     own = tuple(
@@ -41,7 +41,8 @@ def relative_to_first(tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ...]:
     """Return the tests, each with the standard deviation of the difference between its slope and
     the slope of the first test, from which the table takes its slope.
 
-    It is zero for the first and the combination of both for the others.
+    It is zero for the first test. For every other test it combines the standard deviations of both
+    slopes.
     """
     first, *others = tests
     return (
@@ -61,8 +62,8 @@ def slope_in_table(job: Job, tests: Sequence[PlannedTest], coming: PositioningTe
     """Return the standard deviation (mm/mm) of the slope error in the table, which has its slope
     from the first of the ``tests``, relative to the slope of a later test ``coming``.
 
-    It combines the uncertain slope of the first test with the effect of the uncertain coefficient
-    over the difference of their temperatures.
+    It combines two parts: the uncertain slope of the first test, and the uncertain expansion
+    coefficient times the difference of the temperatures of both tests.
     """
     budget, first = job.budget(coming.kind), tests[0].test
     common = None if budget is None else UncertaintyBudget(U_alpha=budget.U_alpha)

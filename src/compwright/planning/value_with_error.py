@@ -64,8 +64,9 @@ def worse_doubts(
     if this is improbable. The value is the squareness of a ``plane`` or, without a plane, the scale
     error of an axis.
 
-    The error grows where the true value is below half of ``value``: then the correction leaves a
-    larger error of opposite sign. Assumed: normal error, and no other knowledge of the machine.
+    The error becomes larger if the true value is below half of ``value``: then the correction
+    leaves a larger error of opposite sign. The errors of ``value`` are assumed to be normal, and
+    nothing else is assumed about the machine.
     """
     chance = 0.5 * erfc(0.5 * abs(value) / (sqrt(2.0) * std_error))
     if chance <= _WORSE:

@@ -43,10 +43,12 @@ UNDECLARED_SLOPE = 11.5e-6
 class MeasuredError:
     """The error of an axis estimated from its tests, and the known correction in the first test.
 
-    A table may have any shape: it is subtracted before the smooth error is estimated, and added
-    again exactly. ``counted``: by test of the axis, its index in the estimate, None where it does
-    not count; ``noises``: by test, the noise from its repeated readings; ``alike``: indices of the
-    tests that count and were taken like the first.
+    A table may have any shape. Therefore the active table is subtracted before the smooth error is
+    estimated, and added again exactly.
+
+    ``counted``: for each test of the axis its index in the estimate, or None if it is not in use.
+    ``noises``: for each test the noise from its repeated readings. ``alike``: indices of the tests
+    in use that were measured in the same way as the first test.
     """
 
     own: AxisPosterior
@@ -105,8 +107,8 @@ class MeasuredError:
         """Return ``count`` random draws of the deviation at ``positions`` (k,) and of the noise of
         ``test``.
 
-        The correction of the first test is active; ``test`` is an index among the tests of the
-        axis.
+        ``test``: index among the tests of the axis. The deviation is that with the correction of
+        the first test active.
         """
         place, own = self.counted[test], self.noises[test]
         draws = self.own.draw(positions, count, rng, place or 0)
@@ -140,7 +142,7 @@ def observed_tests(
     """Return the tests as input of the estimation: each with its active correction subtracted
     (``active``: of the first test), and with noise inferred from repeated readings.
 
-    Left out: the traverses that were not made.
+    Traverses that were not made (runs of exact zeros) are left out.
     """
     observed = []
     for place, planned in enumerate(tests):
@@ -165,9 +167,8 @@ def measured_error(
     same tests as input of the estimation; ``active``: the correction that was active in the first
     test, None where it is unknown.
 
-    These are tests with a known active correction (``acted``), or the first test if none has it.
-
-    The same tests give the same answer.
+    Tests in use are those whose active correction is known, or the first test alone if it is known
+    of none. The same tests always give the same result.
     """
     counting = [test.acted is not None for test in tests]
     counting[0] = counting[0] or not any(counting)
@@ -193,8 +194,9 @@ def _taken_alike(tests: Sequence[PlannedTest], observed: Sequence[ObservedTest])
     """Return the indices of those tests in use that were measured in the same way as the first
     test, and whose noise is known.
 
-    Same motion, numbers of targets and of readings, so that they lasted as long. Where the scatter
-    differs by more than `_ANOTHER_DAY`, it is not the day that differs.
+    These tests have the same motion and the same numbers of targets and readings, so that they
+    lasted equally long. A test whose scatter differs by more than `_ANOTHER_DAY` was measured in
+    another way.
     """
     first = observed[0].noise
     if first is None:
@@ -229,9 +231,9 @@ def _with_own_slopes(tests: Sequence[ObservedTest]) -> list[ObservedTest]:
     """Return the tests, each with the standard deviation of its own slope error, such as from
     temperature.
 
-    The standard deviation is the declared one, else `UNDECLARED_SLOPE` relative to the first test
-    that covers more than half of the measured range (a short test does not determine a slope).
-    Angles do not grow with temperature.
+    It is the declared standard deviation if there is one. Otherwise it is `UNDECLARED_SLOPE`,
+    relative to the first test that covers more than half of the measured range, because a short
+    test does not determine a slope. A rotary axis has none: angles do not grow with temperature.
     """
     ranges = np.array([(each.test.targets[0], each.test.targets[-1]) for each in tests])
     lengths = np.round(np.ptp(ranges, axis=1) / max(float(np.ptp(ranges)), 1e-12), 6)
@@ -254,9 +256,10 @@ def _at(active: AxisCompensation, test: PositioningTest) -> Acted:
 def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> None:
     """Raise InputError if the targets of all tests together cover less than half of the travel.
 
-    The rest is extrapolated, and a table over less than half of the travel would be a guess. A gap
-    between two tests is not covered. For an endless axis, the turn minus the largest gap between
-    neighbouring targets counts, compared with the travel within one turn.
+    Outside the targets the table is extrapolated, and with less than half of the travel covered it
+    would be a guess. A gap between two tests is not covered. For an endless axis, the covered part
+    is the turn minus the largest gap between neighbouring targets; it is compared with the travel
+    within one turn.
     """
     low, high = axis.travel
     targets = np.unique(np.concatenate([test.targets for test in tests]))
@@ -316,7 +319,7 @@ def dense_positions(axis: Axis, periods: Sequence[float]) -> FloatArray:
     """Return closely and equally spaced positions over the travel, or over one turn from the
     reference for an endless axis.
 
-    They are close enough for the shortest of the ``periods`` (mm or deg).
+    They are close enough to reproduce the shortest of the ``periods`` (mm or deg).
     """
     low, high = (
         axis.travel if axis.modulo is None else (axis.reference, axis.reference + axis.modulo)
@@ -334,10 +337,10 @@ def wanted_correction(
     during the test minus the error. ``reversal_log_odds``: log odds that the reversal error varies
     with position.
 
-    wanted(x, d) = active(x, d) - error(x, d), shifted by one constant so that it is zero at the
-    reference approached in the reference-return direction. Where the reference lies outside the
-    travel, the nearest end of the travel is used. Periods are included if they are more probable
-    than not.
+    wanted(x, d) = active(x, d) - error(x, d), shifted by one constant. The shift makes it zero at
+    the reference, approached in the reference-return direction. If the reference lies outside the
+    travel, the nearest end of the travel is used instead. Periods are included if they are more
+    probable than not.
     """
     positive = active.at(estimate.positions, Direction.POSITIVE) - estimate.mean_positive
     negative = active.at(estimate.positions, Direction.NEGATIVE) - estimate.mean_negative

@@ -68,8 +68,8 @@ class ActiveCorrections:
         """Return a function that gives the displacement (n, 2) mm of the tool, in the plane of two
         axes (names of the job), that all active corrections cause together.
 
-        An axis outside the plane stands still; what it does to the two is the same everywhere on
-        the circle.
+        An axis outside the plane does not move during a circle, so its effect on the two axes is
+        the same at every point and is left out.
         """
 
         def at(path: CirclePath) -> FloatArray:

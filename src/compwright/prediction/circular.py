@@ -1,11 +1,11 @@
 """Prediction of the next circular test: the measured path is displaced by the change of the tables,
 and new noise is simulated.
 
-The measured path contains every error of the machine at the place of the circle, so that no error
-has to be modelled to predict the change. Random parts of a new test are drawn: the path from the
+The measured path contains every error of the machine at the place of the circle, so no error has to
+be modelled to predict the change. The random parts of a new test are drawn: the path from the
 uncertainty of the diagnosis, and the noise from the spectrum of its residuals. The measured samples
-themselves are not the path: the largest of them contain the noise of their own test, and with new
-noise in addition the range would be too large.
+themselves are not used as the path. The largest of them contain the noise of their own test, and
+with new noise in addition the predicted range would be too large.
 """
 
 from __future__ import annotations
@@ -44,7 +44,8 @@ class CirclePath:
     """Commanded positions (n,) mm of both axes in a run, in machine coordinates, and the direction
     of motion (n,) of each axis.
 
-    The reversal is that of the command; an axis that lags reverses later by less than a sample.
+    The direction changes where the command reverses. An axis that lags reverses later, by less than
+    a sample.
     """
 
     first: FloatArray
@@ -77,9 +78,9 @@ def moved_test(
     """Return the test that would have been measured if every point of the path had been moved by
     the ``displacement`` that belongs to the point.
 
-    What the displacement is in the centre of the circle, on the mean of both directions of motion,
-    is left out: there the instrument is set up anew. The distance is exact; only the place of the
-    point on its ray is the commanded one.
+    The displacement at the centre of the circle, averaged over both directions of motion, is left
+    out, because the instrument is set up anew there. The moved distance from the centre is exact;
+    the angle of each point stays the commanded one.
     """
     here = np.full(2, centre[0]), np.full(2, centre[1])
     both = np.array([1.0, -1.0])
@@ -103,9 +104,9 @@ def predict_circle(
     """Return the prediction for a repetition of the circular test ``before``, made from ``draws``
     simulated tests. ``expected``: the result of ``before``, recalculated with the changed tables.
 
-    Parameters come from ``draws`` tests with fresh noise; causes, which are linear in the readings,
-    from the standard errors of both tests. A parameter that ``before`` does not have is left out.
-    Amplitudes are not below zero.
+    Parameters come from ``draws`` tests with fresh noise. Causes are linear in the readings, so
+    their prediction follows from the standard errors of both tests. A parameter that ``before``
+    does not have is left out. Predicted amplitudes are never below zero.
     """
     test = expected.test
     rows: dict[str, list[float]] = {}

@@ -1,9 +1,10 @@
 """Steps of a correction that a control never applies, because they are in a dead zone.
 
-Such a control ramps its correction. From standstill of the ramp a small step is applied within one
-servo period, and a large one starts the ramp; one between the two (`Axis.unapplied_steps`) does
-neither, and the old correction stays until the table itself has moved the difference out of this
-zone. Where the zone lies, the control's format knows.
+Such a control changes its correction in a ramp. When the ramp is at rest, a small step is applied
+within one servo period, and a large step starts the ramp. A step between these two sizes
+(`Axis.unapplied_steps`) does neither. The old correction then stays until the table itself has
+changed so much that the difference is outside the dead zone. The control's format states the limits
+of the zone.
 """
 
 from __future__ import annotations
@@ -83,7 +84,7 @@ def _traversed(
     """Return the positions of one traverse in the order of motion, and the compensation that the
     control applies at each. ``before``: the compensation that it applied at the turn.
 
-    The positions are the nodes alone if the table is applied at once.
+    If the control applies the whole table at once, the positions are the table points alone.
     """
     if axis.unapplied_steps is None:
         raise TypeError("every step is applied")

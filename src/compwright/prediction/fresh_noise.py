@@ -47,9 +47,9 @@ def fresh_noise(
     s ``draws``, with ``positive`` runs in + and ``negative`` runs in −: arrays (s, m, positive) and
     (s, m, negative).
 
-    Scatter, tails, offsets and tilts of the traverses are drawn anew. Drift comes again as the
-    first test showed it, but for `_DIFFERS`; the means differ by so much of what drifts within a
-    run. Runs go up and down in turn (ISO 230-2, standard test cycle).
+    Scatter, tails, and the offsets and tilts of the traverses are drawn anew. The drift of the
+    first test is repeated except for a part `_DIFFERS`, and this part also changes the means of the
+    simulated test. Runs go up and down in turn (ISO 230-2, standard test cycle).
     """
     u = (targets - draws.centre) / draws.half
     offsets, tilts = _traverses(draws, positive, negative, rng)
@@ -145,8 +145,8 @@ def _at_all(waves: FloatArray, positive: int, negative: int) -> tuple[FloatArray
     """Return the offset and the tilt of every traverse (``positive`` in +, ``negative`` in −),
     interpolated between the traverses that were simulated as ``waves``.
 
-    Both have the shape (count, positive + negative), + first. ``waves`` (count, 2 k) holds k
-    offsets, then k tilts. The tilt is smaller where a traverse is a smaller share of the test.
+    Both results have the shape (count, positive + negative), with + first. ``waves`` (count, 2 k):
+    k offsets, then k tilts. The more traverses a test has, the smaller the tilt of each one.
     """
     offset, tilt = np.split(waves, 2, axis=1)
     few = _few(positive, negative)
@@ -173,8 +173,8 @@ def _moved(
     (s,) in each draw. ``unit``: the random numbers of unit variance from which it is made;
     ``order``: when each traverse in + and in − takes place.
 
-    It is made of ``unit`` (s, positive + negative) by the pattern of each draw, such as a random
-    walk.
+    ``unit`` has the shape (s, positive + negative). The shifts follow the pattern of each draw,
+    such as a random walk.
     """
     walked, steps = np.cumsum(unit, axis=1), draws.pattern[:, np.newaxis]
     walked = walked - walked[:, [unit.shape[1] // 2]]  # set to nothing in the middle of the test
@@ -192,8 +192,9 @@ def _errors(
     """Return random errors of single readings (s, m, runs) in units of the scatter ``scale`` (s, m)
     at each target. ``way``: the index of the direction of approach.
 
-    Normal, Student's (a normal one over the root of a mean square; Gelman et al., Bayesian Data
-    Analysis, 3rd ed. 2013, section 17.2), or of a mixture with outliers (Tukey 1960).
+    The distribution follows the draw. It is normal, or Student's (a normal number divided by the
+    root of a mean square; Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, section 17.2), or a
+    mixture of normal readings with outliers (Tukey 1960).
     """
     shape = *scale.shape, runs
     errors = rng.standard_normal(shape)

@@ -22,8 +22,9 @@ _AT_ONCE: Final = 1_000_000
 class FreshScatter:
     """The scatter of simulated tests, one for each draw of the noise; mm or deg.
 
-    ``mean_*`` (s, m): by which the mean of the readings differs from the error of the axis; ``s_*``
-    (s, m): their standard deviation. NaN where there is no mean (n = 0) or no s (n < 2).
+    ``mean_*`` (s, m): the difference of the mean of the readings from the error of the axis.
+    ``s_*`` (s, m): the standard deviation of the readings. NaN if there is no mean (n = 0) or no
+    standard deviation (n < 2).
     """
 
     mean_positive: FloatArray
@@ -42,8 +43,9 @@ def fresh_scatter(
     """Return the scatter of simulated tests at ``targets`` (m,), one test for each of the s draws
     of ``noise``.
 
-    They have ``runs_*`` readings in + and -; simulated reading by reading, evaluated as in ISO
-    230-2:1997, 2.10 and 2.15. ``runs_*``: one number or (m,); 0: the direction is not measured.
+    ``runs_*``: the number of readings in + and in -, one number or (m,); 0 if the direction is not
+    measured. The tests are simulated reading by reading and evaluated as in ISO 230-2:1997, 2.10
+    and 2.15.
     """
     runs = [
         np.broadcast_to(np.asarray(each, dtype=np.float64), targets.shape)

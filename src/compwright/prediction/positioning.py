@@ -1,6 +1,6 @@
 """Prediction of the next positioning test from simulated tests, and the decision about its limits.
 
-Drawn from the posterior of the error, the changed table and fresh noise.
+The simulated tests are drawn from the posterior of the error, the changed table and fresh noise.
 """
 
 from __future__ import annotations
@@ -46,15 +46,16 @@ def predict_test(
     a repeated test after the correction was changed by ``change_*``. With ``vdi`` the parameters
     are those of VDI 3441.
 
-    ``draws_positive``, ``draws_negative`` (s, m): s joint draws of the deviation in the state that
-    was measured, + and -; ``scatter``: what the readings of a fresh test add to each, drawn with
-    them (`fresh_scatter`); ``change_*`` (m,): new minus old correction at the targets. All in one
-    unit (mm or deg), which is the result's. ``coverage`` is the k of the standard (2 or 3).
+    ``draws_positive``, ``draws_negative`` (s, m): s joint draws of the deviation in the measured
+    state, in + and -. ``scatter``: what the readings of a fresh test add to each draw
+    (`fresh_scatter`). ``change_*`` (m,): new minus old correction at the targets. All are in one
+    unit (mm or deg), which is also the unit of the result. ``coverage``: the k of the standard (2
+    or 3).
 
-    Each draw is one test of its own. A new datum of the instrument moves all readings alike and no
-    parameter depends on it. Only the parameters that such a test has are in the result, by their
-    contract names (``A``, ``E_positive``, ...; with ``vdi`` those of VDI 3441): none that needs a
-    direction which is not measured, none that needs s when n = 1.
+    Each draw is one test of its own. A new datum of the instrument moves all readings equally, and
+    no parameter depends on it. The result has only the parameters that such a test has, by their
+    contract names (``A``, ``E_positive``, ...; with ``vdi`` those of VDI 3441). Parameters of a
+    direction that is not measured are left out, and for n = 1 those that need s.
     """
     values = fresh_parameters(
         draws_positive + change_positive,
@@ -80,8 +81,8 @@ def fresh_parameters(
     alone) in s simulated tests, by the parameter's name in the JSON. With ``vdi`` the parameters
     are those of VDI 3441.
 
-    The deviations of their axes are ``positive``, ``negative`` (s, m); parameters that such a test
-    does not have are left out.
+    ``positive``, ``negative`` (s, m): the deviations of the simulated axes. Parameters that such a
+    test does not have are left out.
     """
     means = (positive + scatter.mean_positive, negative + scatter.mean_negative)
     if vdi:
@@ -98,8 +99,9 @@ def fresh_slopes(
     """Return the deviations (count, m), mm, of ``count`` simulated tests that come from a
     temperature different from that of the measured test: a random slope over ``positions`` in each.
 
-    At ``positions`` (m,) or (count, m), mm. Each test has a slope of standard deviation
-    ``slope_std`` (mm/mm), the same in both directions. No parameter depends on where it is zero.
+    ``positions``: (m,) or (count, m), mm. ``slope_std``: standard deviation of the slope (mm/mm),
+    which is the same in both directions. The position at which the deviation is zero is arbitrary,
+    because no parameter depends on it.
     """
     slopes = slope_std * rng.standard_normal((count, 1))
     deviations: FloatArray = slopes * (positions - np.mean(positions, axis=-1, keepdims=True))
@@ -119,12 +121,10 @@ def dithered_targets(
     """Return ``count`` random new targets, ascending, one in each equal part of the travel, and
     none nearer to an end of the travel than ``margin`` (at most a quarter of the travel).
 
-    The i-th (from 0) at low + (i + 0.5 + u) * length / count, u in ±0.3.
-
-    Targets stay ``margin`` (mm; for rotary axes give it in deg) away from the ends of the travel,
-    or a quarter of the travel where that is less. Where the margin takes up a whole interval, the
-    same rule is applied to the travel between the margins. Raises UsageError for a travel that does
-    not ascend or fewer than one target.
+    The i-th target (from 0) is at low + (i + 0.5 + u) * length / count, with a random u within
+    ±0.3. ``margin`` is in mm; for a rotary axis give it in deg. If the margin is as long as an
+    interval, the same rule is applied to the travel between the margins. Raises UsageError if the
+    travel does not ascend, or if ``count`` is less than one.
     """
     low, high = travel
     if not low < high or count < 1:
@@ -150,8 +150,8 @@ def decide_prediction(quantiles: Quantiles, limit: float, guard: float = 0.0) ->
     guard <= limit, reject if p05 - guard > limit, else undecided. All are in one unit.
 
     ``guard``: the expanded uncertainty of the measurement under the decision rule ``guarded`` (ISO
-    14253-1), else 0. The quantiles hold what a repeated test may show, not what its instrument may
-    be off by.
+    14253-1), else 0. The quantiles contain what a repeated test may show, but not the error of its
+    instrument.
     """
     if quantiles.p95 + guard <= limit:
         return "accept"

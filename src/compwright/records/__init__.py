@@ -1,5 +1,5 @@
 """The data that packages exchange: immutable records that state their unit, direction and sign.
 
-Inside: positions and deviations in mm (linear) or deg (rotary). Deviation = measured minus target.
-Correction = what the control adds to the command.
+In all records, positions and deviations are in mm (linear) or deg (rotary). A deviation is measured
+minus target. A correction is what the control adds to the command.
 """

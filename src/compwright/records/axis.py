@@ -66,7 +66,8 @@ class PositionMap:
 class Encoder:
     """The measuring system of an axis: its number (1 or 2) and its type.
 
-    2 is index 1 in files that count from 0; ``stated`` False: it is an assumption.
+    Number 2 has the index 1 in files that count from 0. ``stated``: False if the measuring system
+    is an assumption.
     """
 
     type: Literal["incremental", "absolute", "distance_coded"] = "incremental"
@@ -78,17 +79,23 @@ class Encoder:
 class Axis:
     """One axis of the machine, in machine coordinates; lengths and positions in mm or deg.
 
-    ``address`` is the control's own name of the axis as text (``"1"``, ``"AX1"``, ``"X"``,
-    ``"0"``). The correction is zero at ``reference`` approached in ``reference_return``.
-    ``screw_pitch`` holds the known periods, empty when unknown; ``suggested_period`` is what the
-    control's own files suggest, never taken without the readings. ``motion``: that of the test from
-    which its table is made, and for which its backlash holds. ``gantry``: the
-    address of the synchronised axis; ``gantry_table``: whether that gets the same total or the same
-    change, None where the job does not say it. ``moves_alone``: the job says that no other axis
-    moves with it. ``unapplied_steps``: the control never applies a step of the correction above the
-    first number and not above the second, mm or deg. ``zero_at_reference``: its homing counts the
-    correction at the reference as zero, whatever the table holds there. ``counts_turns``: its error
-    repeats after ``modulo``, and its positions count on from turn to turn over the travel.
+    - ``address``: the control's own name of the axis as text (``"1"``, ``"AX1"``, ``"X"``,
+      ``"0"``).
+    - ``reference``, ``reference_return``: the correction is zero at this position, approached in
+      this direction.
+    - ``screw_pitch``: the known periods; empty if unknown. ``suggested_period``: a period that the
+      control's files suggest; it is used only if the readings show it.
+    - ``motion``: the motion in the test from which the table is made, and for which its backlash is
+      valid.
+    - ``gantry``: the address of the synchronised axis. ``gantry_table``: whether that axis gets the
+      same total or the same change; None if the job does not state it.
+    - ``moves_alone``: the job states that no other axis moves together with this one.
+    - ``unapplied_steps``: the control never applies a step of the correction whose size is above
+      the first number and not above the second, mm or deg.
+    - ``zero_at_reference``: after homing, the control takes the correction at the reference as
+      zero, whatever the table contains there.
+    - ``counts_turns``: the error repeats after ``modulo``, and the positions continue from turn to
+      turn over the travel.
     """
 
     name: str

@@ -1,6 +1,6 @@
 """The limits of a control for the table of one axis, used by fitting and prediction.
 
-Built by ``formats``.
+The records are made by the package ``formats``.
 """
 
 from __future__ import annotations
@@ -18,13 +18,16 @@ class Lattice:
     """Limits of a control that stores a table as whole-number increments; the correction at a point
     is the sum of the increments from the reference position to this point.
 
-    The total at table point m = magnification * ``unit`` * sum of the increments up to m.
+    The total at table point m is the magnification times ``unit`` times the sum of the increments
+    up to m.
 
-    ``unit`` is the detection unit, mm or deg; ``increments`` the least and largest increment, both
-    included; ``magnifications`` those that may be chosen, ascending. ``offset_range``: the second
-    table's own value at the reference, in units; None: there is none. ``offset_magnified``: that
-    value is multiplied by the magnification too. ``there``: the magnification that the control has
-    now; None: it has none.
+    - ``unit``: the detection unit, mm or deg.
+    - ``increments``: the least and the largest increment, both included.
+    - ``magnifications``: those that may be chosen, ascending. ``there``: the one that the control
+      has now; None if it has none.
+    - ``offset_range``: the range of the second table's own value at the reference, in units; None
+      if the control has no such value. ``offset_magnified``: whether the magnification also
+      multiplies this value.
     """
 
     unit: float
@@ -40,8 +43,9 @@ class Wave:
     """Limits of a cyclic table, which is active in addition to the main table and repeats with a
     short period.
 
-    ``unit``: the size of an increment, mm or deg; ``increment``: the most of them per section;
-    ``room``: the number of free points; ``step``: sections are multiples of it, mm or deg.
+    ``unit``: the size of an increment, mm or deg. ``increment``: the largest number of increments
+    per section. ``room``: the number of free points. ``step``: the length of a section is a
+    multiple of it, mm or deg.
     """
 
     unit: float
@@ -58,34 +62,42 @@ class Wave:
 class Capacity:
     """The limits of a control for the table of one axis, in mm or deg.
 
-    ``curves`` 1: one table for both directions; 2: one per direction. ``quantum``: resolution of a
-    table value. ``backlash_quantum`` None: the control has no backlash value in addition to the
-    table (or ignores it). ``position_quantum``: table points, and for ``spacing``
-    "equidistant" also the step, are multiples of it, so that the file contains exact values.
-    ``max_points`` None: unknown; the plan then states the number that the control must be set to,
-    at most ``most_points``.
-
-    ``lattice``: values are whole increments (``quantum`` is then that of magnification 1).
-    ``anchored``: the points are at the reference plus whole spacings. ``spacings``: the only ones
-    possible; ``min_spacing``: none below it, for the reason ``min_spacing_reason``. ``period``: an
-    endless axis; the table spans exactly one period from the reference, its last value equals its
-    first. ``second_curve`` "asked": two tables only when the job asks for them. ``line``: no table
-    at all but one slope (mm/mm, deg/deg), a multiple of this number, within ``value_range`` taken
-    as slopes. ``nodes``: the only possible points, because other axes use the table's grid too.
-    ``there``: the points (two or more, ascending; for a table that repeats, a period and both ends)
-    of the table in the control's files, active or not; empty: there is none.
-    ``there_shared``: other axes use its points too, so that a table on it needs some of its own.
-    ``unfit``: why no table of this axis can use them, which only the control's format knows.
-    ``cover``: whole spacings by which a table should reach beyond the travel on each side, where
-    the control's action beyond its ends is unknown. ``shared_points``: the free points that all
-    axes of the control share (None: each axis has its own), ``own_points``: those of ``max_points``
-    that belong to this axis alone. ``zero``: the direction in which the correction is zero at the
-    reference, however that is approached (None: that of the reference return); of two curves, the
-    correction in + less that in - at the reference then lies in ``backlash_range``. ``stays``:
-    active tables of the axis that stay, whatever is written. ``slope``: a straight line in addition
-    to the table can take a slope, a multiple of this per section, mm or deg; None: there is none.
-    ``wave``: a cyclic table for a short period; None: there is none. ``typed``: its points are
-    typed by hand.
+    - ``curves``: 1 for one table for both directions, 2 for one table per direction.
+      ``second_curve``: ``"asked"`` if two tables are made only when the job asks for them.
+    - ``quantum``: resolution of a table value. ``backlash_quantum``: resolution of the backlash
+      value; None if the control has none in addition to the table, or ignores it.
+    - ``position_quantum``: table points are multiples of it and, for ``spacing`` "equidistant",
+      also the interval, so that the file contains exact values.
+    - ``max_points``: the largest number of points; None if unknown. The plan then states the number
+      that the control must be set to, at most ``most_points``.
+    - ``lattice``: values are whole increments; ``quantum`` is then that of magnification 1.
+    - ``anchored``: the points are at the reference plus whole intervals.
+    - ``spacings``: the only possible intervals. ``min_spacing``: the least interval, for the reason
+      ``min_spacing_reason``.
+    - ``period``: that of an endless axis; the table spans exactly one period from the reference,
+      and its last value equals its first.
+    - ``line``: the control has no table, but one slope (mm/mm, deg/deg). The slope is a multiple of
+      this number, and ``value_range`` is its range.
+    - ``nodes``: the only possible points, because other axes use the table's grid too.
+    - ``there``: the points (two or more, ascending) of the table in the control's files, active or
+      not; empty if there is none. For a table that repeats they are those of one period with both
+      ends.
+    - ``there_shared``: other axes use the points ``there`` too, so that a table on them needs some
+      of its own.
+    - ``unfit``: the reason why no table of this axis can use the points ``there``; only the
+      control's format knows it.
+    - ``cover``: the number of intervals by which a table should extend beyond the travel on each
+      side, where it is unknown what the control does beyond the table's ends.
+    - ``shared_points``: the free points that all axes of the control share; None if each axis has
+      its own. ``own_points``: those of ``max_points`` that belong to this axis alone.
+    - ``zero``: the direction in which the correction is zero at the reference, however that is
+      approached; None for the direction of the reference return. If there are two curves, the
+      correction in + minus that in - at the reference must lie in ``backlash_range``.
+    - ``stays``: active tables of the axis that stay, whatever is written.
+    - ``slope``: a straight line in addition to the table can take a slope, a multiple of this
+      number per section, mm or deg; None if there is none.
+    - ``wave``: a cyclic table for a short period; None if there is none.
+    - ``typed``: whether a person types in the points.
     """
 
     format: str

@@ -35,9 +35,9 @@ CIRCULAR_NAMES: Final = (
 class CircularRun:
     """One run over the circle or arc, without overshoot.
 
-    ``angles`` (n,) deg: commanded polar angle from the first axis to the second, in the same sense
-    for both directions, in the order in which the samples were taken: ascending for ``ccw`` (from
-    the first axis to the second), descending for ``cw``; it may run beyond 360 or below 0.
+    ``angles`` (n,) deg: commanded polar angle, from the first axis to the second in both
+    directions, in the order in which the samples were measured. It ascends for ``ccw`` (motion from
+    the first axis to the second) and descends for ``cw``; it may be above 360 or below 0.
     ``deviations`` (n,) mm: measured distance from the set-up centre minus the nominal radius.
     """
 
@@ -52,11 +52,11 @@ class CircularTest:
     """A circular test in one plane. Lengths in mm, ``feed`` in mm/min along the path, angles in
     deg.
 
-    ``axes``: first and second axis, in the order of the plane. ``arc``: least angle of the arc (0
-    <= start < 360) and its extent (at most 360). ``calibrated``: the length of the bar was
-    calibrated, so that radii count absolutely. ``centre``: where the circle lies in the machine, as
-    far as the file says it. ``vendor``: results printed in the file, by run and name, as they stand
-    there.
+    ``axes``: first and second axis, in the order of the plane. ``arc``: the least angle of the arc
+    (0 <= start < 360) and its extent (at most 360). ``calibrated``: whether the length of the bar
+    was calibrated, so that radii are absolute. ``centre``: the position of the circle in the
+    machine, if the file states it. ``vendor``: results printed in the file, by run and name,
+    unchanged.
     """
 
     name: str
@@ -97,8 +97,8 @@ class CircularTest:
 class CircularEffect:
     """One cause of the deviations in a circular test, with its value and its effect in µm.
 
-    ``share`` is ``effect`` over the sum of all effects. ``low``: lower end of a one-sided 95 %
-    interval where the value cannot be negative; None else. ``more``: what belongs to the value, by
+    ``share``: ``effect`` divided by the sum of all effects. ``low``: lower end of a one-sided 95 %
+    interval if the value cannot be negative; else None. ``more``: further values of the cause, by
     JSON name (``frequency`` Hz of a vibration, ``period`` mm and ``phase`` deg of a cyclic error,
     ``decay`` ms, ``rise`` ms and ``raw_peak`` um of a spike).
     """
@@ -116,8 +116,8 @@ class CircularEffect:
 class FreshRun:
     """Random draws of one run in a new circular test, mm: the path without noise, and the noise.
 
-    At the ``angles`` (n,) deg: readings without noise ``paths`` and ``noise`` (d, n) mm, each row
-    as probable as the others.
+    ``angles`` (n,) deg. ``paths`` (d, n): readings without noise. ``noise`` (d, n). All d draws are
+    equally probable.
     """
 
     angles: FloatArray
@@ -130,8 +130,8 @@ class FittedRun:
     """One run of a circular test after the fit of a model with all causes: the fitted deviations
     and the residuals.
 
-    ``angles`` (n,) deg as measured, ``deviations`` (n,) mm of the fit, ``residuals`` (n,) mm,
-    measured minus fitted. Of a long run only samples at equal steps.
+    ``angles`` (n,) deg as measured. ``deviations`` (n,) mm of the fit. ``residuals`` (n,) mm,
+    measured minus fitted. Of a long run only samples at equal steps are kept.
     """
 
     sense: Sense
@@ -146,14 +146,15 @@ class Diagnosis:
     """The causes of the deviations in a circular test by JSON name, their correlations, and causes
     that the test cannot separate.
 
-    ``correlation`` is in the order of ``names``.
-
-    ``plain``: the same quantities by the plain harmonic-and-reversal regression, for comparison
-    with other software. ``residual``: rms of what remains, mm. ``correlation_length``: of the
-    residuals, in samples. ``undetermined``: reasons of the causes that the path of the test cannot
-    separate at all; their numbers in ``effects`` belong to the fit and are no result. ``fitted``:
-    the runs as the causes make them. ``fresh``: what a fresh test shows, by run; empty where the
-    diagnosis was not made from samples.
+    - ``correlation``: the correlation matrix of the causes, in the order of ``names``.
+    - ``plain``: the same causes by simple regression on harmonics and reversals, for comparison
+      with other software.
+    - ``residual``: rms of the residuals, mm. ``correlation_length``: their correlation length, in
+      samples.
+    - ``undetermined``: the causes that the path of the test cannot separate at all, each with the
+      reason. Their numbers in ``effects`` belong to the fit and are no result.
+    - ``fitted``: the runs as the causes make them.
+    - ``fresh``: simulated new tests, by run; empty if the diagnosis was not made from samples.
     """
 
     effects: Mapping[str, CircularEffect]
@@ -185,10 +186,10 @@ class CircularResult:
     """The parameters of a circular test, mm, by JSON name. A parameter that does not apply is None,
     with the reason in ``not_applicable``.
 
-    ``centres`` (``ccw``, ``cw``, ``common``): least-squares centres, mm. ``mean_radius_deviation``
-    by sense: radius of the least-squares circle minus nominal, mm. ``zone_centres`` and
-    ``zone_radii`` (inner, outer) by ``ccw``, ``cw``, ``both``: of the minimum zone, mm, for the
-    plots. ``uncertainty``: of each parameter, None where no contributor is declared.
+    ``centres``: least-squares centres (``ccw``, ``cw``, ``common``), mm. ``mean_radius_deviation``:
+    radius of the least-squares circle minus nominal, by direction, mm. ``zone_centres`` and
+    ``zone_radii`` (inner, outer): those of the minimum zone (``ccw``, ``cw``, ``both``), mm, for
+    the plots. ``uncertainty``: that of each parameter; None if no contributor is declared.
     """
 
     test: CircularTest

@@ -1,6 +1,6 @@
 """The conditions of a measurement that the job states: temperatures and uncertainty contributors.
 
-Apart from the job, because evaluating a file needs these records and nothing else of it.
+These records are separate from the job, because the evaluation of a file needs nothing else of it.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ LEAST_EXPANSION, MOST_EXPANSION = 0.01, 40.0
 class Thermal:
     """Differential expansion of scale (or workpiece) and instrument: µm/(m K) and °C.
 
-    Temperatures are the mean of start and end of the test; ``rise_m`` and ``rise_d`` are end less
-    start, K.
+    Temperatures are means of start and end of the test. ``rise_m`` and ``rise_d``: temperature at
+    the end minus temperature at the start, K.
     """
 
     alpha_m: float
@@ -42,8 +42,8 @@ class Thermal:
 class UncertaintyBudget:
     """Contributors to uncertainty (ISO 230-2:2006, annex A) as expanded uncertainties (k = 2).
 
-    Two are ranges as in the annex: ``misalignment_mm``, the lateral range of the beam over the
-    measured length, and ``E_VE``, the drift of a drift test as long as the run.
+    Two contributors are ranges as in the annex. ``misalignment_mm`` is the lateral range of the
+    beam over the measured length. ``E_VE`` is the range of a drift test that is as long as the run.
     """
 
     device: float = 0.0
@@ -59,8 +59,8 @@ class UncertaintyBudget:
 class CircularBudget:
     """Contributors to the uncertainty of circular tests, as expanded uncertainties (k = 2).
 
-    Instrument ``U`` (a change in length), calibrated ``length`` of the bar and ``setup`` in µm,
-    ``U_theta`` K, ``U_alpha`` µm/(m K); ``E_VE`` is a range, µm.
+    In µm: ``U`` of the instrument for a change in length, the calibrated ``length`` of the bar, and
+    ``setup``. ``U_theta`` is in K, ``U_alpha`` in µm/(m K). ``E_VE`` is a range, µm.
     """
 
     U: float = 0.0

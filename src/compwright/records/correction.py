@@ -1,8 +1,8 @@
 """The compensation of one axis in any control: a correction by position and approach direction.
 
-Correction = what the control adds to the command, mm or deg. A control that stores errors,
-increments or actual positions is converted to this by the room ``formats``, and independently of it
-by ``controllers``.
+A correction is what the control adds to the command, mm or deg. A control may store errors,
+increments or actual positions instead. The package ``formats`` converts them to corrections, and
+the package ``controllers`` does the same independently.
 """
 
 from __future__ import annotations
@@ -30,9 +30,10 @@ Judged = Literal["independent", "read_back"]
 class ControlFile:
     """A file of a control: its name without folder, and its bytes.
 
-    ``folder``: the folder that was named in its place, empty where the file itself was: files of a
-    folder come in the order of their names, which says nothing of the order in which they count.
-    ``leader``, ``trailer``: what a serial line put around the text (see `serial_line`).
+    ``folder``: the folder that the user gave if this file was found in it; empty if the user gave
+    the file itself. Files of a folder come in the order of their names, which does not show the
+    order in which the control loads them. ``leader``, ``trailer``: what a serial line added before
+    and after the text (`serial_line`).
     """
 
     name: str
@@ -62,14 +63,18 @@ class Assumption:
 class AxisCompensation:
     """The compensation of one axis: a table per approach direction, and backlash compensation.
 
-    ``positions`` (k,) strictly ascending, machine coordinates; ``positive``, ``negative`` (k,): the
-    tables' correction for an approach in that direction (equal if the control has one curve).
-    ``interpolation``: between points; ``below`` / ``above``: outside. ``period``: the table of an
-    endless axis repeats; its points span one period, the last value is the first. ``backlash`` > 0
-    is compensated lost motion: nothing in the direction ``reference_return`` (the zero state),
-    ``sign * backlash`` in the other. ``slope``: a linear parameter in addition to the table or
-    instead of it, ``slope * (x - origin)`` everywhere. ``others``: further tables that are active
-    on the axis at the same time. An axis without a table has k = 0.
+    - ``positions`` (k,): strictly ascending, machine coordinates. An axis without a table has k =
+      0.
+    - ``positive``, ``negative`` (k,): the tables' correction for an approach in this direction;
+      they are equal if the control has one curve.
+    - ``interpolation``: the rule between points. ``below``, ``above``: the rules outside.
+    - ``period``: the table of an endless axis repeats. Its points span one period, and the last
+      value equals the first.
+    - ``backlash``: > 0 is compensated lost motion. The correction by it is zero in the direction
+      ``reference_return`` (the zero state), and ``sign * backlash`` in the other direction.
+    - ``slope``: a linear parameter in addition to the table or instead of it: ``slope * (x -
+      origin)`` everywhere.
+    - ``others``: further tables that are active on the axis at the same time.
     """
 
     address: str
@@ -146,10 +151,10 @@ class CrossCompensation:
     """The correction of the axis ``output`` by the position of the axis ``input``, such as for
     squareness or straightness.
 
-    ``positions`` (k,) of the axis ``input``, strictly ascending, mm or deg; ``positive``,
+    ``positions`` (k,): those of the axis ``input``, strictly ascending, mm or deg. ``positive``,
     ``negative`` (k,): what the control adds to the axis ``output`` while ``input`` is approached in
-    that direction (equal if one table holds for both), mm or deg of the output. Linear between
-    points; ``below`` / ``above`` as in `AxisCompensation`.
+    this direction, mm or deg of the output. They are equal if one table holds both. The correction
+    is linear between points; ``below`` and ``above`` are as in `AxisCompensation`.
     """
 
     input: str
@@ -185,9 +190,10 @@ class ControlState:
     """The compensation that a set of control files contains: that of each axis by its address, and
     the cross-axis tables.
 
-    ``facts``: by address. ``tables``: those between axes, active or not. ``reserved``: numbers of
-    an array that all axes share which hold data, or to which another function refers. ``stays``: by
-    address, those of an axis' tables that stay whatever is written for it.
+    ``facts``: facts about each axis, by its address. ``tables``: the tables between axes, active or
+    not. ``reserved``: those numbers of an array shared by all axes that contain data or to which
+    another function refers. ``stays``: by address, the tables of an axis that stay whatever is
+    written for it.
     """
 
     format: str

@@ -11,8 +11,9 @@ from compwright.records.correction import ControlFile
 class Delivery:
     """The files to load into a control, and the files that restore its old contents.
 
-    ``files``: exactly what the control loads; ``back``: small files, in addition to the byte copies
-    of its own, which restore the old values. ``own``: the files are its own ones, patched.
+    ``files``: exactly what the control loads. ``back``: small files that restore the old values, in
+    addition to exact copies of the control's own files. ``own``: whether the files are changed
+    copies of the control's own files.
     """
 
     files: tuple[ControlFile, ...]

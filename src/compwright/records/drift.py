@@ -14,7 +14,7 @@ from compwright.records.axis import AxisKind, FloatArray
 class DriftTest:
     """Readings of an axis at rest: ``minutes`` (k,) ascending, ``deviations`` (k,) mm or deg.
 
-    By ``kind``; ``header``: what the file says about the test, as text.
+    ``kind``: linear (mm) or rotary (deg). ``header``: what the file states about the test, as text.
     """
 
     kind: AxisKind
@@ -28,7 +28,8 @@ class DriftTest:
 class LostMotionTest:
     """Lost motion (k,) in mm after moves of different distance (mm) or speed (mm/min).
 
-    By ``over``; ``header``: what the file says about the test, as text.
+    ``over``: whether the moves differ in distance or in speed. ``header``: what the file states
+    about the test, as text.
     """
 
     over: Literal["distance", "speed"]

@@ -31,7 +31,8 @@ class ReadingTimes:
 class EnvironmentRecord:
     """Air and material of a machine: ``values`` (k,) of each quantity at the ``times`` (k,).
 
-    Times as those of `ReadingTimes`; all three of `AIR` (°C, hPa, %) or none, and `MATERIAL` (°C).
+    The times are like those of `ReadingTimes`. The quantities are either all three of `AIR` (°C,
+    hPa, %) or none of them, and `MATERIAL` (°C).
     """
 
     clock: Clock
@@ -71,8 +72,7 @@ class Environment:
     """The environment record that corrects a test, the equation for the refractive index of air,
     and the air that the instrument assumed.
 
-    ``needs_time``: the readings have to say when they were taken, because the record holds other
-    tests too.
+    ``needs_time``: whether the readings must have times, because the record covers other tests too.
     """
 
     record: EnvironmentRecord

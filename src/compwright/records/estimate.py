@@ -33,10 +33,10 @@ class PeriodEvidence:
     """The evidence that the axis has a periodic error, for each of the possible ``periods`` (k,),
     mm or deg.
 
-    Natural logarithm ``log_odds`` (k,) of its likelihood over that of none. ``detectable`` (k,):
-    amplitude, mm or deg, from which the test shows a wave in 95 % of all cases at three standard
-    errors; inf where it shows none. ``alike``: groups of periods that the targets cannot tell
-    apart.
+    ``log_odds`` (k,): natural logarithm of the likelihood of this period divided by that of no
+    period. ``detectable`` (k,): the amplitude, mm or deg, from which the test shows a wave in 95 %
+    of all cases at three standard errors; inf if it shows none. ``alike``: groups of periods that
+    the targets cannot distinguish.
     """
 
     periods: FloatArray
@@ -49,11 +49,11 @@ class PeriodEvidence:
 class ErrorEstimate:
     """The estimated deviation over the travel with its uncertainty, mm or deg.
 
-    ``positions`` (g,) strictly ascending over the whole travel; ``mean_*`` and ``std_*`` (g,) for
-    approaches in + and -. Measured in one direction only: both directions hold that one's curve and
-    a finding says so. ``noise`` is the standard deviation of a single reading (0 is never claimed)
-    with ``noise_dof`` degrees of freedom. ``measured`` is the range of the targets;
-    ``periods``: those known and those found.
+    ``positions`` (g,): strictly ascending over the whole travel. ``mean_*``, ``std_*`` (g,): mean
+    and standard deviation for approaches in + and -. If only one direction was measured, both
+    directions have its curve, and a finding states this. ``noise``: the standard deviation of a
+    single reading, which is never 0. ``noise_dof``: its degrees of freedom. ``measured``: the range
+    of the targets. ``periods``: the known periods and those found.
     """
 
     kind: AxisKind
@@ -89,11 +89,10 @@ class Scenarios:
     """Simulated new tests, all equally probable. The fit of a table judges by them how well the
     table reaches its goal (such as the least A).
 
-    ``count`` tests of m targets each; arrays (count * m,), test by test, mm or deg.
-
-    ``positive``, ``negative``: by how much the mean of the readings lies beyond the estimated
-    error; ``half_*``: k s of those readings, 0 where there is no s. Empty: a direction that is not
-    measured.
+    There are ``count`` tests of m targets each. The arrays (count * m,) have one test after the
+    other, mm or deg. ``positive``, ``negative``: mean of the readings minus the estimated error.
+    ``half_*``: k times s of the readings, 0 if there is no s. The arrays of a direction that is not
+    measured are empty.
     """
 
     count: int
@@ -108,11 +107,11 @@ class Scenarios:
 class WantedCorrection:
     """The total correction that would remove the estimated error, before rounding and limits.
 
-    ``positions`` (g,) strictly ascending over the travel; ``positive``, ``negative`` (g,): totals
+    ``positions`` (g,): strictly ascending over the travel. ``positive``, ``negative`` (g,): totals
     (existing table plus change), zero at ``reference`` approached in ``reference_return``.
-    ``noise`` (mm or deg) is the accuracy to which a grid is worth refining. ``reversal_log_odds``:
-    natural logarithm of the evidence for a reversal that varies with position over one that does
-    not. ``periods``: known periods (mm or deg) that the estimate contains. ``scenarios``: fresh
+    ``noise``: a finer grid is not worthwhile for errors below this (mm or deg).
+    ``reversal_log_odds``: natural logarithm of the odds that the reversal varies with position.
+    ``periods``: known periods (mm or deg) that the estimate contains. ``scenarios``: simulated new
     tests, if a goal needs them.
     """
 

@@ -25,12 +25,14 @@ class Turn:
 class PairFacts:
     """Facts about the cross-axis tables that correct one axis.
 
-    ``own``: the indices of its own two tables, + first. ``max_sum``: the control's limit of the sum
-    of all corrections on it, mm or deg; None: unknown. ``metric``: their values are in mm, not in
-    inch; None: no file states it. ``odd_sum``: the largest sum that tables which cannot be read as
-    curves add to it, mm or deg. ``uncounted``: the active tables from other axes that cannot be
-    counted, in words that change with their values; ``uncounted_help``: what would allow them to be
-    counted.
+    - ``own``: the indices of its own two tables, + first.
+    - ``max_sum``: the control's limit of the sum of all corrections of the axis, mm or deg; None if
+      unknown.
+    - ``metric``: whether the values are in mm (True) or in inch; None if no file states it.
+    - ``odd_sum``: the largest sum that is added by tables which cannot be read as curves, mm or
+      deg.
+    - ``uncounted``: the active tables from other axes that cannot be counted, as a text that
+      changes with their values. ``uncounted_help``: what would allow them to be counted.
     """
 
     own: tuple[int, int] | None = None
@@ -46,25 +48,31 @@ class AxisFacts:
     """Facts about one axis in a control's files. A fact that the files do not state is None or
     empty.
 
-    ``name``: its name there, by the parameter ``name_evidence``; ``machine_name``: the machine's
-    own name of it, used in the names of new files. ``letters``: the axes of all joints, one letter
-    each. ``limits``: the software limits or, of an endless axis, its ``turn``, mm or deg.
-    ``encoder_system``: the measuring system whose table was read. ``enabled``: its table is active.
-    ``other_functions``: its other active functions, in words. ``endless``: the turn of an axis
-    without ends, deg. ``reference``: machine
-    coordinate of the reference position, mm or deg, approached in ``reference_return``.
-    ``diameter``: positions are programmed in diameter. ``unit_evidence``: the source of its
-    detection unit. ``synchronised``, ``leading``: the addresses of the other axes of its gantry, by
-    the files; ``couplings``: the parameters, with their values, that couple it with other axes.
-    ``lead``: the travel of one turn of its motor, mm or deg, suggested by the files
-    (``lead_evidence``). ``limits_evidence``: why the limits differ from those written there.
-    ``rapid_more``: the backlash at rapid traverse minus that at cutting feed, mm or deg; None: left
-    open. ``grid``: the points (ascending, mm or deg) of its own table in the files if that is not
-    active; those of an active one are in its compensation. ``homing``: at homing the control counts
-    the correction at ``reference`` as zero ("relative"), or adds the table as written ("absolute");
-    empty: no file states it. ``unapplied_steps``: see `Axis`. ``of_family``: facts that only the
-    family of the control uses. ``stated``: further quantities by neutral name, which answer
-    options.
+    - ``name``: the axis' name in the files, by the parameter ``name_evidence``. ``machine_name``:
+      the machine's own name of the axis, used in the names of new files. ``letters``: the axes of
+      all joints, one letter each.
+    - ``limits``: the software limits or, for an endless axis, its ``turn``, mm or deg.
+      ``limits_evidence``: why they differ from those in the files. ``endless``: the turn of an axis
+      without ends, deg.
+    - ``encoder_system``: the measuring system whose table was read. ``enabled``: whether its table
+      is active. ``other_functions``: the axis' other active functions, as text.
+    - ``reference``: machine coordinate of the reference position, mm or deg. ``reference_return``:
+      the direction in which it is approached. ``homing``: ``"relative"`` if the control takes the
+      correction at the reference as zero after homing, ``"absolute"`` if it adds the table as
+      written; empty if no file states it.
+    - ``diameter``: whether positions are programmed in diameter. ``unit_evidence``: the source of
+      the detection unit.
+    - ``synchronised``, ``leading``: the addresses of the other axes of its gantry, from the files.
+      ``couplings``: the parameters that couple the axis with other axes, with their values.
+    - ``lead``: the travel of one turn of the axis' motor, mm or deg, as the files suggest it
+      (``lead_evidence``).
+    - ``rapid_more``: backlash at rapid traverse minus backlash at cutting feed, mm or deg; None if
+      unknown.
+    - ``grid``: the points (ascending, mm or deg) of the axis' own table in the files, if that table
+      is not active. The points of an active table are in its compensation.
+    - ``unapplied_steps``: see `Axis`. ``of_family``: facts that only the family of the control
+      uses. ``stated``: further quantities by a name that is common to all controls; they answer
+      options.
     """
 
     name: str | None = None
@@ -103,7 +111,8 @@ class PairTables:
     """The cross-axis tables in a control's files: for each table number the input and output axis,
     and the number of reserved points.
 
-    ``stay``: those over an axis itself that stay whatever is written.
+    ``stay``: the numbers of tables whose input is also their output and which stay whatever is
+    written.
     """
 
     used: Mapping[int, tuple[str, str]] = field(default_factory=dict)

@@ -20,9 +20,10 @@ Gain = Literal["any", "seen"]
 class TableRequest:
     """What the job requires of a table, such as its spacing (mm or deg); all optional.
 
-    ``spacing``: a number names it, "auto" lets compwright choose, None keeps the grid that is in
-    the control (and chooses where there is none). ``gain``: "any" writes every table that improves
-    the axis, "seen" only one whose gain is more than the parameter differs from test to test.
+    ``spacing``: a number is the required spacing, and "auto" lets compwright choose one. None keeps
+    the grid that is in the control, or chooses one if there is none. ``gain``: "any" writes every
+    table that improves the axis. "seen" writes only a table whose gain exceeds the standard
+    deviation of the parameter from test to test.
     """
 
     start: float | None = None
@@ -60,8 +61,9 @@ class FittedTable:
     """The rounded table of an axis. ``certificate``: numbers by name that prove that no other table
     within the limits is better.
 
-    ``mode`` is the choice made (single: one curve and one reversal value; bidirectional),
-    ``mode_reason`` why in one sentence. ``keeps_grid``: its points are those of the existing table.
+    ``mode``: single (one curve and one reversal value) or bidirectional (two curves).
+    ``mode_reason``: the reason for this choice, in one sentence. ``keeps_grid``: whether the points
+    are those of the existing table.
     """
 
     compensation: AxisCompensation

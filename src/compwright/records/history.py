@@ -14,15 +14,17 @@ SameTable = Literal["same", "changed", "unknown"]
 class HistoryEntry:
     """One test of an axis or of a plane in the history of a machine.
 
-    ``folder``: the result folder; ``number``: the place of the test in it. ``what``: the axis, or
-    the plane of a circle. ``date`` as the file states it, ``day`` the same so that it can be sorted
-    (ISO 8601), both empty where it states none. ``values`` by parameter in ``unit``, of a circle
-    ``squareness`` in µm/m, as the ``slope`` of a linear axis; ``errors``: standard error and
-    degrees of freedom; ``declared``: expanded uncertainty and coverage factor; ``limits``: by
-    parameter; ``means``: the mean deviation at each target in direction + and -, empty where not
-    known. ``table``: the table that was active, in a word; ``acting``: a hash of its files,
-    empty where it is unknown. ``sources``: SHA-256 of the test's files; ``instrument``: as the file
-    names it.
+    - ``folder``: the result folder. ``number``: the place of the test in it. ``what``: the axis, or
+      the plane of a circle.
+    - ``date``: the date as the file states it. ``day``: the same date in a form that can be sorted
+      (ISO 8601). Both are empty if the file states none.
+    - ``values``: the parameters, by name, in ``unit``; also ``squareness`` of a circle in µm/m, and
+      ``slope`` of a linear axis. ``errors``: standard error and degrees of freedom. ``declared``:
+      expanded uncertainty and coverage factor. ``limits``: by parameter.
+    - ``means``: the mean deviation at each target in direction + and -; empty if unknown.
+    - ``table``: the table that was active, in a word. ``acting``: a hash of the table's files;
+      empty if unknown.
+    - ``sources``: SHA-256 of the test's files. ``instrument``: as the file names it.
     """
 
     folder: str
