@@ -283,7 +283,7 @@ def _sizes(parts: Sequence[ObservedCells], left: Sequence[FloatArray], least: fl
     """Return two typical sizes, mm or deg: of ``left``, the mean readings minus the straight line,
     and of the scatter of readings.
 
-    ``least``: noise that every instrument has, mm or deg.
+    ``parts``: the mean readings of each test. ``least``: smallest noise that is assumed, mm or deg.
     """
     largest = max(float(np.max(np.abs(part.means))) for part in parts)
     floor = max(least, 1e-9 * largest)

@@ -2,7 +2,7 @@
 
 Squareness and scale do not depend on the direction. Lost motion and lag change sign with the
 direction. Lost motion contains the same harmonics as squareness. Therefore all causes are fitted at
-once, with the exact distance between ball and tool. The standard errors take the correlation of the
+once, with the exact distance that the bar measures. The standard errors take the correlation of the
 residuals into account (``circle_noise``). Signs and units are those of ``circle_model``. The effect
 of each cause on a circle is described in ISO 230-4:1996, annex B.
 """

@@ -46,11 +46,11 @@ def search_cyclic(problem: CircleProblem, fitted: CircleFit, axes: Sequence[str]
     """Return the strongest cyclic error of the two ``axes``, if the residuals of ``fitted`` clearly
     show a cyclic error.
 
-    Only one axis is reported at a time. A strong cyclic error of one axis has side lobes among the
-    frequencies of the other. A cyclic error is reported if it reduces the weighted sum of squares
-    by more than a threshold. Noise alone exceeds this threshold, at any of the frequencies, once in
-    a thousand searches (chi-square of two degrees of freedom: Scargle, Astrophysical Journal 263,
-    1982).
+    At most one axis has an error in the result, because a strong cyclic error of one axis has side
+    lobes among the frequencies of the other. A cyclic error is reported if it reduces the weighted
+    sum of squares by more than a threshold. Noise alone exceeds this threshold, at any of the
+    frequencies, once in a thousand searches (chi-square of two degrees of freedom: Scargle,
+    Astrophysical Journal 263, 1982).
     """
     clearest, found = 1.0, {}
     hidden = {}

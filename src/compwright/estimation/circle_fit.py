@@ -58,7 +58,7 @@ _NEGLIGIBLE: Final = 1e-14
 class Reversal:
     """The reversal point of an axis at one end of its travel, and the model columns of its spikes.
 
-    ``inside``: the arc contains the point. If not, only the end of its spike is in the arc.
+    ``inside``: the arc contains the point. If not, only the last part of its spike is in the arc.
     ``shapes`` (m,): possible shapes; spikes first, then gradual take-ups of lost motion. ``alike``
     (m,): indices of the columns with equal sign in both directions. ``unlike`` (m,): indices of the
     columns that change sign with the direction; empty for a test in one direction.
@@ -368,9 +368,9 @@ class CircleFit:
     """The least-squares solution of a circular test for one choice of spike shapes.
 
     ``values`` (a,): sizes of the ``active`` columns (a,), with ``covariance`` (a, a).
-    ``information`` (a,): information about each column alone. The others have one entry each for
-    the sum and the difference of the directions. ``rows`` (size, a): columns; ``rest`` (size,):
-    residuals, mm; ``spectra``: their noise spectra.
+    ``information`` (a,): information about each column alone. Three attributes have one entry for
+    the sum and one for the difference of the directions: the columns ``rows`` (size, a), the
+    residuals ``rest`` (size,), mm, and the noise ``spectra``.
     """
 
     active: IndexArray

@@ -90,8 +90,8 @@ def report_effects(
     missing effects (from ``undetermined``, by cause), and the findings.
 
     Some effects are details of another cause: each end of a lost motion or spike, scale errors,
-    lobes. They are left out of the sum of the causes. The share of a cause is relative to this sum;
-    causes with a reason have share 0. ``low`` is the lower end of a one-sided 95 % interval.
+    lobes. They are left out of the sum of the causes. The share of an effect is relative to this
+    sum. It is 0 if the effect is missing. ``low`` is the lower end of a one-sided 95 % interval.
     """
     samples = solution.problem.samples
     causes = tuple(_causes(test, solution))
@@ -321,9 +321,9 @@ def _spike(
     """Return the spike at one reversal point, positive outward. ``index`` selects a direction
     (None: mean of both); ``suffix``: end of the name of the result.
 
-    Its variance includes three things that the samples cannot determine. The axis may have reversed
-    earlier before the first sample (lag). The rise may come from the bandwidth of the instrument. A
-    spike may be too small to be found.
+    Its variance includes three unknowns. The time from the reversal to the first sample is unknown
+    (lag). The rise may be that of the spike or of the instrument's limited bandwidth. A spike may
+    be too small to be found.
     """
     samples = solution.problem.samples
     pick = slice(None) if index is None else slice(index, index + 1)

@@ -257,9 +257,9 @@ class _Options:
         """Return the log probability of each possibility: no shape, a shape that is equal in both
         directions, or a shape that differs between the directions.
 
-        For s sizes and m shapes, the order is: no shape; each size and shape equal in both
-        directions; each size and shape with a difference: (1 + 2 * s * m,). With one direction: (1
-        + s * m,).
+        For s sizes and m shapes, the array has 1 + 2 * s * m entries. The first is for no shape.
+        Then s * m entries are for equal shapes, and s * m for shapes that differ. With one
+        direction, the last part is missing.
         """
         count = self.options.size
         if not count:
@@ -309,8 +309,8 @@ class SpikeDraws:
 
     The arrays (d, s) are in µm; s = 2 for ccw and cw, s = 1 if both are equal. ``heights``: outward
     peak above the lost motion. ``depths``: largest inward deviation. ``extrapolated``: slowest
-    decay at the reversal. ``unseen``: range of the heights that no sample decides. ``deeper``:
-    additional inward deviation while the lost motion is taken up.
+    decay, extrapolated to the reversal. ``unseen``: range of the heights that no sample determines.
+    ``deeper``: additional inward deviation while the lost motion is taken up.
 
     ``decay`` (d,), mm: arc from the peak (of the depth for an `INWARD` spike) to 1/e of it.
     ``rise`` (d,), mm: arc to the peak, or 0. ``there``: probability of a spike; ``unlike``: of

@@ -16,9 +16,9 @@ this shape. The hypothesis therefore contains both waves and divides the observe
 them. The prior of the long wave has the rms of the values.
 
 Prior of a period: as in the search (`periods`), with one exception. Only one axis in four is
-assumed to be controlled by a scale along it and thus to be without periods (a judgement, from no
-document). The search is for axes in general. Here a limit is accepted for one axis that is not
-known to have a scale.
+assumed to have a position loop that is closed by a scale along it, and thus no periods (a
+judgement, from no document). The search is for axes in general. Here a limit is accepted for one
+axis that is not known to have a scale.
 
 Prior of the amplitude: half-normal of width `AMPLITUDE`. ISO 3408-3 (2006) lets the lead of a
 ground screw vary by 6 to 8 µm within one turn (grades 3 and 5). The axial run-out of its seat adds
@@ -377,7 +377,7 @@ def _long_waves(frequencies: FloatArray, targets: FloatArray) -> tuple[FloatArra
 class _SmoothFit:
     """Fits of the smooth error to the means at targets, for each grid point of parameters.
 
-    ``columns`` (m, k): offset, slope, known periods and smooth part.
+    ``columns`` (m, k): the functions that are fitted: offset, slope, known periods and smooth part.
     """
 
     likelihood: PeriodLikelihood

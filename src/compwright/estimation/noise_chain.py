@@ -55,19 +55,19 @@ WAYS: Final = 4
 class NoiseState:
     """One state of the random sampler of the noise, mm or deg.
 
-    Errors of readings: ``sigma``: their scale before rounding. ``spread``: coefficients of the log
+    Errors of readings. ``sigma``: their scale before rounding. ``spread``: coefficients of the log
     scale over direction and position. ``tail``: index of their distribution in `TAILS`. ``tails``,
     ``sigmas`` (`WAYS`,): equally likely alternatives for ``tail`` and ``sigma``. ``outlier`` (c,
     n): which readings are outliers.
 
-    Shifts of traverses: ``size`` (4,), ``pattern``, ``pace``, ``moved`` (q,), ``rate``: as in
+    Shifts of traverses. ``size`` (4,), ``pattern``, ``pace``, ``moved`` (q,), ``rate``: as in
     `Sizes`, but sizes in mm or deg. ``share``: share of traverses with an offset. ``drift`` (2,):
     drift of offset and of tilt. ``again`` (2,): standard deviations of offset and tilt in a
     repeated test, at least as large as in this test. ``effects`` (k,): mean shifts of the
     traverses, with the drift, given the reduced readings ``data``. ``covariance`` (k, k):
     covariance of these shifts. ``variance``: variance of a reading.
 
-    Probabilities: ``absent``, ``absent_spread``: that each part is zero. ``tail_chances``: of each
+    Probabilities. ``absent``, ``absent_spread``: that each part is zero. ``tail_chances``: of each
     distribution.
     """
 

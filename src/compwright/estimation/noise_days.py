@@ -7,13 +7,14 @@ and scatter differ from day to day. There are two hypotheses for each:
     scatter: the same in every test, or its logarithm drawn for each test, normal about a mean
 
 The prior probability of a repeating drift is one half. The same motion brings the same heat, but
-the hall, the oil and the set-up differ (a judgement, from no document). The prior probability of a
-repeating scatter is 0.7. Three axes in public logs were measured again in the same way
-(github.com/anderssandstrom: vacuum tank after five weeks, target x the next day, a slit six times).
-Their scatter changed by ratios of 1.24, 1.10 and up to 1.3. Chance alone exceeds 1.17, 1.19 and
-1.27 in one case of three. With a flat prior on the share of axes with repeating scatter, this
-leaves 0.72. If the target at another motor current is included, which halved its scatter, it leaves
-0.46.
+the hall, the oil and the set-up differ (a judgement, from no document).
+
+The prior probability of a repeating scatter is 0.7. Three axes in public logs were measured again
+in the same way (github.com/anderssandstrom: vacuum tank after five weeks, target x the next day, a
+slit six times). Their scatter changed by ratios of 1.24, 1.10 and up to 1.3. Chance alone exceeds
+1.17, 1.19 and 1.27 in one case of three. With a flat prior on the share of axes with repeating
+scatter, these axes give 0.72. If the target at another motor current is included, which halved its
+scatter, they give 0.46.
 
 The size of a drift is unknown and averaged over, with a flat prior on its logarithm. The size of a
 change of the scatter has a flat prior itself, as is required for few groups (Gelman, Prior

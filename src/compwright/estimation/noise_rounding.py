@@ -47,10 +47,10 @@ def reading_step(
     """Return the resolution step of the readings, mm or deg, or 0 if it is small relative to their
     ``scatter`` or above ``coarsest``.
 
-    All readings are multiples of the step. If readings of different targets are not (a table was
-    subtracted), the differences at each target are. ``residuals`` (c, n): readings without the
-    effects of targets and traverses. If they are all zero, only whole traverses are shifted. Then
-    the readings along the traverses must show the step.
+    All readings are multiples of the step. After a table was subtracted, this is true only for the
+    differences between readings at one target. ``residuals`` (c, n): readings without the effects
+    of targets and traverses. If they are all zero, only whole traverses are shifted. Then the
+    readings along the traverses must show the step.
     """
     there, values = readings.there, readings.values
     moved = np.any(np.abs(residuals) > SAME_READING)

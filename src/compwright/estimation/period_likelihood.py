@@ -86,8 +86,8 @@ class Nodes:
 
     The model is diagonal in r directions of the smooth part. ``turned`` (r, r): rotation into these
     directions. ``weights`` (n, r): precisions along them. ``white`` (n,): precision across them.
-    ``smooth`` (n,): standard deviation of the smooth part. ``log`` (n,): log of the likelihood
-    without a wave, times the prior.
+    ``smooth`` (n,): standard deviation of the smooth part. ``log`` (n,): logarithm of the prior
+    times the likelihood without a wave.
     """
 
     length: float

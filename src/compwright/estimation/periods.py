@@ -1,9 +1,9 @@
 """Search the readings of an axis for unknown periods of its error.
 
 Prior (`FIRST` and `FURTHER`): almost every screw or worm has an error, however small, that repeats
-with its turn, at a usual period (`usual_periods`). An axis that is controlled by a scale along it
-does not show this error. Every second axis is assumed to have such a scale (a judgement, from no
-document). A second period is rare. One or two harmonics have equal odds. The likelihood
+with its turn, at a usual period (`usual_periods`). An axis whose position loop is closed by a scale
+along it does not show this error. Every second axis is assumed to have such a scale (a judgement,
+from no document). A second period is rare. One or two harmonics have equal odds. The likelihood
 (`period_likelihood`) covers all amplitudes and phases, for any smooth and local part.
 
 Periods are found one after another, each given those found before (Bretthorst, Bayesian Spectrum

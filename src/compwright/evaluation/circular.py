@@ -86,7 +86,8 @@ def evaluate_circle(
     - F: largest and smallest value, with sign, of distance minus nominal radius (3.5). Distances
       are from the set-up centre on an arc, and from the run's least-squares centre on a full
       circle. ``F_*_lsc`` always uses the run's least-squares centre.
-    - H: largest difference at one angle, with distances from the common least-squares centre (3.3).
+    - H: largest difference, at one angle, between the distances of the two directions from the
+      common least-squares centre (3.3).
     - D: radius of the common least-squares circle minus nominal radius.
 
     Every sample is used and nothing is smoothed (clause 5).
