@@ -6,11 +6,11 @@ mean curve by the standard's formulas F (ISO 230-2:2014, clause 3), in µm or ar
 
     P(t) = F(shape + slope(t) x, mean B(t)) + rest(t)
 
-``shape``: the mean curve of both directions without its slope and mean reversal error, averaged
-over the tests. ``rest``: the parameter of a test minus F of shape, slope and mean B of this test
-(scatter, wear at one place). Slope, mean B and rest have separate trends. Any other parameter
-consists of the rest alone. F is convex. Each draw of levels and rates therefore exceeds the limit
-upward once only.
+``x``: position. ``shape``: the mean curve of both directions without its slope and mean reversal
+error, averaged over the tests. ``rest``: the parameter of a test minus F of shape, slope and mean B
+of this test (scatter, wear at one place). Slope, mean B and rest have separate trends. Any other
+parameter consists of the rest alone. F is convex. So in each random draw of levels and rates, the
+parameter rises above the limit only once.
 """
 
 from __future__ import annotations

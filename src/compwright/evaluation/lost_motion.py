@@ -46,8 +46,9 @@ def lost_motion_result(test: LostMotionTest) -> LostMotionResult:
     """Return the best constant for the lost motion, from the mean of each move, and whether the
     lost motion is constant.
 
-    The finding CW-T040 reports that the lost motion depends on the move. The finding CW-T041
-    reports that the readings show no such dependence.
+    The best constant is the middle between the largest and the smallest mean. The finding is
+    CW-T040 if the lost motion depends on the move. It is CW-T041 if the readings show no such
+    dependence.
     """
     moves, group = np.unique(test.moves, return_inverse=True)
     values = 1000.0 * test.lost_motion

@@ -53,8 +53,8 @@ def minimum_zone(
     The ring has the least width of all centres within a limited distance (`_reach`) of the
     least-squares centre. Seen from a centre far away, a short piece of arc looks like a strip;
     roundness does not mean this. Every point counts and lies in the ring. The width is the least
-    one to within rounding (about 1e-14 of the radius). If two points on one ray alone determine the
-    width, many centres give it, to within 1e-9 of the width. One of them is returned.
+    one to within rounding (about 1e-14 of the radius). If only two points on one ray determine the
+    width, many centres give the same width, to within 1e-9 of it. One of them is returned.
 
     Raises InputError for fewer than three different points, for points on a straight line, and for
     points whose distances from the least-squares centre differ by more than a quarter of the
@@ -119,9 +119,9 @@ def _reach(x: FloatArray, y: FloatArray, distance: FloatArray) -> float:
     """Return an upper bound of the distance from least-squares centre to minimum-zone centre.
 
     Moving the centre by s along a unit vector e changes the distances by about s u·e. Here u are
-    the unit vectors towards the points. Let k be the smallest range of u·e over all e. The width
-    after the move is at least k s minus the present width. A better centre therefore has s <= 2
-    width / k. The result is twice this bound, to allow for terms of second order. It is at most the
+    the unit vectors towards the points. Let k be the smallest range of u·e over all e, and w the
+    present width. The width after the move is at least k s - w. A better centre therefore has s <=
+    2 w / k. The result is twice this bound, to allow for terms of second order. It is at most the
     largest distance of a point.
     """
     thin = max(1, x.size // 256)

@@ -1,7 +1,7 @@
 """Checks of the test plan against the edition of the standard: targets, runs, principal positions,
 spacing, long axes, cycle.
 
-A fault of the plan is reported as a finding. It never refuses the test.
+A fault of the plan is reported as a finding. The test is never refused for it.
 """
 
 from __future__ import annotations
@@ -167,7 +167,7 @@ def _long_axis(
     approach over the whole length, or five over 2 000 mm or 360°.
 
     The second test may be among ``other_tests``; then it is not missing. For a test with one
-    approach, CW-T006 about its interval is returned too.
+    approach, CW-T006 is returned too if its targets are too far apart.
     """
     if not _is_long(test, travel) or (test.kind is AxisKind.ROTARY and standard == _FIRST_EDITION):
         return []

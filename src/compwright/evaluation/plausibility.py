@@ -64,7 +64,7 @@ def certain_fault(test: PositioningTest) -> str:
     These faults are certain:
 
     - All readings are the same: nothing was measured.
-    - All readings lie within 0.1 µm per metre (0.01 arcsec).
+    - All readings lie within 0.1 µm per metre of travel (on rotary axes within 0.01 arcsec).
     - Repeated readings scatter by less than 2 nm (0.0005 arcsec), and all readings lie within 2 µm
       (0.2 arcsec). This is typical of mm read as µm, or of deg read as arcsec.
     - The deviations grow one to one with the targets: they are measured positions.

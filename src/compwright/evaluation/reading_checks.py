@@ -206,9 +206,9 @@ def drift_findings(test: PositioningTest) -> list[Finding]:
     moves. The other is proportional to the place along the travel: expansion, which may cancel in
     the mean. Each reading counts by its distance from the median of its target. Distances are
     clipped at three robust standard deviations, so that one bad reading cannot decide. The
-    statistic is the sum of the squares of these four progressions. Its significance follows from
-    all orders of the runs; both directions always have the same order. Shifts of whole runs in
-    random order therefore raise an alarm no more often than `DRIFT_CHANCE`.
+    statistic is the sum of the squares of these four drifts. Its significance follows from all
+    orders of the runs; both directions always have the same order. Shifts of whole runs in random
+    order therefore raise an alarm no more often than `DRIFT_CHANCE`.
     """
     residuals, scale = pooled_residuals(test)
     along = _along(test.targets)
@@ -280,9 +280,10 @@ def _chance(table: FloatArray, centred: FloatArray) -> float:
     """Return the probability that runs in random order show at least the measured drift. ``table``:
     drift scores (rows) of each run (column); ``centred``: numbers of the runs minus their mean.
 
-    Up to 100 runs, orders of the runs are tried. With more runs, the progressions in random order
-    are normal. Their covariance is the covariance of the scores times the sum of squares of
-    ``centred``. The statistic is then a sum of squares of normal values.
+    With up to 100 runs, the drifts are computed for many orders of the runs. With more runs, the
+    drifts in random order are taken as normal. Their covariance is the covariance of the scores
+    times the sum of squares of ``centred``. The statistic is then a sum of squares of normal
+    values.
     """
     runs = centred.size
     if runs > _MOST_ORDERED:

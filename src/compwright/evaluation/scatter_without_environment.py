@@ -37,8 +37,8 @@ def without_environment(
     """Return ``count`` random draws of the readings without the environmental variation, in +
     (count, m, n) and in −; mm or deg.
 
-    ``sigma``: standard deviation of the environmental variation, mm or deg. It is drawn anew for
-    each reading. Missing readings are NaN.
+    ``sigma``: standard deviation of the environmental variation, mm or deg. The variation of each
+    reading is drawn separately. Missing readings are NaN.
     """
     blocks = (test.positive, test.negative)
     if sigma <= 0.0:
@@ -189,11 +189,11 @@ def _curves_tried(m: int, *, own_known: bool) -> tuple[FloatArray, FloatArray]:
     """Return h possible variances (h, m - 1) of the cosine coefficients of a curve, relative to the
     noise, and their log prior weights (h,).
 
-    Each of the h models adds a smooth and a rough part (`_curve`); either part may be zero. Models
-    without a smooth part weigh as much together as all models with one. ``own_known``: the scatter
-    of the axis is counted already. Then models without a rough part weigh as much together as all
-    models with one. Otherwise they weigh as much as the models with one certain size of the rough
-    part.
+    Each of the h models adds a smooth and a rough part (`_curve`); either part may be zero. The
+    models without a smooth part have the same total weight as the models with one. The models
+    without a rough part have the same total weight as the models with one if ``own_known``: the
+    scatter of the axis is counted already. Otherwise they have the same total weight as the models
+    with one particular size of the rough part.
     """
     frequency = 2.0 * np.sin(0.5 * np.pi * np.arange(1, m) / m)
     shapes = [frequency**-power for power in _POWERS]

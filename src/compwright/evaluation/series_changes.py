@@ -49,10 +49,10 @@ def noted_changes(
     ``entries``: the tests, in order of time. ``trends``: trends of the same tests by
     `noted_trends`.
 
-    Each test is compared with the last comparable test before it. The other comparisons of the same
-    parameter show the scatter from test to test: their excess over the standard errors. The
-    threshold allows for the number of comparisons. It does not between the tests of a jump in
-    ``trends``, where a change needs less evidence.
+    Each test is compared with the last comparable test before it. The scatter from test to test is
+    taken from the other comparisons of the same parameter, as far as they exceed their standard
+    errors. The threshold allows for the number of comparisons. A change between the tests of a jump
+    in ``trends`` counts as the only comparison, so it needs less evidence.
     """
     jumped = {
         (trend.parameter, jump.before, jump.after) for trend in trends for jump in trend.jumps
@@ -101,8 +101,9 @@ def _between_tests(others: Sequence[Change]) -> tuple[float, float]:
     """Return the variance between tests in excess of their standard errors, from the changes
     ``others`` of the same parameter, and the degrees of freedom of this variance.
 
-    With fewer than four changes the variance is 0. Neighbouring changes share a test. The degrees
-    of freedom are therefore two thirds of the number of changes.
+    With fewer than four changes, the variance is 0 and the degrees of freedom are infinite.
+    Otherwise the degrees of freedom are two thirds of the number of changes, because neighbouring
+    changes share a test.
     """
     if len(others) < _LEAST_COMPARISONS:
         return 0.0, math.inf

@@ -1,7 +1,7 @@
 """Standard errors of the parameters of a positioning test: the differences to expect if the test is
 repeated at once.
 
-They come from the scatter of the test's own readings.
+The standard errors are computed from the scatter of the test's own readings.
 """
 
 from __future__ import annotations
@@ -34,10 +34,11 @@ def standard_errors(
 
     ``positive``, ``negative`` (m, n): readings in + and − in one unit, a column per run. Missing
     readings are NaN; a direction that was not measured has width 0. ``coverage``: the factor k of
-    A. Shifts of whole traverses are common to all their targets. If runs differ more than the
-    scatter of single readings explains, the differences between runs count. A follows from the two
-    targets that determine it, each with its mean and k standard deviations (variance of s: s²/2ν).
-    Combination and degrees of freedom: GUM (JCGM 100:2008) 5.1.2 and G.4.1 (Welch-Satterthwaite).
+    A. A shift of a whole traverse is the same at all its targets. If runs differ more than the
+    scatter of single readings explains, the variance of the differences between runs is used. A
+    follows from the two targets that determine it, each with its mean and k standard deviations
+    (variance of s: s²/2ν). Combination and degrees of freedom: GUM (JCGM 100:2008) 5.1.2 and G.4.1
+    (Welch-Satterthwaite).
     """
     blocks = [block for block in (positive, negative) if block.size and np.isfinite(block).any()]
     scatter = _scatter(blocks)
@@ -82,8 +83,8 @@ def _scatter(blocks: list[FloatArray]) -> tuple[float, StandardError] | None:
     """Return the pooled standard deviation of a reading and its standard error, or None if no
     target has repeated readings that scatter. ``blocks``: the readings (m, n) of each direction.
 
-    The relative variance of s² is 2/ν for normal readings of equal variance; it is larger if
-    targets or runs differ in their variance.
+    The relative variance of s² is 2/ν for normal readings of equal variance, with ν degrees of
+    freedom. It is larger if targets or runs differ in their variance.
     """
     cells = [row[np.isfinite(row)] for block in blocks for row in block]
     repeated = [cell for cell in cells if cell.size > 1]
@@ -147,9 +148,9 @@ def _dof(cell: FloatArray) -> int:
 
 def _ends(blocks: list[FloatArray], coverage: float) -> tuple[FloatArray, FloatArray] | None:
     """Return the readings at the two targets that determine A: the target with the highest mean + k
-    s, and the target with the lowest mean - k s.
+    s, and the target with the lowest mean - k s. ``coverage``: the factor k.
 
-    None without repeated readings.
+    The result is None without repeated readings.
     """
     cells = [row for block in blocks for row in block if _dof(row) > 0]
     if not cells:

@@ -186,12 +186,13 @@ def evaluate(
     ``spread``: "range" computes s from the range of the readings (1988 and GOST only). ``travel``,
     ``periods`` (mm or deg, machine coordinates) and ``other_tests`` of the axis are used by the
     test checks, ``budget`` and ``thermal`` by the uncertainty. ``reported``: codes of reading
-    checks that the noise estimate reports already (`reading_findings`). ``checked``: make findings.
+    checks that the noise estimate reports already (`reading_findings`). ``checked``: run the test
+    checks.
 
     A parameter is None if the standard does not define it, the approach direction was not measured,
     or a target lacks the two readings that s needs. ``not_applicable`` gives the reason. No
-    parameter is formed over fewer targets than were measured. A finding then gives R and A of the
-    other targets.
+    parameter is formed over fewer targets than were measured. If targets lack readings, a finding
+    gives R and A of the other targets.
 
     Raises UsageError for an unknown standard or a range method that does not exist for it or this
     n, InputError if the test holds no reading or its arrays do not fit together.

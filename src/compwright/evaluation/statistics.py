@@ -1,8 +1,8 @@
 """The formulas of ISO 230-2 clause 2 on plain arrays: means, standard deviations, parameters.
 
-The last dimension is the target in means and s, and the reading in deviations. Any leading
-dimensions are allowed. Results have the unit of the input (mm or deg inside compwright). A missing
-reading is NaN, and so is every parameter that needs it.
+In means and s, the last dimension of the array is the target. In deviations, it is the reading. Any
+further dimensions may come before. Results have the unit of the input (mm or deg inside
+compwright). A missing reading is NaN, and so is every parameter that needs it.
 """
 
 from __future__ import annotations
@@ -162,8 +162,8 @@ def repeatability(
     """Return R_i+, R_i- and R_i (..., m) for coverage k: R_i = max(k s+ + k s- + abs(B_i); 2k s+;
     2k s-).
 
-    ISO 230-2:2006, 2.16 and 2.17. The copy of the 1997 text prints R_i without abs(B_i); its own
-    table 2 includes it.
+    Source: ISO 230-2:2006, 2.16 and 2.17. The available copy of the 1997 edition prints R_i without
+    abs(B_i), but its own table 2 includes it.
     """
     positive = 2.0 * coverage * s_positive
     negative = 2.0 * coverage * s_negative
@@ -186,9 +186,9 @@ def parameters(
     all.
 
     B_i = mean+ - mean-, so lost motion gives a negative ``B_mean``. ``R`` is the largest R_i, not
-    the larger of R+ and R-. The unit is that of the input. NaN in means or s goes through to the
-    parameters that depend on them and to no others. The copy of the 1997 text prints A+ with max(x
-    + 2s) - min(x + 2s); Corrigendum 1:1999 and 2006 have min(x - 2s).
+    the larger of R+ and R-. The unit is that of the input. NaN in means or s makes only those
+    parameters NaN that depend on it. The available copy of the 1997 edition prints A+ with max(x +
+    2s) - min(x + 2s). Corrigendum 1:1999 and the edition of 2006 have min(x - 2s).
     """
     plus = _DirectionStatistics(mean_positive, s_positive, coverage)
     minus = _DirectionStatistics(mean_negative, s_negative, coverage)
@@ -259,11 +259,16 @@ def vdi_parameters(
     mean_negative: FloatArray,
     s_negative: FloatArray,
 ) -> dict[str, FloatArray]:
-    """Return the parameters of VDI/DGQ 3441, each (...), from means and s (..., m); same unit.
+    """Return the parameters of VDI/DGQ 3441, each (...), from means and s (..., m), in the unit of
+    the input.
 
-    U_i = abs(B_i), Ps_i = 6 (s+ + s-)/2, Pa = range of the two-direction means,
-    P = max[mean_i + (U_i + Ps_i)/2] - min[mean_i - (U_i + Ps_i)/2]. The text of VDI/DGQ 3441 was
-    not at hand; the formulas are those in common use by laser software.
+        U_i = abs(B_i)
+        Ps_i = 6 (s+ + s-)/2
+        Pa = range of mean_i, the means of both directions
+        P = max[mean_i + (U_i + Ps_i)/2] - min[mean_i - (U_i + Ps_i)/2]
+
+    The text of VDI/DGQ 3441 was not available. The formulas are those in common use by laser
+    software.
     """
     play = np.abs(mean_positive - mean_negative)
     scatter = vdi_positional_scatter(s_positive, s_negative)

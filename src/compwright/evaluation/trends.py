@@ -7,13 +7,14 @@ Model of the tests k at times t_k (years) of one parameter:
 e_k is normal. Its variance is that of the readings plus that of a scatter from test to test. This
 scatter is drawn from a half-Cauchy law (Gelman, Bayesian Analysis 1 (2006) 515, section 3.2): its
 variance has the F law with 1 and 1 degrees of freedom. If tests state a standard uncertainty, such
-as that of the temperature, its variance in multiples of this has the F law with 3 and 1 degrees of
-freedom. A part of the uncertainty that is common to all tests changes no rate. The tests themselves
-show how large the rest is.
+as that of the temperature, the scatter is measured in multiples of it. The variance then has the F
+law with 3 and 1 degrees of freedom. A part of the uncertainty that is common to all tests changes
+no rate. The tests themselves show how large the rest is.
 
 A jump may lie between any two tests (repair, collision, another instrument). If the table was
-changed, a jump is certain. The season is a sine of one year. Models with and without each jump and
-the season are averaged by their evidence (Kass and Raftery, J. Am. Stat. Assoc. 90 (1995) 773).
+changed, a jump is certain. The season is a sine with a period of one year. Models with and without
+each jump and the season are averaged by their evidence (Kass and Raftery, J. Am. Stat. Assoc. 90
+(1995) 773).
 """
 
 from __future__ import annotations

@@ -4,14 +4,14 @@ directions.
 The typical sizes are weak priors. They are stated here because no standard has them. Linear axes
 are in µm, rotary axes in arcsec.
 
-- Scatter of repeated readings: lognormal about 1 µm (0.5 arcsec), with a factor of 4. Two standard
-  deviations are 0.06 to 16 µm.
-- Range of all readings: lognormal about 15 µm (10 arcsec), with a factor of 4. Two standard
-  deviations are 1 to 240 µm. Scatter and range of two real axes were 3.2 and 93 µm, and 17.7 and 97
-  µm.
-- Mean reversal error: 60 % lost motion (below zero), lognormal about 4 µm with a factor of 3; 35 %
-  compensated or not present, normal with 1.5 µm; 5 % over-compensated, exponential with 4 µm above
-  zero.
+- Scatter of repeated readings: lognormal about 1 µm (0.5 arcsec). One standard deviation is a
+  factor of 4; two standard deviations are 0.06 to 16 µm.
+- Range of all readings: lognormal about 15 µm (10 arcsec). One standard deviation is a factor of 4;
+  two standard deviations are 1 to 240 µm. Scatter and range of two real axes were 3.2 and 93 µm,
+  and 17.7 and 97 µm.
+- Mean reversal error of 60 % of the axes: lost motion (below zero), lognormal about 4 µm with a
+  factor of 3. Of 35 %: compensated or not present, normal with 1.5 µm. Of 5 %: over-compensated,
+  exponential with 4 µm above zero.
 
 Odds are ratios of such densities (Jeffreys, Theory of Probability, 3rd ed. 1961, section 5.0).
 """

@@ -49,7 +49,7 @@ def contributions(
     A linear axis has the following contributors. L is the distance of the extreme targets in m.
 
     - Instrument: U + per_m L.
-    - Misalignment of the beam: R²/(2L) as a range, 0.289 R²/L expanded. As any range it counts to
+    - Misalignment R of the beam: R²/(2L) as a range, 0.289 R²/L expanded. As any range it counts to
       either side, though the beam only ever reads too short. Where nothing else counts, 58 % of the
       range lie within U.
     - Temperature: alpha L U(theta), and expansion coefficient: abs(T - 20) L U(alpha). Each is for
@@ -156,8 +156,8 @@ def slope_between_tests(
     of its axis. ``first``: temperature and expansion coefficient in the first test.
 
     Three contributors differ between tests: the temperature U_theta (sensors are placed and read
-    again, and a hall changes), the misalignment of the beam, and the set-up. Two are common to all
-    tests and cause no difference: the instrument, assumed to be the same one, and the expansion
+    again, and the hall changes), the misalignment of the beam, and the set-up. Two are common to
+    all tests and cause no difference: the instrument, assumed to be the same one, and the expansion
     coefficient, a property of the scale. An error U_alpha of the coefficient counts only over the
     temperature difference between this test and the ``first``. The environmental variation is
     already in the scatter of the readings. The result is zero without a budget, and for angles,
@@ -328,7 +328,7 @@ def _parameters(
 def _normal_scores(count: int) -> FloatArray:
     """Return ``count`` equally probable values of the standard normal distribution.
 
-    McKay, Beckman and Conover, Technometrics 21 (1979) 239.
+    Source: McKay, Beckman and Conover, Technometrics 21 (1979) 239.
     """
     from statistics import NormalDist  # slow to import, and most tests come without a budget
 

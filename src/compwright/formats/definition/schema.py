@@ -160,9 +160,9 @@ class Measure(Binding):
     """A quantity that is a length or an angle: unit, sign and range of its number in the files.
 
     ``sign_by``, ``signs``: the choice on which the sign depends, and the sign for each of its
-    values. ``sign_option``: the option that states the sign if no file does. ``range``: smallest
-    and largest position, correction or backlash, in the unit of the file. ``typed``: the card's
-    text of the value, with the control's parameter, number and unit.
+    values. ``sign_option``: the option whose value is the sign. ``range``: smallest and largest
+    position, correction or backlash, in the unit of the file. ``typed``: the card's text of the
+    value, with the control's parameter, number and unit.
     """
 
     linear_unit: str | OptionValue
