@@ -43,9 +43,9 @@ class CheckedDefinition:
 def checked_definitions(session: Session, paths: Sequence[Path]) -> Iterator[CheckedDefinition]:
     """Yield the definitions in ``paths``, each checked. Raises InputError for unreadable files.
 
-    ``paths``: files or folders; without paths, the supplied definitions are checked. Three parts of
-    a definition are checked: its keys, its sample, and its corrections worked out by hand, which
-    both file readers must find.
+    ``paths``: files or folders; without paths, the supplied definitions are checked. The keys and
+    the sample of a definition are checked. Both file readers must also find its corrections worked
+    out by hand.
     """
     ids: dict[str, str] = {}
     ships = set(dict(storage.definition_files(session)).values())

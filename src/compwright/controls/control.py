@@ -168,8 +168,8 @@ class Control:
         command line nor files state it.
 
         ``states``: the decoded files. ``axes``: the axes of a job; without them, all axes of the
-        states. If the job or the files state an option for each of these axes, its default is not
-        in use and gives no assumption.
+        states. An option gives no assumption if the job or the files state it for each of these
+        axes.
         """
         answered = {
             name for state in states for facts in state.facts.values() for name in facts.stated

@@ -193,8 +193,9 @@ def _likely(
     the order follows the statements in the other files of the same archive.
 
     A file without such statements, for example a table of bare numbers, can belong to many
-    controls. It is assigned to a control in three cases: ``format_id`` names the control; the
-    ending of its name or another file shows that it is a table; or it was in an archive.
+    controls. It is assigned to a control if ``format_id`` names the control, or if the file was in
+    an archive. It is also assigned if the ending of its name, or another file that names it, shows
+    that it is a table.
     """
     known = (
         [definition_named(session, format_id, Path())]

@@ -61,7 +61,7 @@ def write_planned(
     control's files before; ``tabled``: names of the axes with a new axis table.
 
     ``control``: the control with the options of the state ``as_found``. ``axes``: axes of the job
-    by name. A correction that the control cannot store is not written: a finding and a step of the
+    by name. A correction that the control cannot store is not written. A finding and a step of the
     card report it with a remedy. Raises CompwrightError (an internal error) if the files read back
     differ from the plan.
     """

@@ -342,9 +342,9 @@ def _by_node(
     ``old`` to ``new``; None if the control cannot store the sum. ``idle``: the points of the
     slave's inactive table.
 
-    ``capacity``: limits of the slave's table. Between points, the master's table is taken as
-    linear, even if the control applies it in steps: a step at another position would move the axes
-    apart by the whole step. The change is constant outside the points that enclose the travel.
+    ``capacity``: limits of the slave's table. The master's table is taken as linear between points,
+    even if the control applies it in steps. Otherwise a step at another position would move the
+    axes apart by the whole step. The change is constant outside the points that enclose the travel.
     """
     grid = _grid(own, idle)
     if capacity.there and own.period is None:

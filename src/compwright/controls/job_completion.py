@@ -181,8 +181,8 @@ def with_counted_turns(
     """Return the job in which rotary axes that travel several turns are treated as endless, and the
     assumptions made for that.
 
-    ``tests``: the tests by axis name. An axis is treated as endless if its tests cover less than
-    half of its travel, and the control repeats its table at every turn.
+    ``tests``: the tests by axis name. Two conditions must be met: the tests cover less than half of
+    the travel, and the control repeats its table at every turn.
     """
     axes, assumed = dict(job.axes), []
     for name, entry in job.axes.items():

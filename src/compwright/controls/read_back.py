@@ -118,10 +118,10 @@ def read_back_differences(
     """Return the differences between read-back and expected contents. ``names``: names of the job's
     axes by address; ``planned``: the plan's corrections between axes.
 
-    Files that were not read back are ignored. A value that is not in the plan's files is reported
-    only if it is in one of these files and is not 0. The missing part of a table of another axis is
-    a difference if the rest was read back. A missing value of a cross-axis table is a difference if
-    its file was read back.
+    Files that were not read back are ignored. A value that was not expected is reported only if it
+    is not 0 and the plan has a file of the same name. The missing part of a table of another axis
+    is a difference if the rest was read back. A missing value of a cross-axis table is a difference
+    if its file was read back.
     """
     whole = differences(control, expected, found)
     known = {entry.file for entry in expected.entries.values()}

@@ -106,8 +106,9 @@ class AxisPosterior:
         2013, section 1.8).
 
         The mean is intended for a table. So it leaves out the local part and all periods with a
-        probability below one half: a wave of a wrong length increases the error as often as it
-        reduces it. The standard deviation refers to this mean and includes both.
+        probability below one half. A wave of a wrong length would increase the error as often as
+        reduce it. The standard deviation refers to this mean; it includes the local part and these
+        periods.
         """
         where = np.asarray(positions, dtype=np.float64)
         scale = self.cells.data.scale
@@ -294,7 +295,8 @@ def estimate_axis(
     - ``tests``: tests of the axis. The datum of each test is unknown and estimated.
     - ``travel``: lower and upper end, mm or deg.
     - ``periods``: known periods of the error (screw pitch, scale period), mm or deg.
-    - ``suggested``: used only if no period is known, mm or deg.
+    - ``suggested``: periods from the control's files, mm or deg. Each is as probable as all usual
+      periods together.
     - ``nodes``: ascending, mm or deg. At these points the line of an active table bends.
     - ``turn``: deg. The error of an endless axis repeats after a turn, so it has no slope.
 

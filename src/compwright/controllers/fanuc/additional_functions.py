@@ -1,30 +1,30 @@
 """Inclination, cyclic and straightness compensation of a FANUC axis, in addition to its table.
 
-The rules are taken from the manuals, independently of the package that writes the files. "Practice"
-marks a rule that no manual page confirms.
+The rules are taken from the manuals, independently of the package that writes the files. The word
+practice marks a rule that no manual page confirms.
 
 - Inclination: four point numbers (5861 to 5864) and four amounts (5871 to 5874, detection units)
   define three straight lines. The control outputs them at the pitch intervals and adds them to the
-  pitch amount (35i-B, B-64523EN-1/02, 1.3.8; B-63522EN/02 p. 222). Practice: the parameter numbers;
-  outside the four points the end amounts apply; inclination is 0 at the reference; 3623 does not
-  multiply it.
+  pitch amount (35i-B, B-64523EN-1/02, 1.3.8; B-63522EN/02 p. 222). Practice: the parameter numbers.
+  Practice: outside the four points the end amounts apply, and the value at the reference is 0.
+  Practice: 3623 does not multiply the amounts.
 - Second (cyclic) table: 14985 and 14986 are its first and last number in the common pitch data,
   14987 is its interval. The increments of a period add up to 0. The period repeats and is added to
-  the main table (A-78868E p. 3, 6). Practice: the period begins at the reference; 3623 does not
-  multiply it; 14988 is its magnification.
+  the main table (A-78868E p. 3, 6). Practice: the period begins at the reference. Practice: 3623
+  does not multiply it; 14988 is its magnification.
 - Straightness: 5711 to 5713 name the moving axis, 5721 to 5723 the axis that is corrected. Each
   pair has four point numbers of the moving axis (from 5731) and four amounts (from 5761). The
   difference of two amounts is distributed evenly over the intervals between their points
-  (B-63522EN/02 p. 222). Practice: the parameter numbers, and that the amounts are in detection
+  (B-63522EN/02 p. 222). Practice: the parameter numbers. Practice: the amounts are in detection
   units of the corrected axis. A real backup has further such parameters whose meaning is unknown.
 - 10800 to 10802 name the axes of three-dimensional error compensation, a field over three positions
-  (A-79351E p. 3; the numbers: practice). 13301 to 13399 belong to further straightness pairs
-  (practice). Both are never included in the correction.
+  (A-79351E p. 3; the numbers: practice). It is never included in the correction.
+- 13301 to 13399 belong to further straightness pairs (practice). They are never included.
 - 1846 to 1849: smooth backlash (practice). It is never included: the correction uses the whole
   value 1851.
 
-A function that is not included is reported. compwright does not change it, so its effect is the
-same before and after a change of the table.
+A function that is not included is reported. Its effect stays the same after a change of the table,
+because compwright does not change it.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The point numbers and interval of a FANUC axis' table, and checks that they are consistent.
 
-A contradiction in the files becomes a fault of the memory. An unknown fact becomes a note or an
-assumption. Sources: the docstring of ``control``.
+A contradiction in the files is added to the faults of `Memory`. An unknown fact is added to its
+notes or assumptions. Sources: the docstring of the module ``control``.
 """
 
 from __future__ import annotations
@@ -171,9 +171,10 @@ class AxisLoader:
     def _endless(self, grid: IncrementGrid, *, rotary: bool) -> IncrementGrid:
         """Return ``grid``, with its travel per turn if its points are those of an endless axis.
 
-        If the axis is endless by the job or by its first point number, but its points do not cover
-        exactly one turn, a fault is added. Contradictions between the files and the job are faults
-        too. Any other axis is returned unchanged, as an axis with ends.
+        ``rotary``: the axis is rotary. A fault is added if an endless axis has points that do not
+        cover exactly one turn. An axis counts as endless by the job, or by its first point number.
+        Contradictions between the files and the job are faults too. Any other axis is returned
+        unchanged, as an axis with ends.
         """
         modulo = finite_number(by_address(self.request.modulo, str(grid.axis)))
         if not rotary:

@@ -1,7 +1,8 @@
 """The compensation of one FANUC axis: pitch error table, backlash, second (cyclic) table.
 
-A contradiction in the files becomes a fault of the memory. An unknown fact becomes a note or an
-assumption. Sources: the docstrings of ``control`` and ``additional_functions``.
+A contradiction in the files is added to the faults of `Memory`. An unknown fact is added to its
+notes or assumptions. Sources: the docstrings of the modules ``control`` and
+``additional_functions``.
 """
 
 from __future__ import annotations

@@ -55,8 +55,8 @@ def bending_of(
     straightness.
 
     ``grids``: point numbers and interval of each axis' table. ``options``: the options of each
-    axis. If the moving axis has no active table, or the detection unit of the corrected axis is
-    unknown, the pair becomes a fault of the memory.
+    axis. A fault is added to `Memory` if the moving axis has no active table. A fault is also added
+    if the detection unit of the corrected axis is unknown.
     """
     memory = loader.memory
     if not any("straightness" in entry.counted for entry in options.values()):

@@ -1,17 +1,17 @@
 """FANUC virtual control: stored pitch error compensation, backlash, and further functions.
 
-The rules are taken from the manuals, independently of the definition that writes the files.
-"Practice" marks a rule that no manual page confirms.
+The rules are taken from the manuals, independently of the definition that writes the files. The
+word practice marks a rule that no manual page confirms.
 
-- 3620 is the point number of the reference. 3621 and 3622 are the most negative and the most
-  positive number, 3623 is the magnification, 3624 the interval. The data are increments (0i-PB
+- 3620 is the point number of the reference. 3621 is the most negative number, 3622 the most
+  positive one. 3623 is the magnification, 3624 the interval. The data are increments (0i-PB
   parameter manual B-63980EN/01 p. 100; sums of increments: ``table``). Correction = pulses * 3623 *
   detection unit. A positive pulse moves the axis towards + (practice; option ``pitch_sign``).
 - Endless rotary axis: 3621 = 3620 and 3622 = 3620 + turn / interval. The increments of a turn add
   up to 0 (B-63980EN/01 p. 100).
-- 3605#0 = 1: the numbers 3621 to 3622 apply to travel towards +. As many numbers from 3626 on apply
-  to travel towards -. 3627 is the correction at the reference when it is approached against the
-  direction of the reference return (A-77810E, section 2).
+- 3605#0 = 1: the table has two sets of points. The numbers 3621 to 3622 apply to travel towards +.
+  As many numbers, from 3626 on, apply to travel towards -. 3627 is the correction at the reference,
+  approached against the direction of the reference return (A-77810E, section 2).
 - Backlash 1851, in detection units: it adds nothing in the direction of the reference return. On
   reversal the whole value is added in the direction of motion (0i-C parameter manual B-64120EN/01
   p. 116): sgn(d) * 1851 * detection unit. It is active together with bidirectional data (practice).

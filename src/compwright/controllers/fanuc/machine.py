@@ -1,7 +1,7 @@
 """Parameters of a FANUC, stored by axis, path or machine, and what they mean: paths, units, turns.
 
-The rules are taken from the manuals and from a real backup, independently of the package that
-writes the files. "Practice" marks a rule that no manual page confirms.
+The rules are taken from the manuals and a real backup, independently of the package that writes the
+files. The word practice marks a rule that no manual page confirms.
 
 - Detection unit = least command increment / CMR. 1820 is 2 x CMR (1 to 96) or 100 + 1 / CMR (101 to
   127) (B-63943EN-1/02 p. 109, B-63950EN/02 p. 106).

@@ -1,6 +1,6 @@
 """Differences between the families of FANUC controls: limits, number formats, parameter numbers.
 
-"Practice" marks a fact that no manual page confirms.
+The word practice marks a fact that no manual page confirms.
 
 - 30i, 31i, 32i: points 0 to 1535, increments greater than 7 are possible (a real backup, software
   D4G3: N10000Q0P0 to N11535Q0P0, increments up to 10). Lengths are real numbers (the same backup).

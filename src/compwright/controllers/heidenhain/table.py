@@ -326,9 +326,9 @@ def _by_position(block: TableBlock, grid: CellGrid, stem: str | None, faults: li
 def _cma(block: TableBlock, generation: Generation) -> Cma:
     """Return the .CMA table in a block of lines, of which only the active line is read.
 
-    On an NCK control, the active line has ``*`` in the column ACTIVE. On an iTNC 530, it is the
-    only line, or the line with ``M`` in STATUS or ACTIVE. Raises InputError if it is unclear which
-    line is active, or for wrong column headings.
+    On an NCK control, the active line has an asterisk in the column ACTIVE. On an iTNC 530, it is
+    the only line, or the line with ``M`` in STATUS or ACTIVE. Raises InputError for wrong column
+    headings, or if it is unclear which line is active.
     """
     grid = read_grid(block)
     mark = "M" if generation.name == ITNC530.name else "*"

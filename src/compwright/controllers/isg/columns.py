@@ -49,7 +49,7 @@ def column(
     value above ``largest``, the most that the control can store, is a fault.
 
     ``entries``: the statements of the column by index. Returns None, with faults, if an entry is
-    missing, is no number, is too large, or has an index above the last one.
+    missing, invalid, too large, or beyond the last index.
     """
     before = len(axis.faults)
     inside = {index: entries[index] for index in sorted(entries) if index < count}

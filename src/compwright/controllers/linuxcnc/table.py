@@ -1,9 +1,9 @@
 """Load a LinuxCNC compensation file (``COMP_FILE``) as the control does, up to the first bad line.
 
-The control reads pieces of up to 254 bytes and takes the first three numbers of each, as ``scanf``
-of the language C does. It stops at the first piece without three numbers; the rest of the file is
-never read and nothing is reported. It drops a row that does not ascend, and every row after 256,
-with an operator error, and continues to run.
+The control reads pieces of up to 254 bytes. It takes the first three numbers of each piece, as
+``scanf`` of the language C does. It stops at the first piece without three numbers: the rest of the
+file is never read and nothing is reported. It drops a row that does not ascend, and every row after
+256, with an operator error, and continues to run.
 
 Observed on LinuxCNC 2.9.0~pre1 (Debian 12) and read in its source (``usrmotLoadComp``,
 ``EMCMOT_SET_JOINT_COMP``); unchanged up to 2.9.9.

@@ -151,8 +151,7 @@ def pmac_control(files: Sequence[ControlFile], request: Request) -> PmacControl:
 def _not_sent(card: Card, request: Request) -> list[Fault]:
     """Return a fault for each command on the job's motors that may not have been sent to the card.
 
-    If the job states that every command was sent, return a fault for each command that cannot have
-    been sent together with another one.
+    If the job states that all were sent, return a fault for commands that exclude each other.
     """
     if request.carried_out:
         return [

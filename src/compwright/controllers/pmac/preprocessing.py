@@ -49,9 +49,8 @@ class Preprocessor:
 
     - ``macros``: text of each macro by name.
     - ``uncertain``: macros that a conditional block has defined or removed.
-    - ``blocks``: for every open conditional block, the line where it begins, the number of its
-      branch, its condition, and the result of the condition for which the branch is sent to the
-      card.
+    - ``blocks``: every open conditional block: line where it begins, number of its branch,
+      condition, and the result of the condition that leads into this branch.
     - ``counts``: how often each macro was defined or removed; under the empty name, the count for
       all macros.
     - ``guards``: lines of the include guards. These are blocks ``#IFNDEF NAME`` directly followed

@@ -3,10 +3,10 @@
 ``;`` starts a comment. ``DEFINE COMP`` or ``DEFINE BLCOMP`` announces a table for the motor that
 was addressed last (``#n``). The entries of the table follow as decimal whole numbers.
 
-The card refuses a table (ERR003) while a table of its kind exists for a lower motor, or while a
-buffer exists that must be defined later. A command that the card would refuse is a fault here.
-Commands that do not concern compensation are ignored. An unknown command is a fault, because it may
-change the compensation.
+The card refuses a table (ERR003) while a table of its kind exists for a lower motor. It also
+refuses a table while a buffer exists that must be defined later. A command that the card would
+refuse is a fault here. Commands that do not concern compensation are ignored. An unknown command is
+a fault, because it may change the compensation.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """The cross-axis tables (CEC) in all files: which tables are in use, and why the remaining tables
 are not.
 
-Some machine builders use a table for another purpose, so that it is no curve (real archive: MIN
--850, MAX 0, STEP 100; output ``(X)``, STEP 0). Such a table is ignored if all its values are zero.
-Otherwise the correction of its pair of axes is unknown.
+Some machine builders use a table for another purpose, so that its values are no curve. An example
+from a real archive is MIN -850, MAX 0, STEP 100; output ``(X)``, STEP 0. Such a table is ignored if
+all its values are zero. Otherwise the correction of its pair of axes is unknown.
 
 MULT_BY_TABLE = n multiplies a table by the table with the index n - 1 (manual p. 245, p. 249, p.
 252). No manual page states whether the values of the multiplied table are also added. So neither

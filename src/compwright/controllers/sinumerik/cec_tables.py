@@ -259,9 +259,8 @@ class CecTableLoader:
         ``inner``: the faults and notes from reading this table.
 
         ``index``: index of the table. ``pair``: its input and output axis. ``entries``: its
-        assignments, empty if it is switched off. If an axis of the job is corrected by its own
-        position and its active table is not to stay unchanged, the reason is added as a fault
-        instead.
+        assignments, empty if it is switched off. An active table that corrects an axis of the job
+        by its own position gives a fault instead, unless the job leaves it unchanged.
         """
         base, output = pair
         moved = any(entry.value for entry in entries if entry.name == _PREFIX)

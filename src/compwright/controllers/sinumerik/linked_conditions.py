@@ -244,8 +244,8 @@ def _open_ways(
 def _result(words: Words, values: Mapping[str, float | None]) -> float | None:
     """Return the value of a logical or whole-number expression; None if it is unknown.
 
-    The result is also None for XOR. It is None if a comparison is next to another comparison, to OR
-    or to AND without brackets.
+    The result is None for XOR. It is also None for a comparison, without brackets, next to another
+    comparison, OR or AND.
     """
     words = _without_brackets(words)
     depth, outer = 0, list[tuple[str, int]]()

@@ -17,8 +17,8 @@ archives. Each member has a header of 512 bytes, its data, and NUL bytes up to t
 - at 384: the folder
 
 The data of the first member list all other members, one path per line. The active data are in the
-folder `_ACTIVE`. All other members are programs, definitions and drive data, which are not used: a
-program assigns compensation data only when it is run.
+folder `_ACTIVE`. All other members are programs, definitions and drive data. They are not used,
+because a program assigns compensation data only when it is run.
 """
 
 from __future__ import annotations

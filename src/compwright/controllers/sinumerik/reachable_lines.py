@@ -97,9 +97,9 @@ def conflicts(lines: Sequence[Line]) -> tuple[int, int] | None:
     """Return an assignment that no run executes, or two that no run executes together. None if
     there is no conflict.
 
-    The result is two line numbers; the second is 0 if no run executes the assignment. Both are
-    equal if the assignment is excluded by one combination of linked conditions, and every other
-    combination has a conflict too.
+    The result is two line numbers. The second is 0 if no run executes the assignment. With linked
+    conditions, each combination of results may exclude another assignment. Then both numbers are
+    that of the assignment excluded first.
     """
     short, _ = _shortened(lines)
     found = _conflict(short, _possible(short)[0])
