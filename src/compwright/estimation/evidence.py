@@ -139,8 +139,8 @@ class WeightPosterior:
 
     ``mean`` (j,): mean of the weights; the first weights are those of the basis. ``root`` (j, j):
     root of their covariance, which is root @ root.T. ``noise``: variance of a reading, if it is
-    estimated. ``local``: variance of the part that is independent from target to target. ``draw``:
-    index of the draw of the noise.
+    estimated. ``local``: variance of the part of the error that is independent from target to
+    target. ``draw``: index of the random draw of the noise that was used.
     """
 
     mean: FloatArray

@@ -82,8 +82,8 @@ class Periods:
 class MixturePart:
     """One of several averaged models, with equally likely draws of the weights of its functions.
 
-    ``values`` (n, h): the hyperparameters of each draw. ``draws`` (n,): index of its draw of the
-    noise.
+    ``values`` (n, h): the hyperparameters of each draw. ``draws`` (n,): index of the random draw of
+    the noise that belongs to each.
     """
 
     evidence: Evidence

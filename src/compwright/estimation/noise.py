@@ -7,10 +7,10 @@ direction. Errors are normal, follow Student's distribution, or have outliers. T
 differ between the directions and along the travel. All or only some traverses may be shifted. The
 shifts may be independent or common to a run, or follow a random walk or a wave in time.
 
-Every part of the noise may be zero, and most of the prior probability is there. The readings decide
-how probable each part is. The parts are drawn by Gibbs sampling (Geman and Geman, IEEE Trans.
-Pattern Anal. 6, 1984). When the size of a normal part is drawn, all normal parts are integrated
-out.
+Every part of the noise may be zero, and its prior probability of being zero is the largest. The
+readings decide how probable each part is. The parts are drawn at random by Gibbs sampling (Geman
+and Geman, IEEE Trans. Pattern Anal. 6, 1984). When the size of a normal part is drawn, all normal
+parts are integrated out.
 """
 
 from __future__ import annotations

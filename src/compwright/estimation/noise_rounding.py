@@ -94,10 +94,11 @@ def with_least_scatter(
     """Return the readings (c, n), with random scatter added where a direction has almost none, such
     as less than ``least`` (mm or deg).
 
-    ``residuals`` (c, n): readings minus the effects of targets and traverses. Scatter is added up
-    to the largest of four values: ``least``, `_LEAST_SHARE` of the differences between traverses,
-    `_LEAST_PART` of the largest reading, and `_LEAST_SIDE` of the scatter in the other direction.
-    The scatter must not be zero, because the other sizes of the noise are multiples of it.
+    ``residuals`` (c, n): readings minus the effects of targets and traverses. The scatter of a
+    direction must reach the largest of four values: ``least``, `_LEAST_SHARE` of the differences
+    between traverses, `_LEAST_PART` of the largest reading, and `_LEAST_SIDE` of the scatter in the
+    other direction. If it does not, scatter of this size is added. The scatter must not be zero,
+    because the other sizes of the noise are multiples of it.
     """
     there, half = readings.there, readings.there.shape[0] // 2
     counts = np.maximum(np.sum(there, axis=1, keepdims=True), 1)

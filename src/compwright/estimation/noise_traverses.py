@@ -46,9 +46,9 @@ class _Spectrum:
     """The covariance of one kind of traverse shift, as eigenvalues relative to the covariance of
     all other shifts and the noise.
 
-    They are the solution of a generalised eigenvalue problem for each pattern (form). ``base``
-    (forms,): log determinant of the covariance of all others. ``stretch`` (forms, r): eigenvalues.
-    ``along`` (forms, r): scores in the direction of each eigenvector.
+    The eigenvalues solve a generalised eigenvalue problem for each pattern (form) of the shift.
+    ``base`` (forms,): log determinant of the covariance of all others. ``stretch`` (forms, r):
+    eigenvalues. ``along`` (forms, r): scores in the direction of each eigenvector.
     """
 
     base: FloatArray
