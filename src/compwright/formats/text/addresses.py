@@ -81,12 +81,13 @@ def normal_address(definition: Definition, axis: Axis) -> tuple[str, Assumption 
 
 @dataclass(frozen=True, slots=True)
 class AxisNames:
-    """The names that a control's files give to each axis, with the line of each name.
+    """The names that a control's files give to each axis, with the index of each axis (such as
+    AX1).
 
-    - ``places``: by name, the control's index of the axis, such as AX1.
-    - ``machine``: the machine axis names among them.
+    - ``places``: by name, the index of the axis.
+    - ``machine``: the same for machine axis names only.
     - ``requested``: by index, the name under which the axis was requested.
-    - ``place``: the form of such an index; None if the control has none.
+    - ``place``: the form of an index; None if the control has none.
     """
 
     places: Mapping[str, str] = field(default_factory=dict)

@@ -67,7 +67,7 @@ def apply_changes(original: bytes, changes: Iterable[BytesChange]) -> bytes:
 class Patches:
     """Collects the changes to several files, each identified by its index.
 
-    If the same bytes are replaced twice, the last text counts.
+    If the same bytes are replaced twice, the second text is used.
     """
 
     def __init__(self, dialect: Dialect, files: Sequence[ControlFile]) -> None:

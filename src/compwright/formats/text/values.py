@@ -26,7 +26,7 @@ def name_of(definition: Definition, quantity: str) -> str:
 class Values:
     """Selects the values of one axis or table.
 
-    ``label``: its name in messages.
+    ``label``: the name of this axis or table in messages.
     """
 
     definition: Definition

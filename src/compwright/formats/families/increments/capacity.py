@@ -97,8 +97,9 @@ class IncrementLimits:
     def _nodes(self, numbers: int) -> int:
         """Return how many table points the axis can have with so many successive point numbers.
 
-        Each point number belongs to one section, the interval between two table points. A table
-        that starts or ends at the reference position also needs the number of the reference.
+        Each point number belongs to one section, the interval between two table points. So k
+        numbers give k + 1 points. If the travel starts or ends at the reference position, they give
+        only k points, because the reference needs a number too.
         """
         axis = self.axis
         return numbers + (axis.travel[0] < axis.reference < axis.travel[1])

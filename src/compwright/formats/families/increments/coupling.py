@@ -1,14 +1,14 @@
 """Find the axes of a FANUC that move together, by its parameters.
 
+These parameters state it; the definition gives the evidence of each:
+
 - 8311: number of the master axis in axis synchronous control, simple synchronous control and twin
   table.
 - 1817#6: tandem control; the master has the odd servo number (1023).
 - 8180, 8183 and 8186: number of the other axis in synchronous, composite and superimposed control
   of several paths.
 - 5660 to 5667: axis numbers in flexible synchronous control.
-- 8200#0 with 8211 and 8212: angular axis control.
-
-The definition gives the evidence of each.
+- 8200#0 with 8211 and 8212: angular axis control, with the numbers of its axes.
 """
 
 from __future__ import annotations

@@ -145,8 +145,9 @@ def _straightness(own: AxisParameters) -> Iterator[Function]:
     """Yield a function for each axis pair of straightness compensation that contains the axis with
     the parameters ``own``.
 
-    The axis is the moving axis of the pair, whose sections the point numbers mean, or the
-    compensated axis.
+    The axis is the moving axis of the pair, to whose sections the point numbers refer, or the
+    compensated axis. Further pairs whose axes are unknown are yielded too, because they may contain
+    this axis.
     """
     for value in own.all.of(known.STRAIGHTNESS_MOVING):
         if not value.nonzero or not own.named_by(value):

@@ -50,12 +50,15 @@ def find_place(
     the reference. ``highest``: the control's last number; ``used``: numbers that are not free;
     ``two``: one data set per direction; ``start``: the first number to use.
 
-    ``low`` and ``high`` are whole numbers with low <= 0 <= high. ``reference``: the existing number
-    of the reference; ``negative``: the existing first number of the set for travel towards -. Both
-    are kept if the table still fits there. ``claimed``: all existing numbers of the axis; they are
-    tried before the free numbers from ``start`` on. The set for travel towards - has as many
-    numbers as the other set. The first number is never above that of the reference, the last one
-    always is. Raises NoRoom if too few successive numbers are free.
+    - ``low`` and ``high``: whole numbers with low <= 0 <= high.
+    - ``reference``: the existing number of the reference. It is kept if the table still fits there.
+    - ``negative``: the existing first number of the set for travel towards -. It is kept likewise.
+    - ``claimed``: all existing numbers of the axis. They are tried before the free numbers from
+      ``start`` on.
+
+    The set for travel towards - has as many numbers as the other set. The first number is never
+    above that of the reference, the last one always is. Raises NoRoom if too few successive numbers
+    are free.
     """
     first, last = min(low + 1, 0), max(high, 1)
     length = last - first + 1
@@ -91,7 +94,7 @@ def kept_place(
 ) -> NumberPlace | None:
     """Return the existing point numbers of an axis; None if a table from ``low`` to ``high``
     (intervals from the reference) needs other numbers, or if other axes use them. ``two``: one data
-    set per direction; ``endless``: of the axis.
+    set per direction; ``endless``: the axis is endless.
 
     If the second data set does not exist yet, it gets the first free numbers after the table.
     """

@@ -57,7 +57,8 @@ def _homeless(definition: Definition, left: Entries) -> Iterator[Fault]:
     """Yield a fault for each of the values ``left`` that must be in the control's own files, but
     has no line there.
 
-    On such a control only the own files prove that it has the parameter.
+    A definition requires this (limit ``only_patching``) if nothing else proves that the control has
+    such a parameter.
     """
     numbers = [name_of(definition, name) for name in left.parameters]
     numbers += [f"N{POINTS_FROM + number}" for number in left.points]

@@ -1,8 +1,10 @@
 """Find the axes of an ISG kernel that move together, as its lists state it.
 
-- kenngr.gantry_ax_nr in the list of the slave states its master (P-AXIS-00070).
-- kenngr.multi_link states a leading axis with a factor (P-AXIS-00383).
-- synchro_data of a channel states pairs of master and slave (P-CHAN-00037, P-CHAN-00038).
+Three entries of the lists state it:
+
+- kenngr.gantry_ax_nr in the list of a slave axis: its master (P-AXIS-00070).
+- kenngr.multi_link: a leading axis with a factor (P-AXIS-00383).
+- synchro_data of a channel: pairs of master and slave (P-CHAN-00037, P-CHAN-00038).
 """
 
 from __future__ import annotations

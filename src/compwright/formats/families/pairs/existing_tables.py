@@ -117,7 +117,8 @@ class ExistingTables:
     def off(self, index: int, output: str = "") -> bool:
         """Return whether the last value in the files deactivates a table.
 
-        This is SD41300 of the table, or MD32710 of its ``output`` axis if that is given.
+        The value is that of SD41300 of the table. If ``output`` is given, that of MD32710 of this
+        axis can deactivate it too.
         """
         ends = [self.places_of(index, "cross_table_enabled")]
         if output:

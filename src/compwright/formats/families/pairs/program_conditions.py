@@ -149,7 +149,8 @@ def number_of(word: str) -> float | None:
 
 
 def value_of(text: str, values: Mapping[str, float]) -> float | None:
-    """Return the value of an expression (1 for true) with these variables; None if it is unknown.
+    """Return the value of the expression ``text`` (1 for true), given the ``values`` of its
+    variables; None if it is unknown.
 
     The value also counts as unknown if it depends on the order of operators without brackets. There
     are four such cases: two comparisons, a comparison with AND or OR, an XOR, and NOT with a

@@ -1,7 +1,8 @@
 """Find statements in a SINUMERIK file that can skip lines of the file that assign values.
 
-The list of harmless statements is closed; everything else counts as program flow, so that no kind
-of jump, loop, call or synchronised action is missed. Statements after the last value do not count.
+Harmless statements are in a fixed list, and every other statement counts as program flow. So no
+kind of jump, loop, call or synchronised action is missed. Statements after the last value are
+ignored.
 """
 
 from __future__ import annotations
@@ -357,8 +358,8 @@ def _step(number: int, code: str, followed: Collection[str], *, marked: bool) ->
 def _sets(code: str) -> dict[str, str | None]:
     """Return the variables to which a statement assigns, each with its expression.
 
-    The expression is None if the assigned value is not fixed. Any variable (`ANY`) may change by an
-    unknown statement, and while the program waits for the operator.
+    The expression is None if the value is not fixed. After an unknown statement, or a stop at which
+    the operator can change values, any variable (`ANY`) may have changed.
     """
     if code and not harmless(code):
         if (loop := FOR.fullmatch(code)) is not None:

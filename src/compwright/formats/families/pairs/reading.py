@@ -97,8 +97,8 @@ class CecReader(SingleValues):
     Such a table is reported and stays unchanged, with two exceptions, which are faults:
 
     - Its lines are incomplete or contradict each other.
-    - It is active, may be written (``writable``), and corrects an axis of the job by that axis' own
-      position or as a product.
+    - It is active, may be written (``writable``) and corrects an axis of the job. Its input is the
+      same axis, or the control multiplies it by another table.
     """
 
     def __init__(

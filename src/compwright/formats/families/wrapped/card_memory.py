@@ -106,9 +106,10 @@ class Script:
       motors). The last one is in effect.
     - ``programs``: by quantity and motor, an assignment inside a program.
     - ``commands``: every definition, deletion and setting, in the order of the files.
-    - ``conditional``: by motor, commands in a conditional block, which are possibly not sent.
-    - ``apart``: by motor, commands that are in another branch of a conditional block than an
-      earlier command.
+    - ``conditional``: commands in a conditional block, with their motor. They are possibly not
+      sent.
+    - ``apart``: commands that are in another branch of a conditional block than an earlier command,
+      with their motor and the earlier command.
     - ``shared``: values that one command assigns to more than one variable.
     """
 

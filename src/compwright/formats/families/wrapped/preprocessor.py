@@ -145,8 +145,9 @@ def in_two_branches(
     """Return whether two places of a script are in branches of conditional blocks that exclude each
     other, so that only one of the places is sent.
 
-    They are in different branches of one block, or in two blocks with the same condition, in
-    branches for opposite results of it.
+    This is so in two cases: the places are in different branches of one block, or in two blocks
+    with the same condition. In the second case one place is sent if the condition is true, the
+    other if it is false.
     """
     return any(
         branch != another
@@ -191,8 +192,8 @@ def _number(text: str) -> str:
 def expression_end(text: str, place: int) -> int:
     """Return the end of the expression that begins at ``place``; ``place`` if there is none.
 
-    Blanks are allowed around operators. Only before ``&`` and ``%`` they are not, because these
-    characters after a blank begin a command.
+    Blanks are allowed around operators. No blank is allowed before ``&`` and ``%``, because after a
+    blank these characters begin a command.
     """
     end = start = place
     while (closing := _term_end(text, start)) is not None:
