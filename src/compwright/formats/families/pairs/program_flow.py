@@ -1,8 +1,7 @@
 """Find statements in a SINUMERIK file that can skip lines of the file that assign values.
 
-Harmless statements are in a fixed list, and every other statement counts as program flow. So no
-kind of jump, loop, call or synchronised action is missed. Statements after the last value are
-ignored.
+Harmless statements are in a fixed list. Every other one counts as program flow, so that no jump,
+loop, call or synchronised action is missed. Statements after the last value are ignored.
 """
 
 from __future__ import annotations
@@ -358,8 +357,8 @@ def _step(number: int, code: str, followed: Collection[str], *, marked: bool) ->
 def _sets(code: str) -> dict[str, str | None]:
     """Return the variables to which a statement assigns, each with its expression.
 
-    The expression is None if the value is not fixed. After an unknown statement, or a stop at which
-    the operator can change values, any variable (`ANY`) may have changed.
+    The expression is None if the value is not fixed. An unknown statement, or a stop at which the
+    operator can change values, assigns to any variable (`ANY`).
     """
     if code and not harmless(code):
         if (loop := FOR.fullmatch(code)) is not None:
