@@ -75,8 +75,8 @@ class AxisPosterior:
     - ``measured``: first and last target.
     - ``noise``: standard deviation of one reading of the first test, with ``noise_dof`` degrees of
       freedom.
-    - ``reversal_log_odds``: natural logarithm of the odds that the reversal varies with position
-      against that it is constant; 0 if only one direction was measured.
+    - ``reversal_log_odds``: natural logarithm of the odds of a varying reversal against a constant
+      one; 0 if only one direction was measured.
     - ``cells``: the mean readings. ``parts``: the models that are averaged, with their random draws
       of the error; all draws are equally likely.
     - ``periods``: the known periods and those found by the ``search``.

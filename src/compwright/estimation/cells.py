@@ -253,9 +253,9 @@ def _reversals(part: ObservedCells) -> FloatArray:
 def _rough_reversal(part: ObservedCells) -> float:
     """Return the variance, mm² or deg², of a mean reading that irregular reversal errors cause.
 
-    Variance that noise explains is not included. It follows from the median of the second
-    differences (Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986). Without it the estimated
-    smooth reversal would oscillate between the targets.
+    It is computed from the median of the second differences of the reversal (Gasser, Sroka and
+    Jennen-Steinmetz, Biometrika 73, 1986), minus what noise explains. Without this variance, the
+    estimated smooth reversal would oscillate between the targets.
     """
     second = np.diff(_reversals(part), 2)
     if part.inferred or second.size < _LEAST_DIFFERENCES:

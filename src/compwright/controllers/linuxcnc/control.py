@@ -153,10 +153,12 @@ def _looked_up(table: CompTable, x: FloatArray, direction: Direction) -> FloatAr
 def linuxcnc_control(files: Sequence[ControlFile], request: Request) -> LinuxCncControl:
     """Return the control with ``files`` loaded: INI files and the tables that they name.
 
-    If no INI is given, the name ``joint_N...`` of a table states its joint, else the option
+    If no INI names a table, its file name ``joint_N...`` states the joint, else the option
     ``axis``. Lines that the control would ignore without a message are ignored here too and listed
-    in ``notes``. Raises InputError if the control would not start (a missing table, a key without a
-    number). Raises InputError also if the files do not state which joint loads a table.
+    in ``notes``.
+
+    Raises InputError if the control would not start (a missing table, a key without a number).
+    Raises InputError also if the files do not state which joint loads a table.
     """
     names = [file.name for file in files]
     if len(set(names)) != len(names):

@@ -206,7 +206,8 @@ def _agrees(number: int, counts: float, card: Card) -> None:
     """Raise InputError if a script's axis definition states different counts per unit.
 
     ``counts``: the option ``counts_per_unit``, counts per mm or deg. A definition of 1 count per
-    unit is accepted, because the axis then counts in counts. So is one that agrees in inches.
+    unit is accepted, because the axis then counts in counts. A definition in counts per inch is
+    accepted too.
     """
     for defined, place in card.axis_scales.get(number, ()):
         quotients = (defined / counts, defined / counts / MILLIMETRES_PER_INCH)

@@ -1,11 +1,11 @@
 """SINUMERIK 840D sl virtual control: leadscrew compensation, cross-axis tables (CEC), backlash.
 
-The tables are also called EEC and ``$AA_ENC_COMP``; backlash is MD32450. The rules also apply to
-828D, 840D power line and SINUMERIK ONE.
+In the files, the leadscrew table (EEC) is the variable ``$AA_ENC_COMP``, and backlash is MD32450.
+The rules also apply to 828D, 840D power line and SINUMERIK ONE.
 
-The rules are taken from the manuals, independently of the definition that writes the files. The
-rules of the CEC (sag) tables are in ``sag``, those of the order of loading in ``loading``, those of
-inches in ``lengths``:
+The rules are taken from the manuals, independently of the definition that writes the files. Further
+rules are in the modules ``sag`` (CEC tables), ``loading`` (order of loading) and ``lengths``
+(inches):
 
 - The value of the leadscrew table is added to the actual value, so a positive value moves the axis
   towards minus. The shift of the axis is minus the value (Function Manual Extended Functions
@@ -131,8 +131,8 @@ class SinumerikControl:
         """Return (input axis, output axis) of the tables between two axes, ascending by the index
         of the table.
 
-        Tables that are no curve are left out and listed in ``notes``. If the option ``cec_sign`` is
-        not given, all tables are left out.
+        Tables whose effect cannot be evaluated are left out and listed in ``notes``. If the option
+        ``cec_sign`` is not given, all tables are left out.
         """
         if not self.sag.sign:
             return ()

@@ -79,7 +79,8 @@ class Sag:
     - ``sign``: +1 if the values are corrections, -1 if they are errors, 0 if unknown.
     - ``off``: output axes whose tables MD32710 switches off.
     - ``limits``: limit of the sum of the tables (MD32720) by output axis, mm or deg.
-    - ``odd``: for each axis, the reason why an active table by its own position is no curve.
+    - ``odd``: for each axis, the reason why an active table by its own position cannot be
+      evaluated.
     - ``uncounted``: axes with such a table that stays unchanged and is not included in the
       correction.
     """
