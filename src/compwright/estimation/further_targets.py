@@ -1,19 +1,19 @@
 """Choose the fewest further targets that show whether a possible period of the error exists.
 
-A wave of period p adds a cos + b sin to the deviations. Further targets are added one by one. Each
-time, the target is added after which a wave of one period is least likely to be overlooked or taken
-for a wave of another. The sum is over all pairs of periods, weighted by their probability.
+A wave of period p adds a cos + b sin to the deviations. It can be overlooked, or taken for a wave
+of another period q. Further targets are added one by one. Each time, the target is added that most
+reduces this risk, averaged over all pairs of periods with their probabilities.
 
-- V: covariance of noise, local part, smooth part and straight line at the targets.
+- V: covariance of the means at the targets, from the noise, from the smooth and the irregular part
+  of the error, and from a straight line.
 - W: cosines and sines of all periods at the targets. G = W' V^-1 W is the information about them
   (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, section 2.7).
 - A further target adds u u' / v to G. u are its cosines and sines, and v is its variance, both
   given the other targets (block inverse, eq. A.11).
 - I = G_pp - G_pq (G_qq + 1 / A²)^-1 G_qp is the information that a wave of period p exists and none
   of period q. A is the prior standard deviation of cosine and sine.
-- det(1 + A² I)^(-1/2) is the measure for overlooking the wave of p or taking it for one of q
-  (coefficient of Bhattacharyya, in the choice between models: Chaloner and Verdinelli, Bayesian
-  experimental design, Statistical Science 10, 1995).
+- det(1 + A² I)^(-1/2) measures the risk (coefficient of Bhattacharyya, in the choice between
+  models: Chaloner and Verdinelli, Bayesian experimental design, Statistical Science 10, 1995).
 """
 
 from __future__ import annotations

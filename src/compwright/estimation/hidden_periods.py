@@ -4,12 +4,12 @@ The readings cannot show a period if the targets are too few for a search, or me
 at the same phase. They also cannot show it if the wave looks like a longer wave at the targets. The
 smooth part of the model then follows this longer wave.
 
-Each usual period, and some between, is one hypothesis. A hypothesis contains the free columns, the
-smooth part and one wave (`period_likelihood`). If the targets cannot show the wave, its posterior
-equals its prior. If they show it, its posterior is narrow. Between the targets, the wave differs
-from the smooth part that follows it at the targets. A test at new targets then shows this
-difference (aliasing: Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapter
-6; mixture of hypotheses: Hoeting et al., Statistical Science 14, 1999).
+Each usual period, and some between, is one hypothesis. A hypothesis contains a straight line, the
+known periods, a smooth error and one wave (`period_likelihood`). If the targets cannot show the
+wave, its posterior equals its prior. If they show it, its posterior is narrow. Between the targets,
+the wave differs from the smooth part that follows it at the targets. A test at new targets then
+shows this difference (aliasing: Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation,
+1988, chapter 6; mixture of hypotheses: Hoeting et al., Statistical Science 14, 1999).
 
 A wave that looks like a long wave at the targets cannot be distinguished from a smooth error of
 this shape. The hypothesis therefore contains both waves and divides the observed values between

@@ -157,9 +157,9 @@ def fit_model(
 def _starts(cells: Cells, prior: Prior) -> list[FloatArray]:
     """Return start points (k, h) in the search for the most probable parameters of a model.
 
-    The result is a list with one array of points for each explanation of the scatter. The
-    explanations are the middle of the prior, a short length, the local part, and the periods if
-    there are any.
+    The result is a list of arrays, one for each possible explanation of the roughness of the means.
+    The first is the middle of the prior. The others are a smooth error of short length, an error
+    that is independent from target to target, and waves of the periods if there are any.
     """
     rough = float(np.log(cells.roughness))
     # As steep as ever where it is longer.

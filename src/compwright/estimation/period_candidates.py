@@ -200,9 +200,10 @@ def refine_candidate(
 class _ShownLikelihood:
     """The likelihood of waves, limited to those that the targets can show.
 
-    Two kinds of waves are excluded. The first look at the targets like a wave below the frequency
-    ``lowest``, which is too long to be searched and may be smooth error. The others are closer than
-    ``near`` to a frequency in ``taken``, found before.
+    Two kinds of waves are excluded. A wave is excluded if at the targets it looks like one below
+    the frequency ``lowest``. Such long waves are not searched and may be smooth error. A wave is
+    also excluded if its frequency is closer than ``near`` to one in ``taken``, the frequencies
+    found before.
     """
 
     likelihood: PeriodLikelihood

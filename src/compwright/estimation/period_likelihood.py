@@ -1,20 +1,21 @@
 """The likelihood of periodic errors (waves) of any period in the mean of both directions.
 
-It averages over the unknown smooth and local parts of the error. The model for the mean of both
+It averages over the unknown smooth and irregular parts of the error. The model for the mean of both
 directions at a target is
 
     middle = free columns + smooth part (standard deviation s, length l, `SMOOTHNESS`) + wave
              + white part of variance t (noise, and local part that repeats at a target)
 
-Each target is weighted by its own noise. The unit is the noise of the mean of both directions at a
-typical target.
+The free columns are the offset, the slope and the known periods, with unknown weights. The local
+part is the part of the error that is independent from target to target. Each target is weighted by
+its own noise. The unit is the noise of the mean of both directions at a typical target.
 
 A local part of fixed size, or a smooth part that is short enough, absorbs the wave. Therefore t, s
 and l are not fixed. The likelihood is summed over a grid of them, the same for every hypothesis
 (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, section 5.2). The free
-columns (offset, slope, known periods) are projected out (restricted likelihood: Harville, J. Am.
-Stat. Assoc. 72, 1977). Amplitudes are normally distributed for a given scale and are integrated out
-(Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapter 3).
+columns are projected out (restricted likelihood: Harville, J. Am. Stat. Assoc. 72, 1977).
+Amplitudes are normally distributed for a given scale and are integrated out (Bretthorst, Bayesian
+Spectrum Analysis and Parameter Estimation, 1988, chapter 3).
 """
 
 from __future__ import annotations
@@ -112,9 +113,9 @@ class _Waves:
     """Cosine and sine columns of f waves, each split into a part along the r smooth functions and
     the part orthogonal to these functions.
 
-    ``along`` (r, f): components of each column along the smooth functions. The others are for the
-    rest of the columns, orthogonal to the smooth functions and the free columns. ``across`` (f,):
-    products of two columns. ``dual`` (f,): products of a column with the values.
+    ``along`` (r, f): components of each column along the smooth functions. The parts orthogonal to
+    the smooth functions and to the free columns have only products: ``across`` (f,) of two columns
+    with each other, and ``dual`` (f,) of a column with the values.
     """
 
     along: list[FloatArray]
@@ -218,7 +219,8 @@ class PeriodLikelihood:
         """Return the smallest wave amplitude (f,), mm or deg, that readings at the targets would
         show at each of the ``frequencies`` (1 / mm or 1 / deg); inf if none.
 
-        Whatever the phase of the wave, this amplitude is at least `SEEN` standard errors.
+        It is `SEEN` times the standard error of an amplitude, at the phase where this error is
+        largest.
         """
         choice = self.coarse()
         shares = np.exp(self._log(choice) - _log_sum(self._log(choice)))

@@ -25,13 +25,15 @@ _KNOWN: Final = float(np.log(9.0))
 def bidirectional_means(cells: Cells, *, endless: bool) -> BidirectionalMeans:
     """Return the mean of both directions at each target, mm or deg.
 
-    The noise is that of its typical draw (`CellData.typical`). Means of one direction are weighted
-    by their precision (JCGM 100:2008, G.2.1 for sums, weighted); both directions have equal weight.
-    Some columns of the model are free: offset and slope (no slope on an ``endless`` axis), and
-    offset and slope of each test. Half the reversal is free if a direction is missing at some
-    targets. An error common to all means of a traverse is also a straight line, so it needs no
-    column of its own. The degrees of freedom follow from the variance 2 / dof of the log variance
-    over the draws of the noise (JCGM 100:2008, eq. G.3).
+    The noise is that of its typical random draw (`CellData.typical`). Means of one direction are
+    weighted by their precision (JCGM 100:2008, G.2.1 for sums, weighted); both directions have
+    equal weight. The degrees of freedom follow from the variance 2 / dof of the log variance over
+    the draws of the noise (JCGM 100:2008, eq. G.3).
+
+    The result also has model columns with unknown weights. They are offset and slope of the axis
+    (no slope on an ``endless`` axis), and offset and slope of each test. If a direction is missing
+    at some targets, half the reversal is another unknown. An error common to all means of a
+    traverse is also a straight line, so it needs no column of its own.
     """
     data = cells.data
     draw = data.typical()
@@ -108,9 +110,9 @@ def fitted_periods(
     """Return the known periods (mm or deg) that are fitted: all periods ``shown`` by the targets,
     or the `FITTED` periods that improve the fit most.
 
-    The second case is for more than `FITTED` shown periods. Then the period that improves the fit
-    most is added, and so on, as long as the data support it (forward selection: Miller, Subset
-    Selection in Regression, 2nd ed. 2002, section 3.2).
+    If more than `FITTED` periods are shown, they are added one by one. Each time, the period that
+    improves the fit most is added, as long as the data support it (forward selection: Miller,
+    Subset Selection in Regression, 2nd ed. 2002, section 3.2).
     """
     if len(shown) <= FITTED:
         return tuple(shown)

@@ -3,13 +3,16 @@
 Whole sets of steps and outliers are compared, because two steps hide each other if only one is
 tried.
 
-The model of the means is a straight line, a smooth error, a local part and noise. Each member of a
-set, a step or an outlier, adds a term of normally distributed size. All sizes and lengths are
-averaged over (Kass and Raftery, Bayes Factors, J. Am. Stat. Assoc. 90, 1995). Members are added in
-closed form, one after the other (sweep operator: Goodnight, A Tutorial on the SWEEP Operator,
-American Statistician 33, 1979; Rasmussen and Williams, Gaussian Processes for Machine Learning,
-2006, sections 2.7 and 5.2). One or two members are added, or one is removed, as long as the set
-becomes more probable (Miller, Subset Selection in Regression, 2nd ed. 2002, chapter 3).
+The model of the means is a straight line, a smooth error, an error that is independent from target
+to target, and noise. Each member of a set, a step or an outlier, adds a term of normally
+distributed size. All sizes and lengths are averaged over (Kass and Raftery, Bayes Factors, J. Am.
+Stat. Assoc. 90, 1995).
+
+Members are added in closed form, one after the other (sweep operator: Goodnight, A Tutorial on the
+SWEEP Operator, American Statistician 33, 1979; Rasmussen and Williams, Gaussian Processes for
+Machine Learning, 2006, sections 2.7 and 5.2). One or two members are added, or one is removed, as
+long as the set becomes more probable (Miller, Subset Selection in Regression, 2nd ed. 2002, chapter
+3).
 """
 
 from __future__ import annotations
