@@ -34,8 +34,8 @@ def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict
     Kuhn and Tucker (Boyd and Vandenberghe 2004, section 5.5.3).
 
     - ``primal``: the largest violation of a limit.
-    - ``stationarity``: the gradient by each unknown divided by its stiffness (diagonal of P), which
-      is a length.
+    - ``stationarity``: the largest derivative of the Lagrange function by an unknown, divided by
+      the stiffness of this unknown (diagonal of P), which gives a length.
     - ``dual``: the largest multiplier with the sign of a limit that does not exist, as a length.
     - ``complementarity``: the largest distance from a limit whose multiplier is not zero.
     """
@@ -88,9 +88,9 @@ def range_gap(
     """Return an upper bound of the difference between the objective ``reached`` and the minimum of
     the linear objective c'x over all x with Gx <= h and absolute values up to ``box``.
 
-    ``cost`` (n,): c. ``G`` (r, n), ``h`` (r,): the limits. ``multipliers`` (r,): y. By weak duality
-    (Boyd and Vandenberghe 2004, section 5.2.2), c'x >= -h'y + (c + G'y)'x for all y >= 0. The last
-    term is at least -box |c + G'y|_1.
+    ``cost`` (n,) is c; ``G`` (r, n) and ``h`` (r,) are the limits; ``multipliers`` (r,) are y. By
+    weak duality (Boyd and Vandenberghe 2004, section 5.2.2), c'x >= -h'y + (c + G'y)'x for all y >=
+    0. The last term is at least -box |c + G'y|_1.
     """
     y = np.maximum(multipliers, 0.0)
     left = float(np.sum(np.abs(cost + G.transposed_times(y))))

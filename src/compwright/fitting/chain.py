@@ -3,13 +3,14 @@ optimum without whole-number values, and lower bounds.
 
 The mean square of table minus wanted correction is a quadratic function. Its matrix H is
 tridiagonal (linear interpolation) or diagonal (steps). Let v0 be the table values at the minimum. A
-constant c, the reversal value, is added to the curve; c0 is its value at the minimum:
+constant c, the reversal value, is added to the curve; c0 is its value at the minimum. The vector r
+couples it with the table values:
 
     f(v, c) = least + (v - v0)'H(v - v0)/2 + (c - c0) r'(v - v0) + stiffness (c - c0)^2 / 2
 
-All values are in mm or deg, f in mm² or deg². Sources: de Boor, A Practical Guide to Splines
-(1978), chapter III, for mean squares of straight lines between nodes; Boyd and Vandenberghe, Convex
-Optimization (2004), section 5.1.3, for lower bounds by multipliers.
+All values are in mm or deg, f in mm² or deg². Mean squares of straight lines between table points:
+de Boor, A Practical Guide to Splines (1978), chapter III. Lower bounds by multipliers: Boyd and
+Vandenberghe, Convex Optimization (2004), section 5.1.3.
 """
 
 from __future__ import annotations
@@ -38,9 +39,10 @@ class CurveChain:
 
     ``size``: number of points of the table. ``kept`` (m,): indices of the m optimised points:
     points within the travel and points with a limit. ``span`` (m-1,): number of sections between
-    neighbours. ``diagonal`` (m,), ``off`` (m-1,): diagonal and off-diagonal of H. ``fixed`` (m,):
-    the value is zero. ``closed``: the last value equals the first. ``inverse`` (m,): diagonal of
-    H^-1. ``share``: H - share * diag(H) is positive semidefinite.
+    neighbours. ``diagonal`` (m,), ``off`` (m-1,): diagonal and off-diagonal of H. ``optimum`` (m,),
+    ``constant``, ``coupling`` (m,): v0, c0 and r of the objective. ``fixed`` (m,): the value is
+    zero. ``closed``: the last value equals the first. ``inverse`` (m,): diagonal of H^-1.
+    ``share``: H - share * diag(H) is positive semidefinite.
     """
 
     size: int
@@ -141,8 +143,8 @@ def build_chain(
     value zero; ``kept``: points outside the travel that are optimised too; ``closed``: both ends
     have the same value.
 
-    The objective consists of the normal equations of hat functions. They couple only neighbouring
-    points (de Boor 1978, chapter III).
+    Its coefficients are those of the normal equations of hat functions. These couple only
+    neighbouring points (de Boor 1978, chapter III).
     """
     diagonal, off, linear, coupling = (
         np.zeros(size),
@@ -227,8 +229,9 @@ def _solved(chain: CurveChain, wishes: tuple[ChainTarget, ...]) -> CurveChain:
 def _inverse_diagonal(chain: CurveChain) -> FloatArray:
     """Return the diagonal of the inverse of the matrix H, without computing the inverse.
 
-    It is 1 / (forward + backward - H_ii), with the pivots of the elimination from either end
-    (Meurant, SIAM J. Matrix Anal. Appl. 13, 1992).
+    Its elements are 1 / (forward + backward - H_ii). Here forward and backward are the pivots of
+    the elimination that begins at the first and at the last row (Meurant, SIAM J. Matrix Anal.
+    Appl. 13, 1992).
     """
     forward, backward = chain.diagonal.copy(), chain.diagonal.copy()
     for index, off in enumerate(chain.off):
@@ -243,8 +246,9 @@ def _diagonal_share(chain: CurveChain) -> float:
     """Return the smallest eigenvalue of H after its diagonal is scaled to 1. It bounds H from below
     by its diagonal.
 
-    The scaled matrix is D^-1/2 H D^-1/2 with D = diag(H). H - share D then has no negative
-    eigenvalue (Horn and Johnson, Matrix Analysis, 2nd ed. 2013, section 4.2).
+    The scaled matrix is D^-1/2 H D^-1/2 with D = diag(H). If share is its smallest eigenvalue, H -
+    share D has no negative eigenvalue (Horn and Johnson, Matrix Analysis, 2nd ed. 2013, section
+    4.2).
     """
     from scipy.linalg import eigvalsh_tridiagonal
 

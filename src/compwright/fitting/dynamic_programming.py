@@ -1,9 +1,9 @@
 """Search for the best whole-number table values of a curve by dynamic programming.
 
-Each table value is a whole number of steps within a given window. Several cases ("lanes") are
-solved at once. A lane is one reversal value, one shift, or one start value of a closed curve. All
-values are in steps of the lattice. Sources: Bellman, Dynamic Programming (1957). The decisions are
-stored and traced back as in Viterbi's algorithm (Forney, Proceedings of the IEEE 61, 1973).
+Each table value is a whole number of steps within a given window. All values are in these steps.
+Several cases ("lanes") are solved at once. A lane is one reversal value, one shift, or one start
+value of a closed curve. The method is that of Bellman, Dynamic Programming (1957). The decisions
+are stored and traced back as in Viterbi's algorithm (Forney, Proceedings of the IEEE 61, 1973).
 """
 
 from __future__ import annotations

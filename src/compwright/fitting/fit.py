@@ -1,10 +1,10 @@
 """Fit of the table of one axis: its points, the best values within the control's limits, their
 rounding, and the rms error that each limit costs.
 
-The fit minimises the expected squared deviation. The best answer under a square loss is the mean of
-what is believed (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, section
-2.4). This is a quadratic program; for the least range it is a linear program (Boyd and
-Vandenberghe, Convex Optimization, 2004, sections 4.4 and 6.1.1).
+The fit minimises the expected squared deviation. Under a square loss, the best answer is the mean
+of the distribution of the wanted correction (Rasmussen and Williams, Gaussian Processes for Machine
+Learning, 2006, section 2.4). The least mean square is found by a quadratic program, the least range
+by a linear program (Boyd and Vandenberghe, Convex Optimization, 2004, sections 4.4 and 6.1.1).
 """
 
 from __future__ import annotations
@@ -73,8 +73,8 @@ def fit_table(
 
     The correction is zero in the zero state. A single slope is always fitted with goal
     ``expected``. Whole increments are fitted with goal ``expected`` if rounding cancels the gain of
-    the job's goal. A finding reports both. Raises CapacityError if the control cannot hold the
-    requested table or no certified solution was found.
+    the job's goal. In both cases a finding reports it. Raises CapacityError if the control cannot
+    hold the requested table or no certified solution was found.
     """
     _refuse(capacity, request)
     if capacity.line is not None:

@@ -95,8 +95,8 @@ def _smooth_changes(layout: UnknownsLayout) -> SparseMatrix:
     """Return a matrix (n, j) that interpolates changes at j positions to all n table values.
 
     Between these positions the changes follow straight lines. Single table points cannot change
-    alone, because the simulated tests would not limit such a change. There may be no simulated
-    target near the point, or one that a large change of the point hardly moves.
+    alone, because the simulated tests may not limit such a change. There may be no simulated target
+    near the point, or only targets where a large change of the point has little effect.
     """
     nodes = layout.nodes
     k = nodes.size

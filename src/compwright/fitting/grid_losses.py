@@ -25,7 +25,8 @@ def good_enough(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity)
     control's resolution or a share of the noise, and the control's increments can follow the
     correction.
 
-    The increments must be able to follow the correction at the smallest magnification.
+    The error is rms, and the share is `NOISE_SHARE`. If the control interpolates in steps, the
+    resolution is divided by sqrt(12). The increments are those at the smallest magnification.
     """
     # Steps are cheap to make finer, and their loss is a range as wide as a step: no more than
     # rounding costs anyway.

@@ -1,9 +1,9 @@
 """Search for the best table of whole increments over all magnifications, by branch and bound.
 
-The unknowns are whole numbers T[i], in units of magnification times unit. Their increments and
-values are within the control's limits. Magnifications whose lower bound exceeds the best table
-found so far are skipped (Land and Doig, Econometrica 28, 1960). `lattice_part` solves the problem
-at one magnification.
+The unknowns are whole numbers T[i]. The table values are T[i] times magnification times unit. Their
+increments and values are within the control's limits. Magnifications whose lower bound exceeds the
+best table found so far are skipped (Land and Doig, Econometrica 28, 1960). `lattice_part` solves
+the problem at one magnification.
 """
 
 from __future__ import annotations

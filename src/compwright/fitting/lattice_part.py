@@ -4,16 +4,16 @@ The optimum comes from dynamic programming (Bellman, Dynamic Programming, 1957) 
 table values. These windows are proved wide enough (Fincke and Pohst, Mathematics of Computation 44,
 1985).
 
-Why the windows contain the optimum: let g be the minimum of a `Relaxation`, at x. Then f(v) >= g +
-(v - x)'H(v - x)/2 for every v within the limits. Let U be the mean square of a known table within
-the limits. A better v has (v - x)'H(v - x) <= 2 (U - g). By Cauchy and Schwarz, (v[i] - x[i])^2 <=
-(H^-1)[i, i] (v - x)'H(v - x). Table point i is therefore searched within sqrt(2 (U - g) (H^-1)[i,
-i]) of x[i], and only where its neighbours' windows reach. The known table is in every window. A
-large U or a low g makes the windows wider, never wrong. At most they extend to the control's
-limits.
+Why the windows contain the optimum: f is the mean square of the table values v, and H its matrix
+(`chain`). A `Relaxation` has a minimum g at the table values x. Then f(v) >= g + (v - x)'H(v - x)/2
+for every v within the limits. Let U be the mean square of a known table within the limits. A better
+v has (v - x)'H(v - x) <= 2 (U - g). By Cauchy and Schwarz, (v[i] - x[i])^2 <= (H^-1)[i, i] (v -
+x)'H(v - x). Table point i is therefore searched within sqrt(2 (U - g) (H^-1)[i, i]) of x[i], and
+only where its neighbours' windows reach. The known table is in every window. A large U or a low g
+makes the windows wider, never wrong. At most they extend to the control's limits.
 
 Which cases are skipped: H - share * diag(H) is positive semidefinite. Therefore f(v) >= g + share *
-sum(H[i, i] (distance from x[i] to the lattice)^2) / 2. This is a lower bound for each
+sum(H[i, i] (distance from x[i] to the nearest whole step)^2) / 2. This is a lower bound for each
 magnification, reversal value, and shift of the second table. A case whose lower bound exceeds U is
 skipped.
 """
@@ -46,11 +46,12 @@ _LANES: Final = 16
 class LatticePart:
     """One curve of a table of whole increments.
 
-    ``low``, ``high``: the value range, mm or deg. ``constant``: (sign * step, least, largest). The
-    reversal value is then sign * step * B, with a whole number B from least to largest; None: no
-    reversal value. ``anchor``: index of the table point at the reference. ``offsets``: smallest and
-    largest value of a second table at this point, in units; None: this value is zero.
-    ``magnified``: these units are multiplied by the magnification.
+    ``low``, ``high``: the value range, mm or deg. ``constant``: three values (sign * step, least,
+    largest), or None without a reversal value. The reversal value is sign * step * B, with a whole
+    number B from least to largest. ``anchor``: index of the table point at the reference.
+    ``offsets``: smallest and largest value of a second table at this point, in units of one
+    increment; None: this value is zero. ``magnified``: these units are multiplied by the
+    magnification.
     """
 
     chain: CurveChain
@@ -192,8 +193,8 @@ def whole_bounds(
     counts: IntArray,
 ) -> tuple[FloatArray, FloatArray]:
     """Return the distances (n,) of the reversal values ``counts`` (n,), whole numbers of steps,
-    from the optimum, and lower bounds (shifts * n,) of the objective over whole numbers for each of
-    the offsets ``shifts`` and reversal values.
+    from the optimum, and lower bounds (number of shifts × n,) of the objective over whole numbers
+    for each of the offsets ``shifts`` and reversal values.
 
     The bounds are ordered by offset: first all reversal values with the first offset, then with the
     next.

@@ -92,10 +92,11 @@ def solve_ranges(
     ``slack`` (mm or deg) counts as equal.
 
     Of all values within ``slack`` of the smallest mean range, those of least mean square are
-    returned. If the solver fails at this, the values of the smallest range are returned. The
-    certificate is of the same kind in both cases. Its ``gap`` is the distance to a lower bound that
-    is valid whatever the solver did (weak duality; Boyd and Vandenberghe 2004, section 5.2.2).
-    Source of the method: section 6.1.1. Raises CapacityError if no solution is certified.
+    returned. If the solver does not find these, the values of the smallest range are returned. The
+    same certificate applies to both. Its ``gap`` is the distance to a lower bound that is valid
+    whatever the solver did (weak duality; Boyd and Vandenberghe 2004, section 5.2.2). Source of the
+    linear program: section 6.1.1 of the same book. Raises CapacityError if no solution is
+    certified.
     """
     n = limits.q.size
     size = max(float(np.max(np.abs(shown.base))), 10.0 * slack)

@@ -126,7 +126,7 @@ class _FittedLine:
         """Return the best slope within the range ``slopes`` and the best reversal value within the
         range ``reversals``, not yet rounded.
 
-        Each is found without the other, because the datum may have any value.
+        Neither depends on the other, because the datum may have any value.
         """
         slope = (
             0.5
@@ -139,7 +139,7 @@ class _FittedLine:
     def best(self, quantum: float, capacity: Capacity) -> tuple[float, float]:
         """Return the best slope and backlash value as whole multiples of their resolutions.
 
-        Each is the multiple nearest to its optimum within its range. This is exact: as the datum
+        Each is the multiple nearest to its optimum within its range. This is exact. As the datum
         may have any value, the mean square is a parabola of the slope plus a parabola of the
         reversal value.
         """

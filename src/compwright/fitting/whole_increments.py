@@ -330,8 +330,8 @@ def goal_finding(goal: Goal, why: Literal["slope", "increments", "no_gain"]) -> 
     """Return the finding that the fit minimised the mean square instead of the parameter ``goal``,
     such as A or E, for the reason ``why``; an empty tuple if the job has no such goal.
 
-    The reasons: the control has only a ``slope``; the control has whole ``increments``; or, after
-    rounding, there is ``no_gain``.
+    The reasons are: ``slope``, the control has only one slope; ``increments``, the control has
+    whole increments; ``no_gain``, nothing is gained after rounding.
     """
     if goal == "expected":
         return ()
