@@ -86,7 +86,8 @@ class VerifiedCircle:
     and the decisions on limits.
 
     ``squareness``: only if the squareness of its plane was corrected from circular tests.
-    ``accept``, ``acknowledged``: see `VerifiedAxis`. ``findings``: why limits cannot be decided.
+    ``accept``, ``acknowledged``: see `VerifiedAxis`. ``findings``: open doubts, because of which
+    its limits stay undecided.
     """
 
     prediction: CirclePrediction
