@@ -179,8 +179,8 @@ def points_needed(control: ResolvedDefinition, table: AxisCompensation) -> int |
     """Return how many points the control must reserve for a table; None if it has nothing to
     reserve.
 
-    It has nothing to reserve if this control never reserves points. The same applies if its files
-    show that it has reserved enough points, and the table has one curve.
+    It has nothing to reserve if this control never reserves points. The same applies to a table
+    with one curve if the control's files show that enough points are reserved.
     """
     reserves = any(
         control.definition.limit(limit) is not None for limit in ("points_reserved", "max_points")
@@ -200,8 +200,8 @@ def look_at(
 
     ``compensation``: the table that was to be loaded. It decides between texts for one and for two
     curves. A sentence that no manual confirms is marked as such. The verdict ``loaded`` has
-    sentences too, because a test may show the same with another table. They tell how to check that
-    the planned table is active.
+    sentences too, because a test may show the same with another table. These sentences state how to
+    check that the planned table is active.
     """
     values = axis_values(control.definition, axis)
     pair = not np.array_equal(compensation.positive, compensation.negative)

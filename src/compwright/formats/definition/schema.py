@@ -268,10 +268,10 @@ class ParameterRule:
 class OptionRule:
     """One option of a definition: its type, default, choices, effect, and evidence.
 
-    ``settled_by``: the quantity in the control's files that answers the option. ``option_wins``: if
-    both are given and differ, the option applies. ``whole_control``: the option cannot be set for
-    one axis. ``asked``: the text of the question if a number that every axis needs is not given;
-    None: the default is used.
+    ``settled_by``: the quantity in the control's files that states the value of the option.
+    ``option_wins``: if files and job state different values, the job's value applies.
+    ``whole_control``: the option cannot be set for one axis. ``asked``: the text of the question if
+    a number that every axis needs is not given; None: the default is used.
     """
 
     name: str

@@ -19,9 +19,9 @@ AXIS: Final = r"(?:[A-Za-z]{1,2}|AX|M[AXSC]_?[A-Z]?|CA_?[A-Z]|SP)[0-9]{0,2}"
 class KeptLines:
     """Patterns of the lines that stay in a copy without private names, for tables of one shape.
 
-    ``whole``: lines that may stay unchanged. ``naming``: lines of numbers, marks and names; in them
-    a name is private unless it is an axis name. ``first``: first lines that identify the shape,
-    whatever else they contain.
+    ``whole``: lines that may stay unchanged. ``naming``: lines that consist of numbers, punctuation
+    marks and names; a name in them is private unless it is an axis name. ``first``: first lines
+    that identify the shape, whatever else they contain.
     """
 
     whole: tuple[str, ...]

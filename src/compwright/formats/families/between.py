@@ -34,9 +34,9 @@ class BetweenRequest:
     """A request to add corrections between axes to a control's files.
 
     ``planned``: the corrections. ``axes``: the job's axes by name. ``tables``: the new files with
-    tables of single axes; ``tabled``: names of the axes that have a table in them. ``found``: the
-    control's own files as they were found. ``base``: these files, with ``tables`` in place of those
-    of the same name. ``read``: reads the compensation from files.
+    tables of single axes. ``tabled``: names of the axes that have a table in these files.
+    ``found``: the control's own files as they were found. ``base``: the same files, with ``tables``
+    in place of those of the same name. ``read``: a function that reads the compensation from files.
     """
 
     planned: tuple[PlannedCross, ...]

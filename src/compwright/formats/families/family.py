@@ -1,8 +1,8 @@
 """The common interface of all families of controls.
 
-A family is a shape of compensation data, never a maker: a grid, whole steps by section, or columns
-in the user's own tables. Controls of one family differ by their definitions. A family object
-contains a definition, its options and the contents of the control's own files.
+A family is a shape of compensation data: a grid, whole increments by section, or columns in the
+user's own tables. It is never a maker. Controls of one family differ by their definitions. A family
+object contains a definition, its options and the contents of the control's own files.
 """
 
 from __future__ import annotations

@@ -280,7 +280,8 @@ class ColumnAxisReader:
         """Return whether a table that contains only zeros must be treated as active. ``found``: the
         line that activates tables; None if it is in no file.
 
-        Such a table corrects nothing. But if it is not active, the linear error parameter is.
+        Such a table corrects nothing. But if it is not active, the linear error parameter is
+        active.
         """
         slope = self._found("slope")
         if found is not None or self.sources.starred:

@@ -56,8 +56,8 @@ class AxisNumbers:
         """Return the address of an axis that moves with another axis, given by its number.
         ``known``: addresses of the axes that the job names.
 
-        It is AX and the number if the axis is unknown. The same applies if its letter is that of a
-        rotary axis which the job does not name.
+        An unknown axis has the address AX with its number, such as AX4. So has an axis whose
+        assumed letter is that of a rotary axis which the job does not name.
         """
         letter = self.address(number)
         assumed = self.by_number.get(number) == letter and number not in self.stated

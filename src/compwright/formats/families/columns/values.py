@@ -213,10 +213,10 @@ class TableValues:
         self, table: UserTable, name: str, positions: Sequence[Decimal], output: str, moving: str
     ) -> FloatArray | None:
         """Return the corrections (k,) of the axis ``output`` in a table column, mm or deg, at the
-        ``positions`` of the axis ``moving``. None for a blank or faulty column.
+        ``positions`` of the axis ``moving``. The result is None for a blank or faulty column.
 
-        A blank cell between two others is interpolated linearly; at an end of the table it is a
-        fault.
+        A blank cell between two others is interpolated linearly. A blank cell at an end of the
+        table is a fault.
         """
         cells = [row.cells.get(name) for row in table.rows]
         if not any(cells):

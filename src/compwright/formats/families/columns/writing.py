@@ -32,7 +32,7 @@ def write_columns(
 ) -> tuple[ControlFile, ...]:
     """Return the files that load the tables of ``pairs`` (address, axis, table) into the control.
 
-    The result contains all of the user's own ``files``, patched, so that the set is complete; only
+    The result contains all of the user's own ``files``, patched, so that the set is complete. Only
     old entry sheets are left out. Values that no file has a place for are put into one entry sheet
     per axis. Raises InputError for files that cannot be read, CapacityError with everything that
     cannot be written exactly, UsageError if a value to be replaced is in no file.
