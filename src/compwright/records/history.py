@@ -18,8 +18,8 @@ class HistoryEntry:
       the plane of a circle.
     - ``date``: the date as the file states it. ``day``: the same date in a form that can be sorted
       (ISO 8601). Both are empty if the file states none.
-    - ``values``: the parameters, by name, in ``unit``; also ``squareness`` of a circle in µm/m, and
-      ``slope`` of a linear axis. ``errors``: standard error and degrees of freedom. ``declared``:
+    - ``values``: the parameters, by name, in ``unit``; ``squareness`` of a circle and ``slope`` of
+      a linear axis in µm/m. ``errors``: standard error and degrees of freedom. ``declared``:
       expanded uncertainty and coverage factor. ``limits``: by parameter.
     - ``means``: the mean deviation at each target in direction + and -; empty if unknown.
     - ``table``: the table that was active, in a word. ``acting``: a hash of the table's files;
@@ -58,8 +58,9 @@ class HistoryEntry:
 class NotedChange:
     """A change of a parameter between two tests that is larger than its uncertainty explains.
 
-    ``size``, ``std_error``: in the unit of the parameter; ``score``: the standard normal value as
-    improbable; ``chance``: how often tests of an unchanged machine differ as much.
+    ``size``, ``std_error``: in the unit of the parameter. ``chance``: the probability that two
+    tests of an unchanged machine differ as much. ``score``: the standard normal value that has this
+    probability.
     """
 
     parameter: str
@@ -90,9 +91,10 @@ class NotedTrend:
     """The rate at which a parameter changes, in its unit per year, and the day on which the
     parameter will reach its limit.
 
-    Over the entries ``tests`` (by their places in the series). ``limit``: None where none was
-    given; ``reached``: median day on which it will be reached, ``earliest`` and ``latest`` the ends
-    of 90 % (ISO 8601, empty where it is more than 30 years ahead).
+    ``tests``: the entries from which the rate is estimated, by their places in the series.
+    ``limit``: the limit, or None if none is given. ``reached``: the median of the day on which the
+    limit will be reached. ``earliest``, ``latest``: the ends of the 90 % interval of this day. Days
+    are in ISO 8601, and empty if they are more than 30 years ahead.
     """
 
     parameter: str

@@ -24,10 +24,9 @@ InputRole = Literal[
 class RecordedInput:
     """A file that a command read, and where the result folder has its copy.
 
-    ``file``: as the job or the command line names it; ``copy``: where the same bytes are below the
-    result folder (None: not in it); ``of``: the test or state.
-
-    ``by``: ``run`` or ``verify``.
+    ``file``: as the job or the command line names it. ``copy``: the path of the same bytes below
+    the result folder, or None if they are not in it. ``of``: the test or the state of the control
+    to which the file belongs. ``by``: the command that read it, ``run`` or ``verify``.
     """
 
     role: InputRole

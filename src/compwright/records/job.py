@@ -1,6 +1,6 @@
 """A job: what the engineer states and requires. Paths are text as written.
 
-``workflow`` resolves them against the job's folder.
+The package ``workflow`` makes them paths relative to the job's folder.
 """
 
 from __future__ import annotations
@@ -29,9 +29,10 @@ AS_FOUND = "as_found"
 class TestRequest:
     """One positioning test of an axis: its files, name, state of the control and motion.
 
-    ``thermal``: its differential expansion, by its own keys over those of the axis over those of
-    the job; ``own_temperatures``: those of ``T_m`` and ``T_d`` that its own keys state, so that its
-    files' do not count. ``environment``: the record by which each reading is reduced.
+    ``thermal``: its differential expansion. The test's own keys override those of the axis, and
+    these override those of the job. ``own_temperatures``: those of ``T_m`` and ``T_d`` that the
+    test's own keys state; the values in its files are then ignored. ``environment``: the
+    environment record that corrects each reading.
     """
 
     files: tuple[str, ...]
@@ -61,8 +62,8 @@ class Acceptance:
 class CircleRequest:
     """One circular test: its file, or a file per run, its name, and the state of the control.
 
-    ``centre``: machine coordinates, mm: of the two axes of the plane in their order, or of X, Y and
-    Z; None: not given. ``accept``: limits in µm.
+    ``centre``: machine coordinates, mm, of the two axes of the plane in their order, or of X, Y and
+    Z; None if not given. ``accept``: limits in µm.
     """
 
     files: tuple[str, ...]
@@ -142,8 +143,8 @@ class AxisJob:
     """What the job requires for one axis. ``before``: the positioning tests of the axis; empty if
     it has none.
 
-    ``thermal``: the axis' own keys over those of the job. ``stated``: which of ``reference`` and
-    ``reference_return`` the job gives itself.
+    ``thermal``: the differential expansion of the axis; its own keys override those of the job.
+    ``stated``: those of ``reference`` and ``reference_return`` that the job itself gives.
     """
 
     axis: Axis
@@ -158,11 +159,14 @@ class AxisJob:
 class Job:
     """All that a job file states. ``states``: the control files of each state, such as as_found.
 
-    ``active``: by state, whether compensation was active in it if its files switch it off or do not
-    state it; absent: not answered. ``options`` are the controller's; an axis' own are in
-    ``axis.options`` and override them. ``drifts``: drift tests by the kind of axis, from
-    which E_VE comes; ``environment``: a record of air and material; ``sources``: files from which
-    the job's own values are. ``findings``: about the job itself, such as keys without effect.
+    - ``active``: for a state whose files do not show whether compensation was active, or switch it
+      off, the answer of the job. A state that is not in it has no answer.
+    - ``options``: the options of the controller. An axis' own options are in ``axis.options`` and
+      override them.
+    - ``drifts``: drift tests by the kind of axis, from which E_VE is calculated. ``environment``: a
+      record of air and material.
+    - ``sources``: the files from which the job's own values are taken.
+    - ``findings``: about the job itself, such as keys without effect.
     """
 
     file: str

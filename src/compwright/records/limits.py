@@ -7,12 +7,13 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LimitingCause:
-    """A cause that limits an axis. ``value``: by how much it enlarges a parameter, mm or deg.
+    """A cause that limits an axis. ``value``: the amount by which it increases a parameter, mm or
+    deg.
 
-    Both are from the same draws; it is negative where it happens to cancel another cause.
-
-    ``rms``: of a limit of the control, the root mean square that it leaves over the travel and both
-    directions (mm or deg); None: not one of those.
+    ``value`` is the difference of the parameter with and without the cause, from the same random
+    draws. It is negative if the cause happens to cancel another cause. ``rms``: if the cause is a
+    limit of the control, the root mean square error that the limit leaves over the travel and both
+    directions (mm or deg); else None.
     """
 
     cause: str
@@ -25,13 +26,13 @@ class LimitingCauses:
     """The causes that keep a ``parameter`` from being smaller. Its values, in mm or deg, are those
     expected in a new test at new targets.
 
-    ``now`` with what is in the control, ``then`` with what is written, ``least`` of an axis without
-    any error, by its scatter alone.
+    ``now``: with the present contents of the control. ``then``: with what is written. ``least``:
+    for an axis without any error, only with its scatter. ``spread``: the standard deviation of
+    ``then`` from test to test, calculated from the values below its median, because a few outlying
+    readings increase those above it.
 
-    ``spread``: the standard deviation of ``then`` from test to test, below its median: a few
-    readings far off stretch it above. ``causes``, the largest first, do not add up to ``then``: the
-    parameter is a range, and what two causes do at different places
-    counts once.
+    ``causes``: the largest first. Their values do not add up to ``then``, because the parameter is
+    a range: of two causes at different places it contains only one.
     """
 
     parameter: str
@@ -47,9 +48,9 @@ class PointCountOption:
     """The value of a parameter that is predicted if the table has this number of ``points``: median
     and range, mm or deg.
 
-    For a new test at new targets. ``spacing``: of the points (mm or deg; the widest section).
-
-    ``written``: the table that is written; ``there``: on the points that are in the control.
+    The prediction is for a new test at new targets. ``spacing``: the largest interval of the points
+    (mm or deg). ``written``: whether this table is written. ``there``: whether it has the points
+    that are in the control.
     """
 
     points: int

@@ -25,28 +25,31 @@ IndexArray = NDArray[np.intp]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NoiseDraws:
-    """Equally likely random draws of the noise of one test, mm or deg.
+    """Equally probable random draws of the noise of one test, mm or deg.
 
     A reading at x in run j and direction d, with u = (x - ``centre``) / ``half``, differs from the
     error of the axis by
 
         offset_jd + tilt_jd u + (drift + drift_tilt u) (p_j - mean p) q_d(u) + s(u) e
 
-    ``sigma`` (count, 2), for approaches in + and -: log s(u) = log sigma + `waves` times ``growth``
-    (count, w). e is standard normal, or follows Student's law with ``dof`` degrees of freedom (inf:
-    normal); of a share ``outlier_share`` of all readings it has the scale ``outlier_size`` instead,
-    or, where ``outlier_fixed``, lies on either side by ``outlier_size`` in addition. Where the axis
-    comes to rest on few places, tails are light: most readings lie so on either side, and e has the
-    standard deviation ``core``. ``reach``: root mean square of e within the central 99 % of its
-    law. ``offset`` and ``tilt``: standard deviations of offset_jd and tilt_jd, drawn afresh for
-    every test, by ``pattern`` (`INDEPENDENT`, `RUNS`, `WALK`: then those of one step; `WAVE`:
-    ``offset`` is that of the wave, whose correlation time is ``pace`` of the test, ``tilt`` each
-    traverse's own in addition). Only a share ``moved`` of the offsets (steps) is there, the
-    others are nothing.
-    ``drift``, ``drift_tilt``: what the test showed from its first run to its last, on the way p
-    that `progress` gives for ``drift_rate``, with q from `slackening`. What drifts within a run
-    (`within_run`) is the same in every run and part of the error curve. ``farthest``: the largest
-    distance of a reading from the others of its target, mm or deg.
+    - ``sigma`` (count, 2): the scatter for approaches in + and -: log s(u) = log sigma + `waves`
+      times ``growth`` (count, w).
+    - e is standard normal, or follows Student's law with ``dof`` degrees of freedom (inf: normal).
+      ``core``: its standard deviation where the axis comes to rest at few places. ``reach``: root
+      mean square of e within the central 99 % of its law.
+    - ``outlier_share``: the share of all readings that are outliers. An outlier has the scale
+      ``outlier_size`` instead of 1. With ``outlier_fixed`` it is displaced by ``outlier_size`` to
+      either side in addition; if the axis comes to rest at few places, most readings are displaced
+      like this.
+    - ``offset``, ``tilt``: standard deviations of offset_jd and tilt_jd, which are drawn anew for
+      every test. ``pattern``: how they follow each other (`INDEPENDENT`, `RUNS`, `WALK`, `WAVE`).
+      For `WALK` they are those of one step. For `WAVE` ``offset`` is that of the wave, whose
+      correlation time is ``pace`` of the test, and ``tilt`` is added for each traverse. ``moved``:
+      the share of the offsets (steps) that are not zero.
+    - ``drift``, ``drift_tilt``: the drift that the test showed from its first run to its last. p is
+      from `progress` with ``drift_rate``, and q from `slackening`. The drift within a run
+      (`within_run`) is the same in every run and part of the error curve.
+    - ``farthest``: the largest distance of a reading from the others of its target, mm or deg.
     """
 
     centre: float
@@ -82,8 +85,9 @@ class NoiseDraws:
         """Return the size of outliers (count, m) in approaches towards + (``way`` 0) or − (1), in
         multiples of ``scale`` (count, m), the scatter of the readings.
 
-        What disturbs a reading does not grow with the scatter along the travel: an outlier is no
-        larger than where the scatter is least, or than the farthest reading seen.
+        What disturbs a reading does not grow with the scatter along the travel. Therefore an
+        outlier is no larger than where the scatter is least, and no larger than the farthest
+        reading of the test.
         """
         ends = np.linspace(self.centre - self.half, self.centre + self.half, _PLACES)
         least = np.min(self.scale_at(ends)[:, way], axis=1)
@@ -142,9 +146,9 @@ def normal_noise(sigma: FloatArray, centre: float = 0.0, half: float = 1.0) -> N
 def without(draws: NoiseDraws, *parts: NoisePart) -> NoiseDraws:
     """Return the noise without the named ``parts``, such as outliers or drift.
 
-    ``scatter``: the readings about their traverses; ``tails``: outliers, and the heavy tails, at
-    the same scale; ``growth``: of the scatter along the travel; ``traverses``: their offsets and
-    tilts; ``drift``: both of its parts.
+    ``scatter``: the scatter of the readings about their traverses. ``tails``: outliers and heavy
+    tails; the scale of the scatter stays. ``growth``: the change of the scatter along the travel.
+    ``traverses``: the offsets and tilts of the traverses. ``drift``: the drift and its tilt.
     """
     nothing = np.zeros(draws.count)
     changes: dict[NoisePart, dict[str, Any]] = {
@@ -164,7 +168,7 @@ def without(draws: NoiseDraws, *parts: NoisePart) -> NoiseDraws:
 def waves(u: FloatArray, count: int) -> FloatArray:
     """Return ``count`` cosine half waves along the travel, at ``u`` (k,) from -1 to 1.
 
-    From end to end, cos(w pi (u + 1) / 2), w = 1 to ``count``; constant beyond the ends.
+    Wave w = 1 to ``count`` is cos(w pi (u + 1) / 2). It is constant beyond the ends.
     """
     way = 0.5 * np.pi * (np.clip(u, -1.0, 1.0) + 1.0)
     shapes: FloatArray = np.cos(np.outer(np.arange(1, count + 1), way))
@@ -188,14 +192,14 @@ def wave_effects(order: FloatArray, signs: FloatArray, count: int, pace: float) 
     ``count`` traverses of a test: in those at the places ``order`` (k,) of time, with the
     directions ``signs`` (k,).
 
-    The disturbance is a wave of unit standard deviation and correlation time ``pace``, in parts of
-    the test. Places count from 0; directions are 1 or -1. Shape: (2, k, 2, k), offsets before
-    tilts.
+    Places count from 0; directions are 1 or -1. The disturbance is a wave of unit standard
+    deviation. Its correlation time ``pace`` is a part of the duration of the test. The result has
+    the shape (2, k, 2, k), offsets before tilts.
 
-    The wave follows the air as a body with a time constant follows a first-order process of the
-    same one: the covariance (1 + a) exp(-a), a = √3 t / pace (Rasmussen and Williams, Gaussian
-    Processes for Machine Learning, 2006, equation 4.17). Offset and tilt are its first two Legendre
-    coefficients over the time of a traverse.
+    The covariance of the wave is (1 + a) exp(-a), a = √3 t / pace (Rasmussen and Williams, Gaussian
+    Processes for Machine Learning, 2006, equation 4.17). It is that of a body with a time constant
+    in air whose temperature is a first-order process with the same time constant. Offset and tilt
+    are the first two Legendre coefficients of the wave over the time of a traverse.
     """
     places, weights = np.polynomial.legendre.leggauss(_WITHIN)
     half = 0.5 / count
@@ -211,9 +215,9 @@ def progress(runs: int, rate: FloatArray) -> FloatArray:
     """Return the fraction (0 to 1) of the whole drift that has happened when each of the ``runs``
     runs starts. ``rate``: how much the drift slows down (0: not at all).
 
-    p_j = (1 - exp(-rate j / (runs - 1))) / (1 - exp(-rate)); ``rate`` 0: j / (runs - 1), even
-    progress; above 0: a first-order approach to a steady state, as a body warms up (Newton's law of
-    cooling).
+    p_j = (1 - exp(-rate j / (runs - 1))) / (1 - exp(-rate)), and for ``rate`` 0 p_j = j / (runs -
+    1). Above 0 this is a first-order approach to a steady state, as a body warms up (Newton's law
+    of cooling).
     """
     way = np.linspace(0.0, 1.0, runs) if runs > 1 else np.zeros(runs)
     steep = np.maximum(rate, 1e-9)[..., np.newaxis]
@@ -228,10 +232,9 @@ def slackening(
     relative to that at the start of the runs. ``rate``: as in `progress`; ``returns``: both
     directions are measured.
 
-    From one run to the next; the later reading is at ``u`` (k,), -1 to 1.
-
-    A run goes up through the targets and, where it ``returns`` (both directions are measured),
-    down again in the second half of its time: exp(-rate t), t in parts of the test.
+    ``u`` (k,) is -1 to 1. A run goes up through the targets and, if it ``returns``, down again in
+    the second half of its time. The factor is exp(-rate t), where t is the time of the reading at
+    ``u`` since the start of its run, in parts of the test.
     """
     per_run = rate[:, np.newaxis] / max(runs - 1, 1)
     up, down = _parts_of_run(u, returns=returns)
@@ -245,10 +248,8 @@ def within_run(
     reading and its reading at ``u`` (k,). ``rate``: as in `progress`; ``returns``: both directions
     are measured.
 
-    It is that of the means over the runs; ``u`` is -1 to 1.
-
-    Mean over the runs of p(t + h) - p(t), p as in `progress` and h as in `slackening`; a test of
-    one run does not tell: 0.
+    ``u`` is -1 to 1. The fraction is the mean over the runs of p(t + h) - p(t), p as in `progress`
+    and h as in `slackening`. For a test of one run it is 0, because such a test does not show it.
     """
     if runs < 2:
         nothing = np.zeros((rate.size, u.size))

@@ -19,9 +19,10 @@ class NumberedSections:
     """The numbered sections into which a control divides the table of one axis, in ascending order
     and without gaps.
 
-    ``reference``: the position from which they are counted, mm or deg. ``marks``: what the control
-    calls some of the numbers. ``second``: the number of the first section in a set for travel in -;
-    None: one set. ``words``: what has to be known of them, a sentence each.
+    ``reference``: the position from which they are counted, mm or deg. ``marks``: the control's
+    names for some of the numbers. ``second``: the number of the first section in the second set,
+    for travel in -; None if there is one set. ``words``: what the user must know about the
+    sections, one sentence each.
     """
 
     unit: str

@@ -20,10 +20,11 @@ ENCODER_SYSTEM = "encoder_system"
 
 @dataclass(frozen=True, slots=True)
 class UnansweredOption:
-    """An option of the control that the user must state in a new job, as no file states it.
+    """An option of the control that the user must state in a new job, because no file states it.
 
-    ``words``: what is expected; ``stand_in``: a value with which the files tell their axes all the
-    same. ``lengths``: the positions of a table count in it.
+    ``words``: what is expected. ``stand_in``: a value with which the axes can be read from the
+    files although the true value is unknown. ``lengths``: whether the positions of a table are in
+    the unit of this option.
     """
 
     name: str

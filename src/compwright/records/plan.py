@@ -31,10 +31,10 @@ Texts = tuple[tuple[str, bytes], ...]
 class PlannedTest:
     """A positioning test in a plan, with the state of the control and the motion of the axis.
 
-    ``backlash_more``: the backlash that was active in it minus that at the motion of the axis
-    (``Axis.motion``), mm or deg; a new table leaves that difference. ``slope_std``: standard
-    deviation, mm/mm, of this test's own slope relative to others of its axis, by the uncertainty
-    that the job declares.
+    ``backlash_more``: the backlash that was active in this test minus that at the motion of the
+    axis (``Axis.motion``), mm or deg. A new table does not change that difference. ``slope_std``:
+    standard deviation, mm/mm, of this test's own slope relative to the other tests of its axis,
+    from the uncertainty that the job declares.
     """
 
     test: PositioningTest
@@ -50,8 +50,8 @@ class PlannedAxis:
     """One axis in a plan: tests, estimated error, wanted correction and fitted table.
 
     ``active``: the correction that was active during the first test. ``wanted``: totals before
-    rounding and limits. ``fitted``: the table for the plan's own format; None if none may be
-    written (the state is not known, or it would not improve the axis).
+    rounding and limits. ``fitted``: the table for the plan's own format. It is None if no table may
+    be written, because the state is unknown or the table would not improve the axis.
     """
 
     axis: Axis
@@ -68,7 +68,7 @@ class PlannedAxis:
 class PlannedCircle:
     """A circular test in a plan, with the state of the control and the centre (mm).
 
-    ``accept``, ``budget``: its limits and what the job declared of uncertainty.
+    ``accept``: its limits. ``budget``: the uncertainty that the job declares.
     """
 
     test: CircularTest
@@ -82,10 +82,12 @@ class PlannedCircle:
 class PlannedCross:
     """A planned correction of the axis ``output`` by the position of the axis ``input``.
 
-    ``added``: the table before the control rounds it, by the control's addresses, zero at the
-    reference of the input axis. ``source``: from circular tests (``tests`` names them) or from a
-    cross measurement. ``squareness``: the angle that it removes, rad, > 0 for more than 90°;
-    ``std_error`` of it, rad, None if unknown. ``written``: the plan's own control holds it.
+    - ``added``: the table before the control rounds it, with the control's addresses; it is zero at
+      the reference of the input axis.
+    - ``source``: from circular tests (named in ``tests``) or from a cross measurement.
+    - ``squareness``: the angle that the correction removes, rad, > 0 for more than 90°.
+      ``std_error``: its standard error, rad, None if unknown.
+    - ``written``: whether the files of the plan's own control contain the correction.
     """
 
     input: str
@@ -114,14 +116,17 @@ class PlannedCross:
 class Plan:
     """The plan of a run. ``states``: the control's files by state; empty for the state ``none``.
 
-    ``active``: by state, the job's answer whether compensation was active. ``cross``: what is
-    wanted between axes, written or not; ``circles``: the circular tests by name. ``results``: the
-    other files of the run by their relative names, with the SHA-256 of each: by it the next run
-    tells them from what the user has put or changed there. ``decision_rule``: how the limits were
-    decided; empty where the plan of an older version does not say. ``budgets``: what the job
-    declared of uncertainty by the kind of axis; None where an older version does not say.
-    ``definition``: of one's own, its text and what it extends; empty for a control that ships.
-    ``untested``: axes without a test of their own that ``cross`` names.
+    - ``active``: by state, the job's answer whether compensation was active.
+    - ``cross``: the wanted corrections between axes, written or not. ``circles``: the circular
+      tests by name. ``untested``: axes in ``cross`` that have no test of their own.
+    - ``results``: the other files of the run by their relative names, with the SHA-256 of each.
+      From these the next run recognises files that the user has added or changed.
+    - ``decision_rule``: the rule by which the limits were decided; empty if a plan of an older
+      version does not state it.
+    - ``budgets``: by the kind of axis, the uncertainty that the job declared; None if an older
+      version does not state it.
+    - ``definition``: the text of a user's own definition and of those that it extends; empty for a
+      control that is part of compwright.
     """
 
     version: str

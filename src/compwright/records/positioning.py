@@ -27,14 +27,17 @@ SAME_READING: Final = 1e-9
 class PositioningTest:
     """The deviations (measured minus target) of one axis in a test, in mm or deg.
 
-    ``targets`` (m,) strictly ascending. ``positive`` (m, n+) and ``negative`` (m, n-) hold one
-    column per traverse in the order of the run numbers; a reading that was not made is NaN (a
-    traverse or a direction may be missing altogether: a width of 0). ``frame`` says whether
-    positions and signs are the instrument's or already the machine's. ``header``: the statements of
-    the file about the test, as text. ``times``: when the readings were taken, None where the file
-    does not say it. ``thermal``: the differential expansion that was taken out of the deviations,
-    None where they are as measured; ``removed``: what was taken out of each reading, (m, n+) and
-    (m, n-), where that differs from reading to reading.
+    - ``targets`` (m,): strictly ascending.
+    - ``positive`` (m, n+), ``negative`` (m, n-): one column per traverse in the order of the run
+      numbers. A reading that was not taken is NaN. A direction that was not measured has the width
+      0.
+    - ``frame``: whether positions and signs are those of the instrument or already those of the
+      machine.
+    - ``header``: the statements of the file about the test, as text.
+    - ``times``: the times of the readings; None if the file does not state them.
+    - ``thermal``: the differential expansion that was removed from the deviations; None if they are
+      as measured. ``removed``: the amount that was removed from each reading, (m, n+) and (m, n-),
+      if it differs from reading to reading.
     """
 
     name: str
@@ -93,8 +96,8 @@ class PositioningTest:
 def to_machine(test: PositioningTest, position_map: PositionMap) -> PositioningTest:
     """Return ``test`` in machine coordinates: machine = sense * instrument + offset.
 
-    With sense -1 the instrument counts against the machine: positions and deviations change sign
-    and the two approach directions are exchanged.
+    With sense -1 the instrument counts in the opposite direction. Positions and deviations then
+    change sign, and the two directions of approach are exchanged.
     """
     if test.frame == "machine":
         return test
@@ -119,9 +122,8 @@ def to_machine(test: PositioningTest, position_map: PositionMap) -> PositioningT
 def merge(tests: Sequence[PositioningTest], name: str) -> PositioningTest:
     """Return one test from several files of the same axis, with all targets and traverses.
 
-    Of each key of their headers every value is there once, one per line.
-
-    Raises InputError when axes, kinds, cycles or frames differ.
+    If a key of the headers has different values, the result has each of them once, one per line.
+    Raises InputError if axes, kinds, cycles or frames differ.
     """
     first = tests[0]
     if len(tests) == 1:

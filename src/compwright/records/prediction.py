@@ -30,8 +30,8 @@ class TestPrediction:
     """A positioning test of an axis, and two predictions of a new test: at the same targets, and at
     new targets.
 
-    ``uncertainty``: of the parameters of the fresh one at the same targets, where it guards a
-    decision about them.
+    ``uncertainty``: that of the parameters of the new test at the same targets, if it is needed as
+    guard band of a decision.
     """
 
     name: str
@@ -47,8 +47,8 @@ class TestPrediction:
 class AcceptDecision:
     """The decision about a limit of the job. ``limit``, ``value`` and ``U`` in µm or arcsec.
 
-    ``rule``: how it was decided. ``test``: the test that it is meant for, where the job names one;
-    else it is the first of the axis.
+    ``rule``: the decision rule. ``test``: the name of the test to which the limit applies, if the
+    job names one; else the limit applies to the first test of the axis.
     """
 
     limit: float
@@ -64,7 +64,7 @@ class CirclePrediction:
     """A circular test, its result recalculated with the new tables, and the prediction of a new
     test.
 
-    ``predicted``: parameters by their JSON names, mm; ``causes``: by their JSON names, in the units
+    ``predicted``: parameters by their JSON names, mm. ``causes``: by their JSON names, in the units
     of the JSON.
     """
 
@@ -80,9 +80,9 @@ class AxisPrediction:
     """The prediction of one axis. ``table``: its new table as read from the written files, None if
     the axis gets no table.
 
-    ``limits``: what keeps the axis where it then is; ``worth``: of the parameter named there, by
-    number of points. ``periods``: those of its error, known and found, with the ``evidence`` of the
-    search (None: there was none).
+    ``limits``: the causes that limit the axis with the new table. ``worth``: the parameter that
+    ``limits`` names, by number of table points. ``periods``: the periods of the axis' error, known
+    and found. ``evidence``: the evidence from the search for periods; None if there was no search.
     """
 
     tests: tuple[TestPrediction, ...]

@@ -23,11 +23,12 @@ class ExpandedUncertainty:
 class Contribution:
     """One contributor to the measurement uncertainty, in µm (rotary axes: arcsec).
 
-    ``source``: key of the job's ``uncertainty``, followed by ``_machine`` or ``_instrument`` where
-    it counts for both. ``given`` in ``unit``, divided by ``divisor`` (2 of an expanded uncertainty
-    of a normal distribution, √12 of the range of a rectangular one), times ``sensitivity``, is the
-    standard uncertainty ``standard``. ``per``: one draw per ``length`` (times position), ``test``
-    or ``reading``. ``note``: what the value is made of, or why it does not count.
+    ``source``: key of the job's ``uncertainty``, followed by ``_machine`` or ``_instrument`` if it
+    applies to both. The standard uncertainty ``standard`` is ``given`` (in ``unit``) divided by
+    ``divisor`` and multiplied by ``sensitivity``. The divisor is 2 for an expanded uncertainty of a
+    normal distribution and √12 for the range of a rectangular one. ``per``: one random draw per
+    ``length`` (multiplied by the position), ``test`` or ``reading``. ``note``: how the value is
+    made, or why it is not counted.
     """
 
     source: str
@@ -59,8 +60,8 @@ class TargetColumns:
     """The values of a positioning test at each target, as arrays (m,) in mm or deg; NaN where
     undefined.
 
-    ``repeatability_*`` are R_i; ``reversal`` is B_i = mean(+) - mean(-); ``mean`` is the mean of
-    both directions.
+    ``repeatability_*``: R_i. ``reversal``: B_i = mean(+) - mean(-). ``mean``: the mean of both
+    directions.
     """
 
     mean_positive: FloatArray
@@ -76,14 +77,14 @@ class TargetColumns:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class PositioningResult:
-    """The parameters of a positioning test by JSON name, mm or deg; None if undefined.
+    """The parameters of a positioning test by JSON name (``A``, ``E_positive``, ``B_mean``, ..., or
+    those of VDI 3441), mm or deg; None if undefined.
 
-    ``A``, ``E_positive``, ``B_mean``, ... or VDI's own.
-
-    ``at`` gives the target position at which a parameter takes its extreme; ``not_applicable`` the
-    reason of each None. ``coverage`` is the factor k of the standard (3 or 2); ``spread`` says how
-    s was formed: ``std`` or ``range``. ``extremes``: of A, E, M, R the highest and the lowest value
-    (A, R: mean ± k s), whose difference it is. ``budget``: the contributors behind ``uncertainty``.
+    ``at``: the target position at which a parameter has its extreme value. ``not_applicable``: the
+    reason of each None. ``coverage``: the factor k of the standard (3 or 2). ``spread``: how s was
+    calculated, ``std`` or ``range``. ``extremes``: for A, E, M and R the highest and the lowest
+    value, whose difference is the parameter (A, R: mean ± k s). ``budget``: the contributors behind
+    ``uncertainty``.
     """
 
     test: PositioningTest

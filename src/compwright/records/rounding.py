@@ -1,12 +1,12 @@
 """Round numbers so that they are the same on every processor.
 
-Without the last bits of the arithmetic, which depend on the processor and on the number of its
-threads: the order of a sum, fused products, series of the exponential (Higham, Accuracy and
-Stability of Numerical Algorithms, 2nd ed. 2002, chapters 3 and 4).
+The last bits of a result depend on the processor and on the number of its threads, because of the
+order of a sum, fused products, and series of the exponential (Higham, Accuracy and Stability of
+Numerical Algorithms, 2nd ed. 2002, chapters 3 and 4). Rounding removes these bits.
 
-Estimated or simulated values are rounded where they leave their room, so that decisions, tables and
-files rest on the same numbers everywhere. Values that are measured or held by a control are never
-changed.
+Each package rounds the estimated or simulated values that it returns, so that decisions, tables and
+files depend on the same numbers everywhere. Values that are measured or contained in a control are
+never changed.
 """
 
 from __future__ import annotations

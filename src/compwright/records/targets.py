@@ -19,9 +19,10 @@ _SEED: Final = 42  # the same travel and count give the same targets
 def proposed_targets(low: float, high: float, count: int) -> FloatArray:
     """Return ``count`` ascending targets from ``low`` to ``high`` that show periodic errors.
 
-    Equal intervals plus a random part (ISO 230-2:2014, 4.2; up to 0.3 of an interval), rounded to a
-    tenth of a mm or deg, of narrow intervals finer; of several draws the one in which the two most
-    similar waves differ most.
+    The intervals are equal, with a random part of up to 0.3 of an interval added to each target
+    (ISO 230-2:2014, 4.2). Targets are rounded to a tenth of a mm or deg, or finer if the intervals
+    are short. Of several random draws, the result is the one in which the two most similar waves
+    differ most.
     """
     interval = (high - low) / count
     digits = max(1, int(np.ceil(2.0 - np.log10(interval))))

@@ -46,14 +46,18 @@ class Candidate:
 class LoadingVerdict:
     """The verdict on whether the loaded table was active as planned.
 
-    ``margin``: natural logarithm of the odds of the favoured candidate over the next one (4.6 is
-    100:1). ``sentence``: its text. ``equivalent``: names that no test could distinguish from the
-    verdict; ``near``: names that this test distinguishes poorly, whatever their prior probability
-    (less than eight standard errors apart). ``candidates``: the likeliest names, first the
-    likeliest, empty if no known one fits. ``detail``: the variant of the verdict, in words. ``of``:
-    for ``measurement``, its fault; for ``wrong_axis``, the axis. ``factor``: for ``scaled``;
-    ``shift_nodes`` > 0: the loaded table sits so many nodes too far to +. ``slope``: of the after
-    test relative to the expected one, with its standard error, mm/mm; None if none was found.
+    - ``margin``: natural logarithm of the odds of the favoured candidate against the next one (4.6
+      is 100:1).
+    - ``sentence``: the text of the verdict. ``detail``: the variant of the verdict, as text.
+    - ``equivalent``: names that no test could distinguish from the verdict. ``near``: names that
+      this test distinguishes poorly (less than eight standard errors apart), whatever their prior
+      probability. ``candidates``: the most probable names, in falling order; empty if no known name
+      fits.
+    - ``of``: the fault of a ``measurement``, or the axis of ``wrong_axis``. ``factor``: that of
+      ``scaled``. ``shift_nodes``: the number of points by which the loaded table is shifted, > 0
+      towards +.
+    - ``slope``: slope of the test after loading relative to the expected one, with its standard
+      error, mm/mm; None if none was found.
     """
 
     verdict: LoadingName
@@ -82,7 +86,7 @@ class ReadBack:
 
     ``verdict``: ``loaded``, ``not_active``, ``inverted``, ``scaled``, ``shifted``,
     ``one_direction``, ``backlash``, ``increment``, ``on_top``, ``partial`` (some files were not
-    loaded), ``other``.
+    loaded) or ``other``.
     """
 
     worst: float

@@ -1,8 +1,8 @@
 """Figures in reports: a test and its residuals, tests before and after loading, the table, and the
 estimated error.
 
-Each takes plain documents (deviations in µm or arcsec, positions in mm or deg) and returns what a
-page draws in its language, the same for the same input.
+Each function takes plain documents (deviations in µm or arcsec, positions in mm or deg) and returns
+a drawing for a page in its language. The same input always gives the same drawing.
 """
 
 from __future__ import annotations
@@ -58,12 +58,11 @@ def before_after_figure(
 ) -> Drawing:
     """Return the figures of the test before, predicted and after, side by side on one scale.
 
-    ``predicted`` or ``after`` may be None.
-
-    ``before`` and ``after`` are positioning results. ``predicted`` holds ``positions`` (m),
-    ``positive``, ``negative`` (m) or None: the expected deviations after loading, ``s``: the
-    standard deviation of one reading, and, where known, ``parameters`` as in the prediction
-    document (median, p05, p95); unit as in ``before``.
+    ``before``, ``after``: positioning results. ``predicted``: the expected test after loading, in
+    the unit of ``before``, with ``positions`` (m), the expected deviations ``positive`` and
+    ``negative`` (m) or None, and ``s``, the standard deviation of one reading. It may also have
+    ``parameters`` as in the prediction document (median, p05, p95). ``predicted`` or ``after`` may
+    be None; its figure is then left out.
     """
     charts = [result_chart(before)]
     most = 2 if predicted is not None and after is not None else 4  # what fits above a panel

@@ -1,20 +1,25 @@
 """The commissioning card as Markdown and as an HTML page: what to type at the control, what to
 check, and how to restore the old values.
 
-A card holds ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title``), ``axes``,
-``steps`` (``title``, ``text``, ``evidence``; ``heads`` and ``rows``: what differs by axis, where it
-does), ``changes`` (``entries`` of ``entry``, ``old``, ``new``; ``untouched``: lines that stay; None
-where the control's own files were not given), ``unconfirmed`` and ``restore`` (sentences),
-``restore_steps`` (as ``steps``),
-``assumed`` (``fact``, ``value``, ``evidence``), ``files`` (names) and ``proven`` (a sentence). Each
-axis holds ``name``, ``address``, ``unit`` (um or arcsec), ``rows`` (``quantity``, ``old``, ``new``,
-``typed`` and ``typed_old``: the values as the control's parameter), ``numbering`` (see `numbering`;
-None where points have no numbers), ``quick_check`` (``position``, ``direction``, ``adds``: the
-compensation that the control itself shows, ``expected``, ``stop``), ``points_needed``, ``rapid``
-(its test was taken at rapid traverse, for which everything here holds) and ``fixed_positions``
-(``name``, ``position``, ``moves``).
-Values to be typed carry a plain minus sign, so that they can be copied; the tables and steps have
-a decimal point in each ``language`` (that of the page, English by default).
+A card is a document with these keys:
+
+- ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title``), ``files`` (names),
+  ``proven`` (a sentence).
+- ``steps``: each with ``title``, ``text`` and ``evidence``; if a step differs by axis, also
+  ``heads`` and ``rows``. ``restore_steps``: the same for restoring. ``restore``, ``unconfirmed``:
+  sentences.
+- ``changes``: ``entries`` with ``entry``, ``old`` and ``new``, and ``untouched`` (lines that stay);
+  None if the control's own files were not given.
+- ``assumed``: each with ``fact``, ``value`` and ``evidence``.
+- ``axes``: each with ``name``, ``address``, ``unit`` (um or arcsec), ``rows`` (``quantity``,
+  ``old``, ``new``; ``typed`` and ``typed_old`` are the values as the control's parameter holds
+  them), ``numbering`` (see `numbering`; None if points have no numbers), ``quick_check``
+  (``position``, ``direction``, ``adds``: the compensation that the control displays, ``expected``,
+  ``stop``), ``points_needed``, ``rapid`` (the test was made at rapid traverse, and all values are
+  for it) and ``fixed_positions`` (``name``, ``position``, ``moves``).
+
+Values to be typed have a plain minus sign, so that they can be copied. Numbers in tables and steps
+have a decimal point in every ``language`` (that of the page, English by default).
 """
 
 from __future__ import annotations

@@ -36,8 +36,9 @@ def step_lines(step: Document, language: Language) -> list[dict[str, Any]]:
     """Return the lines of a step. Placeholders for values of an axis are replaced by the values, in
     one line for each axis.
 
-    As ``text`` and whether they have a box of their own (``tick``): a sentence about what differs
-    by axis stands once for each row, the others once.
+    Each line has its ``text``, and ``tick`` states whether it has a box to tick. A sentence with
+    values of an axis becomes one line for each row of the step; any other sentence becomes one
+    line.
     """
     text = in_language(plain(step.get("text") or ""), language)
     heads, rows = step.get("heads") or (), step.get("rows") or ()

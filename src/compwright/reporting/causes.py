@@ -53,13 +53,13 @@ _PARTS: Final = (
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleCause:
     """One cause of the deviations in a circular test: its value, the standard error, its effect
-    (µm), and its share of all effects.
+    (µm), and its share of all effects (0 to 1).
 
-    ``effect`` in µm, ``share`` of all effects from 0 to 1. ``parts`` are its details (each end of a
-    lost motion, the scale errors next to their mismatch), which count in it. ``plain`` and
-    ``printed`` are the same quantity by the plain regression and by the instrument's software; None
-    where there is none. ``correction``: what `run` does about a squareness.
-    ``doubtful``: the instrument's software itself says that it is not valid.
+    ``parts``: its details, such as each end of a lost motion, or the scale errors of a mismatch;
+    the effect of the cause includes them. ``plain``, ``printed``: the same quantity by simple
+    regression and by the instrument's software; None if there is none. ``correction``: what `run`
+    does about a squareness. ``doubtful``: the instrument's software itself states that its value is
+    not valid.
     """
 
     name: str
@@ -123,9 +123,9 @@ class CircleCause:
     def limits(self) -> tuple[float, float]:
         """Return the effects (µm, never below 0) at the ends of the value's 95 % interval.
 
-        An effect is taken as proportional to its value, which holds for all causes but cyclic
-        errors of both directions, where it is close. A value of zero has no proportion: then both
-        are the effect. Without a standard error nothing is bounded.
+        The effect is taken as proportional to the value. This is exact for all causes except cyclic
+        errors that occur in both directions, where it is a good approximation. If the value is
+        zero, or if it has no standard error, both results are the effect itself.
         """
         if math.isnan(self.error):
             return 0.0, math.inf
@@ -148,7 +148,8 @@ def ranked_causes(result: Mapping[str, Any]) -> list[CircleCause]:
     """Return the causes in a circular result, the largest effect first; no causes if the test was
     not diagnosed.
 
-    Of the evaluation document. A cause without a value is left out: ``not_applicable`` says why.
+    ``result``: an entry of the evaluation document. A cause without a value is left out;
+    ``not_applicable`` gives the reason.
     """
     entries = _given(result)
     causes = [

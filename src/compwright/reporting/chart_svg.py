@@ -1,8 +1,7 @@
 """Charts as plain SVG inside a page, without a plotting library, side by side on one scale.
 
-A page of many axes is painted in no time. Letters are those of the page.
-
-Lengths are points, of a picture as wide as the text of A4.
+A page with many axes is drawn quickly. The charts use the fonts of the page. Lengths are points,
+for a picture as wide as the text of an A4 page.
 """
 
 from __future__ import annotations

@@ -1,10 +1,8 @@
 """The contents of figures as data: curves, bands and texts, in the units of the documents.
 
-Deviations in µm or arcsec, positions in mm or deg. Who draws it: `chart_svg` in pages, `plots` in
-files of their own.
-
-The approach directions differ by marker, line and lightness, so that a print without colours can be
-read.
+Deviations are in µm or arcsec, positions in mm or deg. `chart_svg` draws them in pages, and `plots`
+in separate files. The directions of approach differ by marker, line and lightness, so that a print
+without colours can be read.
 """
 
 from __future__ import annotations
@@ -53,9 +51,9 @@ NEUTRAL: Final = CurveLook("both", "±", "^", (), INK)
 class ChartCurve:
     """One curve: ``y`` over ``x``, with the style of its line and markers. NaN is a gap.
 
-    A line of ``width`` points (none at 0), with markers of ``size`` points (none at 0), filled with
-    ``face`` (none: empty) inside edges of ``edge`` points. Without a ``label`` it is not in the
-    legend.
+    ``width``: of the line in points, 0 for no line. ``size``: of the markers in points, 0 for none.
+    ``face``: the colour inside a marker, none for an empty marker. ``edge``: the width of its edge
+    in points. A curve without a ``label`` is not in the legend.
     """
 
     x: Sequence[float]
@@ -96,7 +94,7 @@ class Chart:
     """One chart: its title, texts, curves, bands and marked points. ``degrees``: the positions are
     angles in degrees.
 
-    Words at the ``right`` of it or in a line below (``note``).
+    ``right``: text to the right of the chart. ``note``: text in a line below it.
     """
 
     title: str | Sentence = ""
@@ -142,9 +140,8 @@ class Chart:
 def result_chart(result: Document) -> Chart:
     """Return the chart of a positioning test: readings, means, ± k s (ISO 230-2:1997, figure 2).
 
-    ``result`` is an entry of ``results`` of an evaluation document. Its ``deviations_positive`` /
-    ``deviations_negative`` per target, where given, are drawn as points; ``coverage`` (default 2)
-    is k.
+    ``result``: an entry of ``results`` of an evaluation document. If it has ``deviations_positive``
+    and ``deviations_negative`` per target, they are drawn as points. ``coverage`` (default 2) is k.
     """
     chart = Chart()
     targets = result.get("targets", [])
@@ -235,7 +232,7 @@ def expected_chart(predicted: Document, coverage: float) -> Chart:
     """Return the chart of the expected mean deviations in each direction, each with a band of ±
     ``coverage`` times the scatter ``s``.
 
-    ``predicted`` holds ``positions`` (m), ``positive``, ``negative`` (m) or None, and ``s``.
+    ``predicted`` has ``positions`` (m), ``positive`` and ``negative`` (m) or None, and ``s``.
     """
     chart = Chart()
     spread = coverage * _number(predicted.get("s"))

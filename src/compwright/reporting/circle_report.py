@@ -139,7 +139,7 @@ def _words(name: str, result: Document) -> Sentence:
 def _causes(causes: Sequence[CircleCause]) -> TextTable:
     """Return the table of causes and their parts by falling effect, with the vendor's values.
 
-    A printed value that the file itself calls invalid is in brackets.
+    A value of the vendor is in brackets if the file itself calls it invalid.
     """
     printed = _any_printed(causes)
     rows = []
@@ -185,8 +185,8 @@ def _comparison(cause: CircleCause) -> str | Sentence:
     """Return how the value of a cause compares with the value that the vendor's software printed:
     "agrees", "differs" with the reason, or "not valid"; "" if no value was printed.
 
-    The plain regression of the same readings, without spikes, is the experiment: it shows how much
-    of the difference the spikes make.
+    To find the reason, the same readings are evaluated by a simple regression without spikes. It
+    shows how much of the difference the spikes cause.
     """
     if cause.printed is None:
         return ""

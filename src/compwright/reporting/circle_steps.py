@@ -1,7 +1,7 @@
 """The next step for each cause in a circular test: who has to do it (such as the mechanic), and
 what to check first.
 
-Common practice of the workshop, in the order in which it costs least; no standard prescribes it.
+The steps are common practice in workshops, the cheapest first. No standard prescribes them.
 """
 
 from __future__ import annotations
@@ -115,8 +115,8 @@ def _job(
     """Return the lines of a job that correct from circular tests the squareness of ``planes``, the
     ``lost`` motion and the ``scale``; an empty list if none of these is wanted.
 
-    Planes have their axes in the order of the alphabet. Scale is that of the positioning tests,
-    which the circles check.
+    The axes in the name of a plane are in alphabetical order. The scale comes from positioning
+    tests, and the circles check it.
     """
     axes = {"".join(sorted(each)): each for each in (result["axes"] for result in results)}
     bent = [f"{one}{two}: {two}" for plane, (one, two) in axes.items() if plane in planes]

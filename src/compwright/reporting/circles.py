@@ -41,7 +41,8 @@ def circle_blocks(
     the evaluations before and after loading; ``stated``: what the job states about each test, by
     its name.
 
-    Picture and conditions are those of the last test.
+    The picture and the conditions are those of the test after loading if there is one, else of the
+    test before.
     """
     results = {"before": _by_name(before), "after": _by_name(after)}
     blocks = []

@@ -158,7 +158,7 @@ def other_tables(groups: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
     """Return a table of those differing parameters that are not known to be part of any
     compensation.
 
-    Parameters that only one side has are counted where they are many.
+    If many parameters are on one side only, the table has their number instead.
     """
     both = [group for group in groups if group["changed"]]
     alone = len(groups) - len(both)

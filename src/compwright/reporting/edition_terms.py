@@ -1,9 +1,9 @@
 """Terms and symbols of the parameters of a positioning test, by the edition of the standard.
 
-Texts at hand: ISO 230-2:1988 (clauses 2.10 to 2.13 and 6), ISO 230-2:1997 (2.13, 2.14, 2.18 to
-2.23), ISO 230-2:2006 (2.13, 2.14, 2.18 to 2.24) and GOST 27843-2006, a modified translation of the
-1997 text (3.13 to 3.23). The text of 2014 is not at hand: its words are those of `PARAMETERS`.
-Arrows in these texts: ↑ for approaches in + (positive), ↓ for approaches in − (1997, 2.6).
+Sources: ISO 230-2:1988 (clauses 2.10 to 2.13 and 6), ISO 230-2:1997 (2.13, 2.14, 2.18 to 2.23), ISO
+230-2:2006 (2.13, 2.14, 2.18 to 2.24) and GOST 27843-2006, a modified translation of the 1997 text
+(3.13 to 3.23). The text of 2014 was not available; its terms are those of `PARAMETERS`. The arrows
+in these texts are ↑ for approaches in + (positive) and ↓ for approaches in − (1997, 2.6).
 """
 
 from __future__ import annotations

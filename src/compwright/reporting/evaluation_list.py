@@ -1,6 +1,6 @@
 """Many tests at the terminal: one line each, and a summary.
 
-This module loads rich; whoever serves a command that may not print tables imports it inside a
+This module loads rich. A module for a command that may not print tables must import it inside a
 function.
 """
 
@@ -184,11 +184,11 @@ def _warnings(results: Sequence[_Result]) -> _ListColumn:
 
 
 def _gravest(findings: Sequence[Mapping[str, str]]) -> _ListCell:
-    """Return the code of the most severe finding; errors are more severe than doubts, and doubts
-    more than warnings.
+    """Return the code of the most severe finding of a result; errors are more severe than doubts,
+    and doubts more than warnings.
 
-    Of the whole result; else the warning that stands first on the page of the test; an info is
-    none.
+    Of several warnings it is the first on the page of the test. A finding of the kind info is never
+    returned.
     """
     grave = [one for one in findings if one["severity"] != "info"]
     if not grave:

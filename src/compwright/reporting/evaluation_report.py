@@ -1,7 +1,8 @@
 """The report of ``evaluate``: one self-contained HTML page on tests that belong to no job.
 
-Its view holds ``evaluation`` (the document), ``report`` (see `paper.head`), ``command`` (what
-repeats the report), ``version`` and ``language`` (English without it).
+The function takes a view with these keys: ``evaluation`` (the document), ``report`` (see
+`paper.head`), ``command`` (the command line that makes the report again), ``version`` and
+``language`` (default: English).
 """
 
 from __future__ import annotations
@@ -27,10 +28,9 @@ _CIRCULAR: Final = ("G_ccw", "G_cw", "G_bidirectional", "H", "D")
 
 def evaluation_report(view: Document) -> bytes:
     """Return the report as HTML: first the results and the statement of conformity, then a page for
-    each test, the raw readings, and the source files. ``view``: the documents and facts to be
-    shown.
+    each test, the raw readings, and the source files. ``view``: see the module.
 
-    Raises UsageError when the report extra is missing.
+    Raises UsageError if the extra ``report`` is not installed.
     """
     evaluation = view["evaluation"]
     results = _names_apart(evaluation.get("results") or ())

@@ -1,7 +1,7 @@
 """Many tests as a table for spreadsheets: one row per test, with units in the header.
 
-Text from files and their names is data: what a spreadsheet would take for a formula is made
-harmless, in CSV by an apostrophe before it, in a workbook by its type.
+Text from files and file names are data. If a spreadsheet would take such a text for a formula, it
+is made harmless: by an apostrophe before it in CSV, by the type of the cell in a workbook.
 """
 
 from __future__ import annotations
@@ -38,13 +38,14 @@ _SENSES: Final = ("ccw", "cw", "common")
 def table_bytes(document: Mapping[str, Any], suffix: str) -> bytes:
     """Return the tests of an evaluation as a ``.csv`` or ``.xlsx`` table.
 
-    ``.csv``: UTF-8, commas between the columns, decimal points, one table whose rows leave empty
-    what belongs to the other kind; ``.xlsx``: a sheet for each kind, and one for what could not be
-    evaluated.
+    ``.csv``: UTF-8, commas between the columns, decimal points. It has one table for positioning
+    and circular tests; columns of the other kind of test are empty. ``.xlsx``: a sheet for each
+    kind of test, and one for files that could not be evaluated.
 
-    Deviations are in µm or arcsec, as the column ``unit`` says, positions in mm or deg
-    (``position_unit``). A parameter that a test does not have is an empty cell. Raises UsageError
-    for another ending, and for ``.xlsx`` without openpyxl (extra ``excel``).
+    Deviations are in µm or arcsec, as the column ``unit`` states; positions are in mm or deg
+    (``position_unit``). The cell of a parameter that a test does not have is empty. Raises
+    UsageError for another file name extension, and for ``.xlsx`` if openpyxl (extra ``excel``) is
+    not installed.
     """
     writers: dict[str, Callable[[Mapping[str, Any]], bytes]] = {".csv": _csv, ".xlsx": _workbook}
     if suffix.lower() not in writers:

@@ -26,7 +26,7 @@ _WIDTH, _HEIGHT, _EDGE = 150.0, 30.0, 4.0
 def history_page(document: Document) -> bytes:
     """Return the page of a history document (``compwright/history/1``).
 
-    Raises UsageError when the report extra is missing.
+    Raises UsageError if the extra ``report`` is not installed.
     """
     machines: list[dict[str, Any]] = [
         {

@@ -35,11 +35,9 @@ _MOST_LABELS: Final = 12
 def history_plot(document: Document, *, format: str = "svg") -> bytes:  # noqa: A002
     """Return the figure of a history: values before and after loading, ± two standard errors.
 
-    ``compwright/history/1``; red what changed beyond the uncertainty and green what did with
-    another table.
-
-    Raises UsageError when there is nothing to draw, for an unknown format, or when the report extra
-    is missing.
+    ``document``: ``compwright/history/1``. A value is red if it changed beyond its uncertainty, and
+    green if it did so with another table active. Raises UsageError if there is nothing to draw, for
+    an unknown format, and if the extra ``report`` is not installed.
     """
     kind = known_format(format)
     rows = list(_rows(document))
@@ -91,7 +89,8 @@ def _places(tests: Sequence[Mapping[str, Any]]) -> tuple[list[float], bool]:
     """Return the x coordinates of tests in a plot. The second value is True if these are dates,
     False if they only count the tests.
 
-    Dates where all tests have one and two differ, else 0, 1, 2, ...
+    Dates are used if all tests have one and at least two of the dates differ; else the coordinates
+    are 0, 1, 2, ...
     """
     days = [test["day"] for test in tests]
     if not all(days) or len(set(days)) < 2:

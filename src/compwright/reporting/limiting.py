@@ -19,8 +19,8 @@ _LEAST_SHOWN: Final = 0.005
 def limits_block(predicted: Document, unit: object) -> dict[str, Any] | None:
     """Return rows with a bar for each cause that limits an axis, or None if no causes are known.
 
-    A row for each cause in ``limits`` of an axis of the prediction document, its bar as long as its
-    part of the parameter.
+    The causes are those in ``limits`` of an axis of the prediction document. The length of a bar is
+    the cause's part of the parameter.
     """
     causes, limited = predicted.get("limits") or [], predicted.get("limited")
     if not causes or not limited:

@@ -1,10 +1,10 @@
 """A small drawing of the numbered sections into which a control divides its table along an axis, as
 text and as SVG.
 
-Numbering as the card's document holds it: ``unit``, ``reference``, ``sections`` (``number``,
-``from``, ``to``, ascending), ``marks`` (``number``, ``name``), ``second`` (number of the first
-section in the set for travel in -, or None), ``words``. Of many sections the first and the last two
-are shown, and those about the reference.
+The numbering in the card's document has these keys: ``unit``, ``reference``, ``sections``
+(``number``, ``from``, ``to``, ascending), ``marks`` (``number``, ``name``), ``second`` (number of
+the first section in the set for travel in -, or None) and ``words``. If there are many sections,
+the drawing shows the first two, the last two and those next to the reference.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class _SectionCell(NamedTuple):
     """The texts of one drawn table section: its number, its two ends, its name, and its number in
     the second table (for travel in −).
 
-    ``gap``: sections before it are left out.
+    ``gap``: whether sections before this one are left out of the drawing.
     """
 
     number: str

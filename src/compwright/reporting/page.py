@@ -1,8 +1,8 @@
 """Self-contained HTML pages from templates, with inline figures, no script and no download.
 
-Everything that a document says is escaped by the template engine; control characters, and those
-that turn the direction of writing, stand as their escapes. The pages are well-formed XML as well,
-so that any tool can read them.
+The template engine escapes all text of a document. Control characters, and characters that change
+the direction of writing, are shown as escapes. The pages are also well-formed XML, so that any tool
+can read them.
 """
 
 from __future__ import annotations
@@ -70,10 +70,11 @@ class Figure(Protocol):
 
 def inline_figure(svg: bytes, *, prefix: str, description: str) -> Any:
     """Return an SVG file (from the module `plots`) as markup that can be inserted into an HTML
-    page. ``prefix``: what all its element ids begin with, so that they are unique in the page.
+    page.
 
-    Name spaces and metadata are removed (HTML needs none); ``description`` is the text for screen
-    readers.
+    ``prefix``: the start of all its element ids, which makes them unique in the page.
+    ``description``: the text for screen readers. Name spaces and metadata are removed, because HTML
+    needs none.
     """
     markupsafe = need("markupsafe")
     text = svg.decode("utf-8")
@@ -98,7 +99,8 @@ def inline_figure(svg: bytes, *, prefix: str, description: str) -> Any:
 def _clean(value: Any, language: Language) -> Any:
     """Return a value as page text: translated, with true minus signs except in code.
 
-    Show what no page may hold, in plain text only: markup is ours and clean.
+    In plain text, characters that a page must not contain are shown as escapes. Markup is made by
+    compwright and needs no such change.
     """
     if isinstance(value, Sentence | str) and not hasattr(value, "__html__"):
         worded = type(value) is not str

@@ -14,10 +14,10 @@ from compwright.words.sentences import Sentence, say
 def common(
     view: Document, evaluations: Sequence[tuple[str | Sentence, Document | None]]
 ) -> dict[str, Any]:
-    """Return the contents that every page has: title, machine, control, and the tests, each with a
-    label such as "before". ``view``: the documents and facts that the page shows.
+    """Return the contents that every page has: title, machine, control, and the tests. ``view``:
+    the documents and facts that the page shows.
 
-    ``evaluations``: each with the label of its tests.
+    ``evaluations``: the evaluation documents of the tests, each with a label such as "before".
     """
     title = view.get("title") or "compwright"
     title = title if isinstance(title, Sentence) else plain(title)
@@ -51,7 +51,7 @@ def paper_content(view: Document, results: Sequence[Document]) -> dict[str, Any]
     """Return the contents of a formal report on the tests ``results``: head, text on accreditation,
     and command line. ``view``: the documents and facts that the page shows.
 
-    The wording is for a firm without accreditation.
+    The text on accreditation is that of a firm which is not accredited.
     """
     return {
         "head": paper.head(view.get("report") or {}, results),

@@ -90,7 +90,7 @@ def draw_chart(panel: Any, chart: Chart) -> None:
 def draw_on_axes(panel: Any, chart: Chart) -> Any:
     """Draw a chart into the matplotlib axes ``panel``; None makes new axes. Returns the axes.
 
-    Raises UsageError when the report extra is missing.
+    Raises UsageError if the extra ``report`` is not installed.
     """
     axes = need("matplotlib.pyplot").subplots()[1] if panel is None else panel
     draw_chart(axes, chart)

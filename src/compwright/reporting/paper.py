@@ -44,11 +44,9 @@ _SOURCES: Final = {
 def head(report: Document, evaluations: Sequence[Document]) -> dict[str, Any]:
     """Return the head of a report: rows of name and text, logo, footer, date of the last test.
 
-    ``rows``, the ``logo`` (or None), the ``running`` footer of each printed page, and the ``date``
-    as ISO 8601 writes it (empty where no test states one).
-
-    ``report``: ``number``, ``customer``, ``operator``, ``place`` and ``logo`` (``type``,
-    ``base64``) as far as they are given.
+    The keys are ``rows``, ``logo`` (or None), ``running`` (the footer of each printed page) and
+    ``date`` (ISO 8601, empty if no test states one). ``report``: those of ``number``, ``customer``,
+    ``operator``, ``place`` and ``logo`` (``type``, ``base64``) that are given.
     """
     rows = [
         (say("report.number"), report.get("number")),

@@ -1,11 +1,11 @@
 """Print a page as PDF with typst. It is the same page as the HTML, on A4.
 
-There is no second report: what a page says is in its markup, well-formed XML with the few elements
-and classes that ``templates/style.css`` knows.
+There is no separate report: the PDF is made from the page's markup, which is well-formed XML with
+the few elements and classes in ``templates/style.css``. `pdf_of_page` reads the markup into a tree
+and gives it to ``templates/page.typ`` as JSON, so that no text of a document can become typst code.
 
-`pdf_of_page` reads that markup into a tree and hands it to ``templates/page.typ`` as JSON; no word
-of it becomes source text. PDF/A-2b and PDF/UA-1: typst refuses to write a file that breaks one of
-them. The file carries the date of the test, not of today: the same page gives the same bytes.
+The file is PDF/A-2b and PDF/UA-1; typst refuses to write a file that breaks one of them. The file
+has the date of the test, not of today, so that the same page always gives the same bytes.
 """
 
 from __future__ import annotations

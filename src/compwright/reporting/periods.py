@@ -34,7 +34,7 @@ _RAISED: Final = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 def periods_block(predicted: Document, unit: object) -> dict[str, Any] | None:
     """Return table and figures of an axis's periodic errors, or None if none were searched for.
 
-    ``periods`` and ``period_search`` of an axis of the prediction document.
+    They show ``periods`` and ``period_search`` of an axis of the prediction document.
     """
     periods, search = predicted.get("periods") or [], predicted.get("period_search")
     if not periods and not search:

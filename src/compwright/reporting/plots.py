@@ -17,8 +17,8 @@ _ROW_HEIGHT = 2.9  # inches, of one positioning result
 def evaluation_plot(document: Document, *, format: str = "svg") -> bytes:  # noqa: A002
     """Return one figure with a chart per positioning test, and the circular tests below.
 
-    A circular result with its samples is drawn as by `polar.polar_figure`. Raises UsageError when
-    there is nothing to draw, for an unknown format, or when the report extra is missing.
+    A circular result with its samples is drawn by `polar.polar_figure`. Raises UsageError if there
+    is nothing to draw, for an unknown format, and if the extra ``report`` is not installed.
     """
     kind = known_format(format)
     results = document.get("results", [])

@@ -1,9 +1,9 @@
 """Figures of circular tests: magnified path (ISO 230-4, figures 4 and 5) and ranked causes.
 
-A result is an entry ``kind: circular`` of the evaluation document: deviations µm, angles deg,
-radius mm. The two directions differ by line, width and lightness, so that a print without colours
-can be read. Nothing is evaluated here: paths and zones are only laid about the centre that the
-document names.
+A result is an entry ``kind: circular`` of the evaluation document: deviations in µm, angles in deg,
+radius in mm. The two directions differ by line, width and lightness, so that a print without
+colours can be read. This module evaluates nothing: it only draws paths and zones around the centre
+that the document gives.
 """
 
 from __future__ import annotations
@@ -80,9 +80,9 @@ def polar_figure(
 
     ``result`` needs ``runs`` (``direction``, ``number``, ``angles`` deg, ``deviations`` µm as
     measured), ``axes``, ``nominal_radius``, ``arc``, ``calibrated``, ``centre``,
-    ``mean_radius_deviation``, ``parameters``, ``minimum_zone`` and ``diagnosis`` or null;
-    ``fitted`` (as ``runs``), where it is given, is drawn over the runs. Raises UsageError for an
-    unknown format, when the result holds no runs, or when the report extra is missing.
+    ``mean_radius_deviation``, ``parameters``, ``minimum_zone``, and ``diagnosis`` or null. If it
+    has ``fitted`` (like ``runs``), this is drawn over the runs. Raises UsageError for an unknown
+    format, if the result has no runs, and if the extra ``report`` is not installed.
     """
     kind = known_format(format)
     if not result.get("runs"):
@@ -121,12 +121,12 @@ def draw_test(figure: Any, result: Document, language: Language = "en") -> None:
 
 
 def paths_of(result: Document, centre: tuple[float, float], runs: Sequence[Document]) -> list[Path]:
-    """Return the runs as paths about ``centre`` (µm). Of each direction, the first path is the run
+    """Return the runs as paths around ``centre`` (µm). Of each direction, the first path is the run
     that was evaluated.
 
-    A bar measures from its set-up centre; the commanded angle counts about the programmed one. So a
-    sample lies from the set-up centre in the direction of its commanded point, as in the
-    evaluation.
+    A bar measures from its set-up centre, but the commanded angle is an angle around the programmed
+    centre. Therefore each sample is drawn from the set-up centre in the direction of its commanded
+    point, as in the evaluation.
     """
     radius = float(result["nominal_radius"])
     x, y = (coordinate / _MICROMETRES for coordinate in centre)

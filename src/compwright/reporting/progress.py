@@ -17,7 +17,8 @@ from compwright.reporting.shown import messages_console
 class ProgressBar:
     """A progress bar with one line for each kind of work. It is removed at the end.
 
-    Drawn at each report of progress, without a thread, where the answer then begins.
+    It is drawn at each report of progress, without a thread. The answer of the command is then
+    printed in its place.
     """
 
     def __init__(self) -> None:

@@ -1,12 +1,13 @@
 """The items that standards require in a test report, and from where the statement on each item is
-taken (such as the measurement file).
+taken.
 
-Header keys of the measurement file, the job, or the evaluation itself. Computes nothing.
+A statement is taken from the header keys of the measurement file, from the job, or from the
+evaluation. Nothing is calculated here.
 
 The lists are those of ISO 230-2:1997 and 2006 (7.1), GOST 27843-2006 (8.1) and ISO 230-4:1996 (6,
-with the parameters of 4.4; read as DIN ISO 230-4:1999). ISO 230-2:1988 has no list: its clauses ask
-for single statements. The texts of ISO 230-2:2014, ISO 230-4:2005 and VDI/DGQ 3441 were not at
-hand; `BASIS` says which list serves instead.
+with the parameters of 4.4; read as DIN ISO 230-4:1999). ISO 230-2:1988 has no list, but its clauses
+require single statements. The texts of ISO 230-2:2014, ISO 230-4:2005 and VDI/DGQ 3441 were not
+available; `BASIS` states which list is used instead.
 """
 
 from __future__ import annotations
@@ -49,10 +50,10 @@ _CIRCLE: Final = "iso230-4:1996"
 class ReportItem:
     """One item of a test report: label, clauses of the standards, and source of the statement.
 
-    ``clauses``: clause by edition, of those editions that ask for it. ``headers``: keys of the
-    measurement file in their plain spelling with the unit of a bare number (empty: none); a key
-    ``NAME`` is found as ``NAME_start`` and ``NAME_end`` too. ``given``: what the evaluation itself
-    says. ``kinds``: kinds of test that have the item.
+    ``clauses``: the clause of each edition that requires the item. ``headers``: keys of the
+    measurement file in their plain spelling, with the unit of a number without unit (empty for
+    none); a key ``NAME`` is also found as ``NAME_start`` and ``NAME_end``. ``given``: what the
+    evaluation itself states. ``kinds``: the kinds of test that have the item.
     """
 
     key: str

@@ -1,12 +1,17 @@
 """The report of ``run``: one self-contained HTML page made from documents.
 
-Its view holds ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title``), ``evaluation``
-and ``prediction`` (the documents), ``axes``, ``assumed``, ``findings``, ``files`` (relative names),
-``no_tables`` (None or why), ``version``, ``stated`` (what the job says of its tests: ``axes`` by
-name and test, ``circles`` by name), and what `page_parts.paper_content` shows. Each of ``axes`` (by
-name) holds ``address``, ``kind``, ``unit``, ``estimate``, ``wanted``, ``mode``, ``mode_reason``,
-``certificate``, ``state``, ``predicted_targets`` and ``findings``. Deviations are in µm or arcsec
-as ``unit`` says, positions in mm or deg.
+Its view has these keys:
+
+- ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title``), ``version``, ``files``
+  (relative names).
+- ``evaluation`` and ``prediction``: the documents.
+- ``assumed``, ``findings``. ``no_tables``: the reason why there are no tables, or None.
+- ``stated``: what the job states about its tests: ``axes`` by name and test, ``circles`` by name.
+- ``axes`` by name, each with ``address``, ``kind``, ``unit``, ``estimate``, ``wanted``, ``mode``,
+  ``mode_reason``, ``certificate``, ``state``, ``predicted_targets`` and ``findings``.
+- the keys of `page_parts.paper_content`.
+
+Deviations are in µm or arcsec as ``unit`` states, positions in mm or deg.
 """
 
 from __future__ import annotations
@@ -43,12 +48,10 @@ from compwright.words.sentences import Sentence, say
 
 def run_report(view: Document, each: Each = in_turn) -> bytes:
     """Return the report of ``run`` as HTML: first the verdict, then a section for each axis, the
-    assumptions, the findings, the raw readings, and the files. ``view``: the documents and facts to
-    be shown.
+    assumptions, the findings, the raw readings, and the files. ``view``: see the module.
 
-    ``each``: maps a function over the axes, possibly in parallel.
-
-    Raises UsageError when the report extra is missing.
+    ``each``: applies a function to all axes, possibly in parallel. Raises UsageError if the extra
+    ``report`` is not installed.
     """
     prediction = view.get("prediction") or {}
     axes = {str(name): axis for name, axis in (view.get("axes") or {}).items()}

@@ -1,7 +1,7 @@
 """Parts of a page as rows of text: parameters, tests, findings, assumptions, verdicts.
 
-A table of text is ``{"heads": [{"text", "unit", "numeric"}], "rows": [[str]]}``; a mark is
-``{"tone", "text"}`` with the tones good, bad, open (undecided, or to be looked at) and none.
+A table of text is ``{"heads": [{"text", "unit", "numeric"}], "rows": [[str]]}``. A mark is
+``{"tone", "text"}``, with one of the tones good, bad, open (undecided, or to be checked) and none.
 """
 
 from __future__ import annotations
@@ -246,9 +246,9 @@ def parameter_block(
 ) -> dict[str, Any]:
     """Return a table of parameters, with a column for each source, such as before and predicted.
 
-    Each of ``columns`` has ``title`` and one of ``values`` (parameter -> number), with
-    ``uncertainty`` (parameter -> U) where given, ``quantiles`` (parameter -> median, p05, p95) and
-    ``notes`` (parameter -> word).
+    Each of ``columns`` has ``title`` and either ``values`` (parameter -> number) or ``quantiles``
+    (parameter -> median, p05, p95). It may also have ``uncertainty`` (parameter -> U) and ``notes``
+    (parameter -> word).
     """
     named = {
         key for column in columns for key in column.get("values") or column.get("quantiles") or {}
