@@ -139,10 +139,11 @@ def missing_reading_findings(test: PositioningTest) -> list[Finding]:
 
 
 def zero_traverse_findings(test: PositioningTest) -> list[Finding]:
-    """Return the finding CW-T011 for each traverse of two targets or more whose readings are all
-    exactly zero, and one finding for all other traverses that contain too many zeros in a row.
+    """Return the findings CW-T011 about readings that are exactly zero.
 
-    If reading the file has already given CW-R010, the traverses of zeros are not reported again.
+    There is one finding for each traverse of two targets or more whose readings are all zero. One
+    finding reports all other traverses that contain too many zeros in a row. If reading the file
+    has already given CW-R010, traverses of zeros are not reported again.
     """
     reported = any(finding.code == "CW-R010" for finding in test.findings)
     findings, filled = [], []

@@ -98,12 +98,12 @@ def noted_changes(
 
 
 def _between_tests(others: Sequence[Change]) -> tuple[float, float]:
-    """Return the variance between tests in excess of their standard errors, from the changes
-    ``others`` of the same parameter, and the degrees of freedom of this variance.
+    """Return the variance from test to test, and its degrees of freedom. ``others``: changes of the
+    same parameter between other tests.
 
-    With fewer than four changes, the variance is 0 and the degrees of freedom are infinite.
-    Otherwise the degrees of freedom are two thirds of the number of changes, because neighbouring
-    changes share a test.
+    The variance is the part of the squared changes that exceeds their standard errors. With fewer
+    than four changes, it is 0 and the degrees of freedom are infinite. Otherwise the degrees of
+    freedom are two thirds of the number of changes, because neighbouring changes share a test.
     """
     if len(others) < _LEAST_COMPARISONS:
         return 0.0, math.inf

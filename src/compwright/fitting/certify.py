@@ -85,12 +85,13 @@ def range_gap(
     reached: float,
     box: float,
 ) -> float:
-    """Return an upper bound of the difference between the objective ``reached`` and the minimum of
-    the linear objective c'x over all x with Gx <= h and absolute values up to ``box``.
+    """Return an upper bound of how far the objective ``reached`` exceeds the minimum of a linear
+    program.
 
-    ``cost`` (n,) is c; ``G`` (r, n) and ``h`` (r,) are the limits; ``multipliers`` (r,) are y. By
-    weak duality (Boyd and Vandenberghe 2004, section 5.2.2), c'x >= -h'y + (c + G'y)'x for all y >=
-    0. The last term is at least -box |c + G'y|_1.
+    The program minimises c'x over all x with Gx <= h and absolute values up to ``box``. ``cost``
+    (n,) is c; ``G`` (r, n) and ``h`` (r,) are the limits; ``multipliers`` (r,) are y. By weak
+    duality (Boyd and Vandenberghe 2004, section 5.2.2), c'x >= -h'y + (c + G'y)'x for all y >= 0.
+    The last term is at least -box |c + G'y|_1.
     """
     y = np.maximum(multipliers, 0.0)
     left = float(np.sum(np.abs(cost + G.transposed_times(y))))
@@ -105,18 +106,19 @@ def lattice_certificate(
     magnification: int,
     claimed: tuple[float, float],
 ) -> dict[str, float]:
-    """Return the numbers that prove a table of whole increments (its certificate): the largest
-    violation of a limit, the rms error of the table, and a lower bound of this rms error.
+    """Return the numbers that prove a table of whole increments (its certificate), by name.
     ``claimed``: mean square and its lower bound according to the search, mm² or deg².
 
-    All numbers are in mm or deg, by the following keys. ``primal``: the largest violation of a
-    limit. ``objective``, ``lower_bound``: the square roots of both mean squares. ``recomputed``:
-    the difference between the claimed objective and the objective computed here from the table
-    (exact: `quadrature`, two Gauss points).
+    - ``primal``: the largest violation of a limit, mm or deg.
+    - ``objective``: the rms error of the table, mm or deg, computed here from the table (exact:
+      `quadrature`, two Gauss points).
+    - ``lower_bound``: a lower bound of this error, the square root of the claimed one.
+    - ``recomputed``: the difference between ``objective`` and the claimed rms error.
+    - ``magnification``: the magnification of the table.
 
-    Raises CapacityError if a limit is violated, if the claimed mean square is wrong, or if it is
-    smaller than its lower bound (weak duality: Boyd and Vandenberghe 2004, section 5.2.2). Raises
-    TypeError for a control without whole increments.
+    Raises CapacityError if a limit is violated, if the claimed mean square is wrong, or if the mean
+    square is below its lower bound (weak duality: Boyd and Vandenberghe 2004, section 5.2.2).
+    Raises TypeError for a control without whole increments.
     """
     lattice = capacity.lattice
     if lattice is None:

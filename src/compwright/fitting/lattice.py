@@ -121,8 +121,8 @@ def _tolerance(objective: float, unit: float) -> float:
 def _worth_a_look(
     magnification: int, bound: float, ceiling: float, best: LatticeSolution | None, unit: float
 ) -> bool:
-    """Return whether a magnification with the lower bound ``bound`` can possibly give a better
-    table than the ``best`` table so far and an objective up to ``ceiling``.
+    """Return whether a magnification can give a better table than the ``best`` table so far.
+    ``bound``: a lower bound of its objective; ``ceiling``: the largest objective of interest.
 
     A magnification larger than that of ``best`` must be better by more than `EQUAL`.
     """

@@ -192,12 +192,13 @@ def whole_bounds(
     shifts: FloatArray,
     counts: IntArray,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the distances (n,) of the reversal values ``counts`` (n,), whole numbers of steps,
-    from the optimum, and lower bounds (number of shifts × n,) of the objective over whole numbers
-    for each of the offsets ``shifts`` and reversal values.
+    """Return lower bounds of the objective over whole numbers, and the distance of each reversal
+    value from its optimum.
 
-    The bounds are ordered by offset: first all reversal values with the first offset, then with the
-    next.
+    ``counts`` (n,): reversal values in whole steps; the distances (n,), mm or deg, come first in
+    the result. ``shifts``: offsets, mm or deg. There is one bound for each offset and reversal
+    value, (number of shifts × n,). The bounds are ordered by offset: first all reversal values with
+    the first offset, then with the next.
     """
     step = part.constant[0] if part.constant else 0.0
     distance = counts.astype(np.float64) * step - part.chain.constant

@@ -173,13 +173,13 @@ def fit_whole_increments(
     *,
     address: str,
 ) -> tuple[AxisCompensation, dict[str, float], tuple[Limit, ...], tuple[Finding, ...]]:
-    """Return the table for the correction ``aim`` in this ``shape`` (one curve, or one for each
-    direction), the numbers that prove that it is optimal (certificate), the error that each limit
-    of the control adds, and the finding about the magnification.
+    """Return the best table of whole increments for the correction ``aim``, with its certificate,
+    the error that each limit adds, and the finding about the magnification.
 
-    ``aim``: wanted totals, zero in the zero state, mm or deg. The errors are rms, mm or deg. The
-    table is the exact optimum of the mean square over the travel and both directions. Raises
-    CapacityError if the limits allow no table at all.
+    ``aim``: wanted totals, zero in the zero state, mm or deg. ``shape``: one curve, or one for each
+    direction. The certificate consists of the numbers that prove that the table is optimal. The
+    errors are rms, mm or deg. The table is the exact optimum of the mean square over the travel and
+    both directions. Raises CapacityError if the limits allow no table at all.
     """
     samples, weights = quadrature(aim.positions, grid.nodes, capacity.interpolation)
     rows = rows_at(

@@ -1,8 +1,8 @@
-"""Merge a definition that states only its differences from another definition with that definition;
-the result is checked later.
+"""Merge a definition that states only differences with the definition that it extends; the result
+is checked later.
 
 The rules are in docs/formats.md. Mappings are merged key by key. Everything else, lists included,
-is replaced as a whole. ``without`` removes keys of the extended text before the merge.
+is replaced as a whole. ``without`` removes keys of the extended definition before the merge.
 """
 
 from __future__ import annotations
@@ -46,10 +46,10 @@ class DefinitionText:
         place: str = "",
         hint: str = "",
     ) -> Fault:
-        """Return a fault at a key of the definition, with the file and line of this key or, if it
-        is missing, of the nearest existing key that should contain it.
+        """Return a fault at a key of the definition, with file and line.
 
-        ``place``: text that is shown instead of the key path.
+        The line is that of the key. If the key is missing, it is the line of the nearest existing
+        key that should contain it. ``place``: text that is shown instead of the key path.
         """
         probe = path
         while probe and probe not in self.places:

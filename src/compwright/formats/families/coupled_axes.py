@@ -255,11 +255,11 @@ def find_partners(
     of_job: bool,
     single: Collection[str] = (),
 ) -> None:
-    """Report gantries whose two axes have different tables, and, for a job (``of_job``), axes that
-    have equal tables although the job does not couple them. ``partners``: the slave's address by
+    """Report gantries whose two axes have different tables. ``partners``: the slave's address by
     that of its master; ``read``: the compensations by address.
 
-    ``single``: addresses of axes that, by the files, belong to no gantry.
+    For a job (``of_job``), also report axes that have equal tables although the job does not couple
+    them. ``single``: addresses of axes that, by the files, belong to no gantry.
     """
     compare_partners(partners, read, notes)
     if not of_job:

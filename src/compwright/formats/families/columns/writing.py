@@ -176,11 +176,12 @@ class _OwnTables(Patches):
         self._set(place, f"%{changed:b}" if ambiguous(new) else new)
 
     def _check_other_tables(self, address: str, *, awake: bool) -> None:
-        """Raise NotHeld if the axis' bit in the activation parameter, once changed, would also
-        activate (``awake``) or deactivate columns that correct this axis in tables that follow
-        other axes.
+        """Raise NotHeld if a change of the axis' bit would also change the effect of tables that
+        follow other axes.
 
-        The bit selects every table that corrects the axis, not only the axis' own table.
+        The bit in the activation parameter selects every table that corrects the axis, not only the
+        axis' own table. If it becomes 1 (``awake``), columns of other tables that correct this axis
+        would be activated too. If it becomes 0, they would be deactivated.
         """
         column = self.sources.column_of(address)
         others = [

@@ -62,8 +62,8 @@ _USERS_LENGTHS = 1 << 0 | 1 << 1 | 1 << 11 | 1 << 12
 def basic_system(gathered: Gathered, notes: Notes) -> str | None:
     """Return the length unit of the files, mm or inch. None if they do not state it.
 
-    It is a fault if the files contradict each other, if an inch is not 25.4 mm long, or if
-    positions or compensation values are in a user-defined unit (MD10220).
+    It is a fault if the files contradict each other, or if an inch is not 25.4 mm long. It is also
+    a fault if positions or compensation values are in a user-defined unit (MD10220).
     """
     by_word = _places(gathered)
     if "unit_word" in gathered.definition.bindings and {"mm", "inch"} <= by_word.keys():
