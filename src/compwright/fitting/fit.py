@@ -191,8 +191,11 @@ def _whole_goal(
     capacity: Capacity,
     aim: WantedCorrection,
 ) -> FittedTable:
-    """Return the whole-increment table that is closest to the best table for the ``goal``, or the
-    table ``usual`` of least mean square if simulated tests do not show a gain.
+    """Return the table of whole increments that is closest to the best table for the ``goal``.
+
+    ``wanted``: the wanted correction; ``aim``: the same correction on the points of ``grid``, zero
+    in the zero state. The table ``usual`` has the least mean square. It is returned if simulated
+    tests show no gain.
     """
     scenarios = wanted.scenarios
     if scenarios is None or capacity.lattice is None:

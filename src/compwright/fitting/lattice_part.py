@@ -134,7 +134,9 @@ def _best_distance(part: LatticePart, relaxation: Relaxation) -> float:
 
 
 def binding(part: LatticePart, relaxation: Relaxation, limits: ChainLimits) -> bool:
-    """Return whether the values at the minimum of a lower bound violate a limit."""
+    """Return whether the real-number values that give the lower bound violate one of the
+    ``limits``.
+    """
     values = relaxation.centres(np.array([_best_distance(part, relaxation)]))[0]
     steps, dust = np.diff(values) / (limits.step * part.chain.span), 1e-4
     climbs = np.any(steps > limits.increments[1] + dust) or np.any(

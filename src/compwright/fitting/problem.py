@@ -239,7 +239,9 @@ def sample_correction(
 
 
 def limited_range(capacity: Capacity) -> tuple[float, float]:
-    """Return the value range in whole multiples of the resolution, mm or deg, rounded inward."""
+    """Return the lowest and the highest value that a table point can have, mm or deg: the control's
+    value range, rounded inward to whole multiples of the resolution.
+    """
     quantum = capacity.quantum
     low, high = capacity.value_range
     return (

@@ -303,7 +303,9 @@ def _same(one: AxisCompensation, other: AxisCompensation) -> bool:
 
 
 def _table(gathered: Gathered, address: str) -> set[tuple[tuple[int, Decimal], ...]]:
-    """Return the values of an axis' tables for each measuring system, without tables of zeros."""
+    """Return the different tables of an axis in all measuring systems, each as pairs (point number,
+    value). Tables of zeros are left out.
+    """
     tables = set()
     keys: list[Key] = [key for key in gathered.rows if key[0] == address]
     for key in keys:
