@@ -13,7 +13,7 @@ from compwright.reporting.sections import Document
 def selftest_report(document: Document) -> bytes:
     """Return the page of a self-test document (``compwright/selftest/1``).
 
-    Raises UsageError when the report extra is missing.
+    Raises UsageError if the extra ``report`` is not installed.
     """
     checks = list(document.get("checks") or ())
     wrong = sum(not check["good"] for check in checks)

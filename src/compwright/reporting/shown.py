@@ -1,9 +1,11 @@
 """Safe output on the terminal: control characters in names and comments are made visible.
 
-Documents hold names from files: of programs, axes, sheets, of files themselves. A control character
-in one could colour, erase or rename what the user reads; a character that turns the direction of
-writing could show another name. Cells are made of `Text` or of plain strings, both become visible
-before they are measured; what got past that is caught when it is printed. Loads rich.
+Documents contain names from files: of programs, axes, sheets, and of files themselves. A control
+character in such a name could colour, erase or rename what the user reads. A character that changes
+the direction of writing could show another name.
+
+The cells of a table are `Text` or plain strings. Both are made visible before their width is
+measured, and again when the line is printed. This module loads rich.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """The terminal output of ``run``, ``decode``, ``verify`` and ``demo``.
 
-This module loads rich; whoever serves a command that may not print tables imports it inside a
+This module loads rich. A module for a command that may not print tables must import it inside a
 function.
 """
 

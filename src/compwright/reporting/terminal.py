@@ -1,6 +1,6 @@
 """An evaluation at the terminal, readable from 80 columns on.
 
-This module loads rich; whoever serves a command that may not print tables imports it inside a
+This module loads rich. A module for a command that may not print tables must import it inside a
 function.
 """
 
@@ -55,8 +55,8 @@ def evaluation_tables(
     """Return an evaluation for the terminal: a group of lines per result, then the errors.
     ``targets``: each positioning test has a table of its targets too.
 
-    ``targets`` adds the table per target. A finding that several standards share is shown once per
-    file. Deviations are shown as the document holds them, in µm or arcsec.
+    A finding that several standards have in common is shown once per file. Deviations are shown as
+    in the document, in µm or arcsec.
     """
     shown: list[RenderableType] = []
     shown_codes: dict[str, set[str]] = {}

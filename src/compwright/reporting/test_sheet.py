@@ -25,7 +25,8 @@ def sheet_rows(result: Document, stated: Mapping[str, str | Sentence]) -> list[d
     """Return a row for each item that the standard requires in a test report: its ``key``,
     ``label``, ``value`` and ``clause``. ``stated``: what the job states, by the key of the item.
 
-    Several statements follow one another; none is "not stated".
+    If there are several statements on an item, its value contains all of them. If there is none,
+    the value is "not stated".
     """
     header = _by_key(result.get("header") or {})
     edition = READ_EDITION.get(str(result.get("standard")), "")

@@ -1,7 +1,7 @@
 """The report of ``verify``: one self-contained HTML page made from documents.
 
-Its view is that of `run_report`, with ``verification``, ``evaluation_before`` and
-``evaluation_after`` in the place of the first two documents.
+Its view is that of `run_report`, but with the documents ``verification``, ``evaluation_before`` and
+``evaluation_after`` instead of ``evaluation`` and ``prediction``.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ AFTER_LOADING = say("given.compensation_loaded")
 
 def verify_report(view: Document) -> bytes:
     """Return the report of ``verify`` as HTML: first the verdict, then a section for each axis with
-    its values before, predicted and after loading. ``view``: the documents and facts to be shown.
+    its values before, predicted and after loading. ``view``: see the module.
 
-    Raises UsageError when the report extra is missing.
+    Raises UsageError if the extra ``report`` is not installed.
     """
     verification = view.get("verification") or {}
     axes = {str(name): axis for name, axis in (verification.get("axes") or {}).items()}

@@ -22,9 +22,10 @@ _OTHER: Final = "#c2590c"
 
 
 def worth_block(predicted: Document, unit: object) -> dict[str, Any] | None:
-    """Return the figure of a parameter over the number of table points, or None if not predicted.
+    """Return the figure of a parameter over the number of table points, or None if it is not
+    predicted.
 
-    ``points_worth`` of an axis of the prediction document.
+    It shows ``points_worth`` of an axis of the prediction document.
     """
     sizes, limited = predicted.get("points_worth") or [], predicted.get("limited")
     if len(sizes) < 3 or not limited:

@@ -1,9 +1,10 @@
 """Simulation of a circular test: exact path of two axes with known errors, and ballbar readings.
 
-Lengths mm, angles rad inside and deg at the door, signs as in the outside contract: deviation =
-measured minus commanded, lost motion > 0 lags the direction of motion, squareness > 0 for more than
-90 deg between the positive axes, lag > 0 is late. No first-order formula is used: the two axis
-positions are computed, then their distance from the set-up point.
+Lengths are in mm. Angles are in rad inside the module, and in deg in arguments and results. Signs
+are those of the contract: deviation = measured minus commanded, lost motion > 0 lags the direction
+of motion, squareness > 0 for more than 90 deg between the positive axes, lag > 0 is late. No
+first-order formula is used: the two axis positions are calculated, and from them the distance from
+the set-up point.
 """
 
 from __future__ import annotations
@@ -32,13 +33,15 @@ class CircleAxis:
     """The errors of one of the two axes of a circle, as functions of its commanded position
     relative to the centre.
 
-    ``scale`` (relative, > 0 travels too far). ``lost_motion`` (mm; at u > 0, at u < 0): the axis
-    stays behind by half of it. ``lag`` (s): dead time. ``gain`` (1/s): Kv of a first-order
-    servo, None for an ideal one. ``lateral_play`` (mm): the other axis shifts by half of it toward
-    + while this one moves toward +, toward - while it moves toward -. ``spike`` (mm): outward
-    displacement at a reversal, which decays over ``spike_length`` (mm along the path). ``cyclic``
-    (mm), ``pitch`` (mm), ``phase`` (rad): cyclic * cos(2 pi u / pitch + phase). ``straightness`` k
-    (mm): this axis shifts the other one by k (u/R)^2.
+    - ``scale``: relative, > 0 travels too far.
+    - ``lost_motion`` (mm; at u > 0, at u < 0): the axis stays behind by half of it.
+    - ``lag`` (s): dead time. ``gain`` (1/s): Kv of a first-order servo, None for an ideal one.
+    - ``lateral_play`` (mm): the other axis is displaced by half of it, toward + while this axis
+      moves toward +, and toward - while it moves toward -.
+    - ``spike`` (mm): outward displacement at a reversal, which decays over ``spike_length`` (mm
+      along the path).
+    - ``cyclic`` (mm), ``pitch`` (mm), ``phase`` (rad): cyclic * cos(2 pi u / pitch + phase).
+    - ``straightness`` k (mm): this axis displaces the other one by k (u/R)^2.
     """
 
     scale: float = 0.0
@@ -58,11 +61,13 @@ class CircleAxis:
 class CircleErrors:
     """Errors of a simulated circle that belong to the pair of axes, the set-up or the instrument.
 
-    ``squareness`` beta (rad): actual first = first - beta * second. ``offset`` (mm, both axes):
-    circle centre as seen from the set-up point. ``radius_change`` (mm): read on top in ccw, taken
-    off in cw. ``bar`` (mm): error of the length of the bar, read on top in both. ``noise`` (mm):
-    standard deviation of one sample, independent. ``correlated_noise`` (mm): standard deviation of
-    noise of which each sample keeps the share ``correlation`` (0 <= rho < 1) of the one before.
+    - ``squareness`` beta (rad): actual first = first - beta * second.
+    - ``offset`` (mm, both axes): centre of the circle relative to the set-up point.
+    - ``radius_change`` (mm): added to the readings in ccw, subtracted in cw.
+    - ``bar`` (mm): error of the length of the bar, added in both directions.
+    - ``noise`` (mm): standard deviation of one sample, independent of the others.
+    - ``correlated_noise`` (mm): standard deviation of noise of which each sample keeps the share
+      ``correlation`` (0 <= rho < 1) of the sample before.
     """
 
     first: CircleAxis = field(default_factory=CircleAxis)
@@ -80,9 +85,11 @@ class CircleErrors:
 class CirclePlan:
     """The way a circle is measured: radius, feed, arc, runs.
 
-    ``radius`` mm, ``feed`` mm/min along the path, ``arc`` (start, extent) deg, ``runs`` in each
-    direction, the direction ``first`` run; ``sample_rate`` Hz, None for 1500 samples per turn;
-    ``overshoot`` deg before and after the arc; ``centre`` mm, machine coordinates of both axes.
+    - ``radius`` mm, ``feed`` mm/min along the path, ``arc`` (start, extent) deg.
+    - ``runs``: number of runs in each direction. ``first``: the direction of the first run.
+    - ``sample_rate`` Hz; None for 1500 samples per turn.
+    - ``overshoot`` deg before and after the arc.
+    - ``centre`` mm, machine coordinates of both axes.
     """
 
     name: str = "circle"
@@ -146,12 +153,11 @@ def record_circle(
     ``corrections``: what the control's tables, or errors along the axes, add to the commanded
     positions.
 
-    Samples lie at half steps of the commanded angle: k of N at start + (k + 1/2) extent/N in ccw,
-    mirrored in cw. ``corrections`` (a control's tables, or errors along the axes) are added to the
-    command; what they are in the centre, on the mean of both directions, is taken off, as the
-    set-up point is found there. Noise follows from ``seed`` alone: the same with any errors and
-    corrections. Raises UsageError for a plan of fewer than 4 or more than a million samples a run,
-    or an arc beyond 360 deg.
+    Sample k of N is at the commanded angle start + (k + 1/2) extent/N in ccw, and mirrored in cw.
+    The mean of the corrections at the centre over both directions is subtracted, because the set-up
+    point is determined there. The noise depends on ``seed`` alone, so it is the same with any
+    errors and corrections. Raises UsageError for an arc beyond 360 deg, and for a run of fewer than
+    4 or more than a million samples.
     """
     _check(plan)
     senses: tuple[Sense, Sense] = ("ccw", "cw") if plan.first == "ccw" else ("cw", "ccw")
@@ -327,7 +333,8 @@ def _corrected(
 def _noise(errors: CircleErrors, count: int, rng: np.random.Generator) -> FloatArray:
     """Return simulated noise (count,) mm: independent noise, plus noise correlated between samples.
 
-    First-order autoregressive, stationary from the first sample.
+    The correlated noise is a first-order autoregressive process, stationary from the first sample
+    on.
     """
     white, fresh = rng.standard_normal((2, count))
     rho = errors.correlation

@@ -14,8 +14,8 @@ def to_circular_csv(test: CircularTest, extra: Mapping[str, str] | None = None) 
     """Return ``test`` as plain CSV (UTF-8, LF): angles in deg with six decimals, deviations in µm
     with four. ``extra``: further comment keys with their values.
 
-    Comment keys: what the test's header says, then ``extra``, then those that the test itself
-    fixes. Rows stand run by run in the order of time within each.
+    The comment keys are those of the test's header, then ``extra``, then those that the test itself
+    determines. The rows come run by run, and within a run in the order of time.
     """
     own = {
         "plane": test.plane,
@@ -49,8 +49,8 @@ def to_b5r(recording: CircleRecording, extra: Mapping[str, str] | None = None) -
     """Return ``recording`` as XML like a ``.b5r`` file (UTF-8 with byte order mark), with readings
     in mm and five decimals. ``extra``: ``machine`` and ``serial`` number, if known.
 
-    Printed results (FEATURE, ANALYSIS) and dates are left out: nothing is invented, and the same
-    recording gives the same bytes.
+    The elements of printed results (FEATURE, ANALYSIS) and dates are left out, because a simulation
+    has none. The same recording always gives the same bytes.
     """
     plan = recording.plan
     machine = " ".join(

@@ -25,9 +25,10 @@ class RandomCurve:
     """A random smooth error curve of a given amplitude and length of its waves. The same ``seed``,
     amplitude, length and travel always give the same curve.
 
-    A sum of cosines with normally distributed wave numbers of standard deviation 1/``length``:
-    values about ``length`` (mm or deg) apart are still related, farther ones are not. Over
-    ``travel`` it runs exactly from -``amplitude`` to +``amplitude`` (mm or deg).
+    It is a sum of cosines with normally distributed wave numbers of standard deviation
+    1/``length``. Values up to about ``length`` (mm or deg) apart are similar; values farther apart
+    are not. Over ``travel`` its minimum is -``amplitude`` and its maximum +``amplitude`` (mm or
+    deg).
     """
 
     amplitude: float

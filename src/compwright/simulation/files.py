@@ -15,9 +15,9 @@ def to_csv(test: PositioningTest, extra: Mapping[str, str] | None = None) -> byt
     """Return ``test`` as plain long CSV (UTF-8, LF), deviations in um or arcsec with four decimals.
     ``extra``: further comment keys with their values.
 
-    Comment keys: what the test's header says, then ``extra`` (which goes over it), then axis, cycle
-    and sign, which the test itself fixes. Rows stand traverse by traverse in the order of the run
-    numbers; readings that were not made (NaN) are left out.
+    The comment keys are those of the test's header, overridden by ``extra``, and axis, cycle and
+    sign, which the test itself determines. The rows come traverse by traverse in the order of the
+    run numbers. Readings that were not taken (NaN) are left out.
     """
     unit = test.kind.unit
     keys = {**test.header, **(extra or {})}

@@ -39,12 +39,13 @@ class ScrewError:
 class AxisError:
     """The error of a virtual axis: slope, smooth curve, reversal, scatter and drift.
 
-    ``slope`` is relative (mm per mm, > 0 travels too far), from the axis' reference position.
-    ``reversal`` is the mean of B = mean(+) - mean(-), negative for lost motion, and
-    ``reversal_variation`` is its variation over the travel. ``scatter``: standard deviation between
-    readings. ``drift``: change of the deviation from the first reading of a test to its last;
-    ``expansion``: change of the slope (relative, from the reference position). Both grow in
-    proportion to the number of readings made.
+    - ``slope``: relative (mm per mm, > 0 travels too far), from the axis' reference position.
+    - ``reversal``: the mean of B = mean(+) - mean(-), negative for lost motion.
+      ``reversal_variation``: its variation over the travel.
+    - ``scatter``: standard deviation between readings.
+    - ``drift``: change of the deviation from the first reading of a test to its last.
+      ``expansion``: change of the slope (relative, from the reference position) in the same time.
+      Both grow in proportion to the number of readings.
     """
 
     slope: float = 0.0
@@ -97,7 +98,8 @@ class VirtualAxis:
 class VirtualMachine:
     """A virtual machine: its axes and circles by name.
 
-    ``name``, ``serial`` go into the files; ``format``, ``options``: which control it has.
+    ``name``, ``serial``: written into the files. ``format``, ``options``: the control of the
+    machine and its options.
     """
 
     axes: Mapping[str, VirtualAxis]
@@ -110,10 +112,11 @@ class VirtualMachine:
     def error(self, axis: str, positions: FloatArray, direction: Direction) -> FloatArray:
         """Return the true error at ``positions`` (any shape) reached in ``direction``, mm or deg.
 
-        Without noise, drift and the instrument's datum. Arriving in the axis' ``reference_return``
-        direction the axis shows slope, smooth and screw error alone; arriving in the other
-        direction the reversal comes on top, so that mean(+) - mean(-) is the described B either
-        way. Raises UsageError for an axis that the machine does not have.
+        Noise, drift and the instrument's datum are not included. Approached in the axis' direction
+        ``reference_return``, the error is the sum of slope, smooth curve and screw error.
+        Approached in the other direction, the reversal is added or subtracted, so that mean(+) -
+        mean(-) is the reversal error B of the axis for both values of ``reference_return``. Raises
+        UsageError for an axis that the machine does not have.
         """
         own = self._axis(axis)
         where = np.asarray(positions, dtype=np.float64)
@@ -134,10 +137,9 @@ class VirtualMachine:
         """Return a simulated positioning test of ``axis``, rounded to the instrument's resolution.
         ``correction``: the active correction of the axis, None for no correction.
 
-        Error + correction + scatter + drift + datum.
-
-        ``rng`` gives the scatter and nothing else, so the same seed gives the same readings with
-        any correction. Raises UsageError for an axis that the machine does not have.
+        A reading is the sum of error, correction, scatter, drift and datum. ``rng`` is used for the
+        scatter alone, so the same seed gives the same scatter with any correction. Raises
+        UsageError for an axis that the machine does not have.
         """
         own = self._axis(axis)
         plan = own.test
@@ -225,9 +227,9 @@ class VirtualMachine:
 def _progress(plan: TestPlan) -> tuple[FloatArray, FloatArray]:
     """Return the time of each reading, (m, n) for + and for −, from 0 (first reading) to 1 (last).
 
-    Standard cycle (ISO 230-2:1997 figure 1): a traverse up through all targets, then one down, run
-    after run. Step cycle (annex A): all approaches to one target, alternating + and -, before the
-    next target. A direction that is not measured takes no time.
+    In the standard cycle (ISO 230-2:1997, figure 1) each run is a traverse up through all targets,
+    then one down. In the step cycle (annex A) all approaches to one target, alternating + and -,
+    come before the next target. A direction that is not measured takes no time.
     """
     target, run = np.meshgrid(np.arange(plan.targets.size), np.arange(plan.runs), indexing="ij")
     m, n = target.shape

@@ -97,8 +97,8 @@ _AXIS: Final[Keys] = {
 def read_machine(content: bytes, file: str) -> VirtualMachine:
     """Return the virtual machine that a MACHINE.yaml describes.
 
-    Raises InputError when it is not YAML, and UsageError with every fault at once (file, line, key
-    path, expected, found) when it does not follow the schema.
+    Raises InputError if the file is not YAML. Raises UsageError with every fault at once (file,
+    line, key path, expected, found) if it does not follow the schema.
     """
     document = read_yaml(content, file)
     data = document.data
@@ -404,8 +404,8 @@ def _spread_targets(axis: Axis, count: int, seed: int) -> FloatArray:
     """Return ``count`` targets at a regular interval p, each shifted by a random amount within ±0.3
     p (ISO 230-2, 4.2) and rounded to 0.001 mm or deg.
 
-    They keep a margin of 1 % of the travel from its ends, room to come from either side. The outer
-    targets are moved inward only.
+    They keep a distance of 1 % of the travel from its ends, so that they can be approached from
+    both sides. The first and the last target are shifted inward only.
     """
     low, high = axis.travel
     margin = 0.01 * (high - low)

@@ -1,6 +1,6 @@
 """Random differences between readings: noise, heavy tails, outliers, and shifts of whole traverses.
 
-White noise is what every evaluation hopes for; machines and instruments need not follow.
+Evaluations usually assume white noise. Real machines and instruments also have the other kinds.
 """
 
 from __future__ import annotations
@@ -18,8 +18,9 @@ class TraverseShifts:
     """Standard deviations, mm or deg, of shifts of whole traverses (all readings of a run in one
     direction).
 
-    ``offset``, ``slope`` (mm/mm, deg/deg, about the middle of the travel): drawn for each traverse;
-    ``walk``: the step of the offset from one traverse to the next in the order of the cycle.
+    ``offset``, ``slope`` (mm/mm, deg/deg, around the middle of the travel): drawn for each
+    traverse. ``walk``: the step of the offset from one traverse to the next in the order of the
+    cycle.
     """
 
     offset: float = 0.0
@@ -31,10 +32,11 @@ class TraverseShifts:
 class SimulatedScatter:
     """The scatter of simulated readings, mm or deg.
 
-    ``noise``: standard deviation of a reading at the lower end of the travel; ``noise_negative``:
-    the one of arrivals in -, where it is another; both are ``growth`` times as large at the upper
-    end, linear between. ``tails``: degrees of freedom of Student's t, of which the noise is then
-    the scale. ``outlier_share`` of the readings lie ``outlier_size`` off, to either side.
+    ``noise``: standard deviation of a reading at the lower end of the travel. ``noise_negative``:
+    the same for approaches in -, if it differs. Both increase linearly along the travel, to
+    ``growth`` times their value at the upper end. ``tails``: degrees of freedom of Student's t; the
+    noise is then its scale. ``outlier_share``: the share of readings that are displaced by
+    ``outlier_size`` to either side.
     """
 
     noise: float = 0.0
@@ -54,8 +56,8 @@ class SimulatedScatter:
     ) -> dict[Direction, FloatArray]:
         """Return random scatter of the readings in each direction, (m, runs).
 
-        ``rng`` itself gives the noise, its children all else: what is not asked for changes no
-        other number.
+        ``rng`` itself is used for the noise, and generators made from it for everything else.
+        Therefore a kind of scatter that is switched off does not change the other random numbers.
         """
         tails, outliers, traverses = rng.spawn(3)
         most = max(runs.values())

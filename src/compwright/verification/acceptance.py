@@ -20,11 +20,11 @@ def overall_verdict(
     limits and from the verdicts on how each axis's table was loaded. With ``still_open``, a proof
     is missing, and the verdict cannot be ``good``.
 
-    ``good``: every limit is met, every table is loaded and no proof is missing (``still_open``).
-    ``bad``: a limit is exceeded, or a table is known to be active in another way than planned (not
-    active, inverted, ...). Everything else is ``undecided``: also a verification without a loading
-    verdict, one with a fault of measurement (its values do not describe the machine), and an axis
-    whose table is active at another temperature (``thermal``).
+    ``good``: every limit is met, every table is loaded and no proof is missing. ``bad``: a limit is
+    exceeded, or a table is known to be active in another way than planned (not active, inverted,
+    ...). Everything else is ``undecided``. This includes a verification without a loading verdict,
+    one with a fault of measurement (its values do not describe the machine), and an axis whose
+    table is active at another temperature (``thermal``).
     """
     decided, loaded = set(decisions), set(loadings)
     if "measurement" in loaded:

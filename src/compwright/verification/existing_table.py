@@ -1,8 +1,8 @@
 """Decision whether the existing table was active during the tests, made before a run writes a new
 table.
 
-A test with it on, judged as a test after loading is, against one with it off
-(`verification.loading`).
+A test with the table and a test without it are compared in the same way as a test after loading
+with the tests before (`verification.loading`).
 """
 
 from __future__ import annotations
@@ -28,8 +28,8 @@ class ExistingTableVerdict:
     """The verdict on whether the existing table was active, from one test with the table and one
     test without it.
 
-    ``on``, ``off``: names of the test with it and of the one without it; ``state``: the state in
-    which it should have been active.
+    ``on``, ``off``: names of the test with the table and of the test without it. ``state``: the
+    state of the control in which the table should have been active.
     """
 
     on: str

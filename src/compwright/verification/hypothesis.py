@@ -1,10 +1,12 @@
 """Hypotheses about how a table was loaded: correctly, not at all, or with a fault.
 
 A correction is what the control adds to the command, table and backlash compensation together. A
-constant common to both directions is the instrument's datum and does not count; a difference
-between the directions does. Weights are prior odds against the loaded table (weight 1). Several
-variants may share one name; a family with many variants (a cut at any node) shares its weight among
-them. mm or deg.
+constant that both directions have in common is the instrument's datum and is ignored; a difference
+between the directions is not.
+
+The weight of a hypothesis is its prior probability divided by that of a correctly loaded table.
+Several variants may have the same name. If a name has many variants (such as a cut at any point),
+they share its weight. All lengths are in mm or deg.
 """
 
 from __future__ import annotations
@@ -36,12 +38,15 @@ RARE: Final = 0.05
 class Hypothesis:
     """One hypothesis about how a table was loaded, such as with the wrong sign.
 
-    ``positive``, ``negative`` (m,): the correction then, minus the correction that the expected
-    deviation contains; ``free`` (2, m): a further difference, times a standard normal number.
-    ``weight``: prior odds against the loaded table. ``slack``: standard deviation of a factor on
-    the change. ``sloped``: with a slope over the positions of any size. ``inner``: the loaded table
-    is its limit (a cut near the end, a factor near one), where it has no name of its own. ``read``:
-    for a fault of measurement, the state of the table.
+    - ``positive``, ``negative`` (m,): the correction under the hypothesis minus the correction that
+      the expected deviation contains.
+    - ``free`` (2, m): a further difference, multiplied by an unknown standard normal number.
+      ``slack``: standard deviation of an unknown factor on the change. ``sloped``: an unknown slope
+      over the positions, of any size, is added.
+    - ``weight``: the prior probability divided by that of a correctly loaded table.
+    - ``inner``: the correctly loaded table is its limit (a cut near the end, a factor near one),
+      and there it has no name of its own.
+    - ``read``: for a fault of measurement, the state of the table.
     """
 
     name: LoadingName
@@ -68,11 +73,12 @@ class Hypothesis:
 class Loading:
     """The planned table, and the state of the control before it was loaded.
 
-    ``new``: planned; ``old``: in the control before, active or not; ``active_before``: in the
-    tests before, from which the expected deviation comes; ``others``: tables planned for other
-    axes, by name.
-    ``always``: by direction, the correction that is active in the test in any case (m,).
-    ``read_back``: the values read back from the control are the planned ones.
+    - ``new``: the planned table. ``old``: the existing table, active or not.
+    - ``active_before``: the correction that was active in the tests before loading, from which the
+      expected deviation comes.
+    - ``others``: the tables planned for other axes, by name.
+    - ``always`` (m,): by direction, the correction that is active in the test in any case.
+    - ``read_back``: whether the values read back from the control are the planned ones.
     """
 
     new: AxisCompensation

@@ -23,8 +23,9 @@ Held = dict[Direction, FloatArray]  # values at the nodes (k,)
 class HypothesisBuilder:
     """Builder of the hypotheses about one loading, for one set of targets.
 
-    ``table``: the planned table alone, ``own`` (2, m): its correction; ``stay``: the correction of
-    other tables, which stay in any case; ``old`` and ``old_backlash``: the correction before.
+    ``table``: the planned table alone. ``own`` (2, m): its correction. ``stay``: the correction of
+    other tables, which stay in any case. ``old``, ``old_backlash``: the correction before loading,
+    and its backlash.
     """
 
     def __init__(self, loading: Loading, targets: FloatArray) -> None:

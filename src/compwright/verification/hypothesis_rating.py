@@ -1,7 +1,7 @@
 """The probability of each hypothesis about how the table was loaded, given a test after loading.
 
-All unknowns are integrated, none is fitted (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995): a name
-wins by probability, not by more adjustable values.
+All unknowns are integrated and none is fitted (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995).
+Therefore a hypothesis with more adjustable values has no advantage.
 """
 
 from __future__ import annotations
@@ -35,8 +35,9 @@ _SEEN: Final = 3.0
 class RatedHypothesis:
     """A hypothesis with its probability, given a test after loading.
 
-    ``expected`` (2, m), the best-fitting noise-free test; ``probability``; ``score`` of the
-    residual; slope and factor with their standard errors.
+    ``expected`` (2, m): the best-fitting test without noise. ``score``: the size of the residual as
+    a standard normal value. ``slope`` and ``factor``: the fitted slope and factor, each with its
+    standard error.
     """
 
     hypothesis: Hypothesis
@@ -57,7 +58,8 @@ def rate_hypotheses(
     planned change of the correction that the test shows. ``slope``: the standard deviation (mm/mm)
     of a slope by temperature, None if there cannot be one.
 
-    1 is loaded, 0 not active; with its standard error (inf: the test cannot show it).
+    The fraction is 1 for a loaded table and 0 for one that is not active. It comes with its
+    standard error (inf if the test cannot show it).
     """
     found: list[RatedHypothesis] = []
     effect = (0.0, math.inf)
@@ -92,7 +94,7 @@ def _rated_by(
     """Return the hypothesis ``way`` together with its likelihood and with the test that the
     hypothesis predicts. ``index``: the row of the hypothesis in ``fits``.
 
-    The probability is 0 until all hypotheses are rated.
+    The probability in the result is 0; it is set when all hypotheses are rated.
     """
     expected = view.belief.mean + way.change
     amount = float(fits.amount[index, 0]) if way.free is not None else 0.0
@@ -118,8 +120,8 @@ def _relevant(after: AfterMeans, rated: Sequence[RatedHypothesis]) -> list[Rated
     """Return the hypotheses with their weights; those that this test cannot distinguish from
     ``loaded`` or ``not_active`` get a smaller weight.
 
-    The weight is reduced by the square of the distance, up to `_SEEN` standard errors: such
-    hypotheses change nothing that the test could show.
+    The weight is reduced by the square of the distance, up to `_SEEN` standard errors. Such
+    hypotheses would not change what the test shows.
     """
     ends = [
         next((each for each in rated if each.name == name), None)

@@ -2,12 +2,14 @@
 
     mean of cell i = deviation before + change of the correction + datum (+ slope) + noise
 
-The deviation before is a normal belief (`ErrorBelief`), the noise a mixture of equally likely draws
-(`AfterMeans`). The datum is common to both directions, with a flat prior; everything else that is
-not known has a normal prior and is integrated (Rasmussen and Williams, Gaussian Processes for
-Machine Learning, 2006, section 2.7). Covariances are blocks of both directions at one target and a
-matrix of low rank (Woodbury; Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 2.1.4):
-time and memory grow in proportion to the targets. mm or deg.
+The deviation before loading has a normal distribution (`ErrorBelief`). The noise is a mixture of
+equally probable draws (`AfterMeans`). The datum is common to both directions and has a flat prior.
+All other unknowns have normal priors and are integrated (Rasmussen and Williams, Gaussian Processes
+for Machine Learning, 2006, section 2.7).
+
+A covariance is the sum of blocks for both directions at one target and of a matrix of low rank
+(Woodbury; Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 2.1.4). Therefore time and
+memory grow in proportion to the number of targets. All lengths are in mm or deg.
 """
 
 from __future__ import annotations
@@ -45,8 +47,8 @@ _MANY_CELLS: Final = 800
 class ErrorBelief:
     """The expected deviation at m targets, as a normal distribution in both directions.
 
-    ``mean`` (2, m) in + and -; covariance ``root`` root' (root (2, m, r)), and ``blocks`` (m, 2, 2)
-    of both directions at one target.
+    ``mean`` (2, m): in + and -. The covariance is ``root`` root', with ``root`` (2, m, r), plus
+    ``blocks`` (m, 2, 2), one of both directions for each target.
     """
 
     mean: FloatArray
@@ -96,12 +98,16 @@ def belief_of(positive: FloatArray, negative: FloatArray) -> ErrorBelief:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AfterMeans:
-    """The mean readings of a test at m targets, under each of J equally likely draws of its noise.
+    """The mean readings of a test at m targets, under each of J equally probable draws of its
+    noise.
 
-    ``mean``, ``precision`` (J, 2, m): weighted means and their inverse variances, 0 where there is
-    no reading; ``columns`` (J, 2, m, q): what else is common to them, of unit variance. ``plain``
-    (2, m): the means as the standard has them, NaN where there is none. ``sigma``: standard
-    deviation of one reading; ``readings``: their mean number per cell; ``targets`` (m,).
+    - ``mean``, ``precision`` (J, 2, m): weighted means and their inverse variances, 0 if there is
+      no reading.
+    - ``columns`` (J, 2, m, q): q patterns of noise that the means have in common, each of unit
+      variance.
+    - ``plain`` (2, m): the means as defined in the standard, NaN if there is none.
+    - ``sigma``: standard deviation of one reading. ``readings``: their mean number per target and
+      direction. ``targets`` (m,).
     """
 
     targets: FloatArray
@@ -203,8 +209,8 @@ class Curves:
     deviation, mm or deg.
 
     ``change`` (2, m, H): the correction minus the one that the expected deviation contains.
-    ``free``: by the number of a curve, a direction (2, m) in which it may differ further by a
-    standard normal amount. ``slack`` (H,): standard deviation of the factor on the change.
+    ``free``: for the number of a curve, a pattern (2, m) that is added with an unknown standard
+    normal factor. ``slack`` (H,): standard deviation of the factor on the change.
     """
 
     change: FloatArray
@@ -217,10 +223,10 @@ class Fits:
     """How well each of H curves fits a test: its log likelihood, its residual, the fitted slope,
     and the fitted unknown amount (such as an unknown factor on the table).
 
-    ``log_likelihood`` (H,): of the means, integrated over all unknowns. ``score`` (H,): the
-    residual, as an equally improbable standard normal value. ``slope`` (H, 2): slope of the test
-    relative to the curve, with its standard error, mm/mm; ``amount`` (H, 2): the unknown amount,
-    with its standard error, both 0 where there is none.
+    ``log_likelihood`` (H,): that of the means, integrated over all unknowns. ``score`` (H,): the
+    size of the residual, as the standard normal value that is equally improbable. ``slope`` (H, 2):
+    slope of the test relative to the curve, with its standard error, mm/mm. ``amount`` (H, 2): the
+    unknown amount with its standard error, both 0 if there is none.
     """
 
     log_likelihood: FloatArray
@@ -322,9 +328,9 @@ def _products(
     the residuals ``left`` (n, H). Its three unknowns: the factor on ``change``, the amount of
     ``free``, and the factor on ``slope``.
 
-    Score (H, 3): products of the residuals ``left`` with the three whitened curves; matrix (H, 3,
-    3): products of these with each other. ``free`` (n, f): the curves with a free amount of the
-    hypotheses ``numbers``.
+    The right-hand side (H, 3) holds the products of the residuals with the three whitened curves,
+    the matrix (H, 3, 3) those of the curves with each other. ``free`` (n, f): the curves with a
+    free amount of the hypotheses ``numbers``.
     """
     count = change.shape[1]
     score, inner = np.zeros((count, 3)), np.zeros((count, 3, 3))
@@ -376,7 +382,8 @@ def _amounts(score: FloatArray, square: FloatArray) -> FloatArray:
 def _score(chi2: FloatArray, dof: float) -> FloatArray:
     """Return the standard normal value that is as improbable as the value ``chi2`` of chi-square.
 
-    Wilson and Hilferty, Proc. Natl. Acad. Sci. 17 (1931) 684: its cube root is nearly normal.
+    The cube root of chi-square is nearly normal (Wilson and Hilferty, Proc. Natl. Acad. Sci. 17,
+    1931, 684).
     """
     spread = 2.0 / (9.0 * dof)
     score: FloatArray = (np.cbrt(np.maximum(chi2, 0.0) / dof) - 1.0 + spread) / math.sqrt(spread)
@@ -387,8 +394,9 @@ def _score(chi2: FloatArray, dof: float) -> FloatArray:
 class _Whitener:
     """The inverse root of a covariance matrix, which turns correlated values into independent ones.
 
-    Of blocks (Cholesky factors ``low`` (m, 3) of 2 x 2) and low rank: ``base`` (2m, r) orthonormal,
-    ``shrink`` (r,). ``log_det``: logarithm of its determinant.
+    The matrix is the sum of blocks and of a matrix of low rank. ``low`` (m, 3): Cholesky factors of
+    the 2 x 2 blocks. ``base`` (2m, r): orthonormal. ``shrink`` (r,): the factors in these
+    directions. ``log_det``: logarithm of the determinant.
     """
 
     low: FloatArray

@@ -1,12 +1,13 @@
-"""Decision whether the table was loaded: the test after loading is compared with every hypothesis.
+"""Decision whether the table was loaded: the test after loading is compared with every hypothesis
+(`verification.loading_hypotheses`), by the joint likelihood of the tests before and after.
 
-`verification.loading_hypotheses`, by joint likelihood of the tests before and after.
+The deviation before loading is estimated from the tests before, with its uncertainty, so that the
+noise of both tests is counted. A simple regression of after minus before on the correction would be
+biased, because the noise of the test before is in both.
 
-The deviation before is an expectation with uncertainty, from the tests before. So the noise of both
-sides counts; a plain regression of after minus before on the correction is biased, because the
-noise of the test before is in both. The instrument's datum is free, once per test: one per
-direction would hide a fault of the backlash. All unknowns are integrated, none is fitted (Kass and
-Raftery, J. Am. Stat. Assoc. 90, 1995): a name wins by probability, not by more adjustable values.
+The instrument's datum is one unknown per test. One unknown per direction would hide a fault of the
+backlash. All unknowns are integrated and none is fitted (Kass and Raftery, J. Am. Stat. Assoc. 90,
+1995). Therefore a hypothesis with more adjustable values has no advantage.
 """
 
 from __future__ import annotations
@@ -60,16 +61,16 @@ def judge_loading(
     Each of the ``views`` contains an expected deviation and the hypotheses that start from it;
     ``further`` makes more of them, used if no hypothesis without a fault fits.
 
-    The first view is the test as given; its first hypotheses of the names ``loaded`` and
+    The first view is the test as given. Its first hypotheses with the names ``loaded`` and
     ``not_active`` give the numbers of the message. ``declared_slope``: standard deviation, mm/mm,
-    of a slope between the tests from the declared temperature uncertainty; None where no
-    temperature makes a slope (angles). ``read_back``: the values read back from the control are
-    those of the plan.
+    of a slope between the tests from the declared temperature uncertainty; None if temperature
+    makes no slope (angles). ``read_back``: whether the values read back from the control are those
+    of the plan.
 
-    A name is given where its variants, with those within one standard error of it (norm of the
-    difference of the noise-free tests, each less its mean, over s √(2/n)), have `CLEAR` of the
-    probability and the test fits it. Else the verdict is ``undecided``; where nothing fits, with
-    the finding CW-V001.
+    A name is given if the test fits it, and if its variants, together with all hypotheses within
+    one standard error of them, have the probability `CLEAR`. The distance is the norm of the
+    difference of the noise-free tests, each minus its mean, in units of s √(2/n). Otherwise the
+    verdict is ``undecided``. If no hypothesis fits, there is also the finding CW-V001.
     """
     if after.count < 3:  # one value is the datum's: too little would be left to contradict
         return LoadingVerdict(

@@ -35,10 +35,10 @@ class ShownTest:
     """The measured mean deviations of a test and those expected with and without the new table,
     from which the sentences of a verdict are made.
 
-    ``means`` (2, m) in + and - at ``targets``, NaN where there is none; ``noise`` of a reading; the
-    means expected with the new table and without it. ``effect``: which part of their difference the
-    test shows, with its standard error. ``read_back``: the values that were read back from the
-    control equal the planned values. mm or deg by ``unit``.
+    ``means`` (2, m): in + and - at ``targets``, NaN if there is none. ``noise``: standard deviation
+    of a reading. ``effect``: the part of the difference between the expected means that the test
+    shows, with its standard error. ``read_back``: whether the values that were read back from the
+    control equal the planned values. All are in mm or deg by ``unit``.
     """
 
     means: FloatArray
@@ -224,11 +224,10 @@ def open_message(
     shown: ShownTest, candidates: Sequence[Candidate], unexplained: FloatArray | None
 ) -> Sentence:
     """Return the sentence of an undecided verdict, with the smallest change of the correction that
-    such a test could detect. ``unexplained``: the test that the most probable verdict predicts,
-    None if the test fits it.
+    such a test could detect.
 
-    ``unexplained`` (2, m): the test that the most probable name would show, where the remaining
-    difference is more than noise; None where the name fits.
+    ``unexplained`` (2, m): the test that the most probable verdict predicts, if the remaining
+    difference is more than noise; None if the test fits that verdict.
     """
     error = shown.effect[1]
     needed = shown.size * VISIBLE * error if math.isfinite(error) else 0.0

@@ -1,8 +1,8 @@
 """Choice of the name of a loading verdict (such as ``loaded`` or ``inverted``) by the probabilities
 of the hypotheses, and the other names that remain possible.
 
-The most probable one, those that no test can distinguish from it, and those that this test leaves
-open.
+The other names are those that no test can distinguish from the most probable one, and those that
+this test does not distinguish.
 """
 
 from __future__ import annotations
@@ -38,11 +38,13 @@ class NamedLoading:
     """The name of a loading verdict that a test supports, and the other names that the test does
     not exclude.
 
-    ``best``: the most probable hypothesis of the most probable name; ``fits``: whether the test
-    fits it. ``together``: probability of that name and of everything within one standard error of
-    it, whose names are ``equivalent``; ``near``: names that this test hardly distinguishes from it.
-    ``margin``: logarithm of the odds over the most probable other name. ``hidden``: loaded or not,
-    the test would be the same.
+    - ``best``: the most probable hypothesis of the most probable name. ``fits``: whether the test
+      fits it.
+    - ``equivalent``: the names of all hypotheses within one standard error of it. ``together``: the
+      probability of all these.
+    - ``near``: names that this test hardly distinguishes from it.
+    - ``margin``: logarithm of the odds against the most probable other name.
+    - ``hidden``: the test would be the same whether the table is loaded or not.
     """
 
     best: RatedHypothesis
@@ -139,9 +141,9 @@ def _equivalent(
     """Return the names of verdicts that no test could distinguish from the ``best`` hypothesis.
     ``far``: the distance of each ``rated`` hypothesis from the best one, in standard errors.
 
-    A hypothesis whose limit is the loaded table, or none, is no other name there (a factor near
-    one, a cut near an end, a small slope); nor is an unknown factor for an inverted table, whose
-    factor is -1.
+    Two kinds are left out. One is a hypothesis near its limit, where it equals a loaded table or no
+    table (a factor near one, a cut near an end, a small slope). The other is an unknown factor of
+    about -1 if the best hypothesis is an inverted table.
     """
     limit = best.name in ("loaded", "not_active")
     found: dict[LoadingName, None] = {}
@@ -163,8 +165,8 @@ def _near(far: FloatArray, rated: Sequence[RatedHypothesis]) -> tuple[LoadingNam
     one. ``far``: the distance of each ``rated`` hypothesis from the most probable one, in standard
     errors.
 
-    Left out: variants that can come arbitrarily close (a cut near an end, an unknown factor or
-    slope), and faults of measurement.
+    Variants that can come arbitrarily close (a cut near an end, an unknown factor or slope) and
+    faults of measurement are left out.
     """
     return tuple(
         dict.fromkeys(

@@ -55,8 +55,8 @@ def unit_cases(view: MeasurementCase, louder: float) -> tuple[MeasurementCase, .
     """Return the cases that the table is loaded and the test was recorded in a wrong unit.
     ``louder``: the noise of the test divided by that of the tests before loading.
 
-    Readings in another unit scatter by as much more: honest noises differ by a factor of two or so
-    (normal law of its logarithm).
+    A wrong unit multiplies the scatter by the same factor as the readings. In tests with the right
+    unit, the noise differs by a factor of about two (normal distribution of its logarithm).
     """
     stood = [each for each in view.hypotheses if each.name == "loaded"]
     views = []

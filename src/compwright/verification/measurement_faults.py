@@ -1,7 +1,8 @@
 """Check whether the test after loading is credible, by comparison with the first test of its axis.
 
-A named fault (`measurement_fault`) is certain: only a fault of the measurement gives such readings.
-A doubt (`doubts_of_test`) is a missing proof; each names the measurement that gives it. mm or deg.
+A named fault (`measurement_fault`) is certain, because only a fault of the measurement gives such
+readings. A doubt (`doubts_of_test`) states that a proof is missing, and which measurement would
+give it. All lengths are in mm or deg.
 """
 
 from __future__ import annotations
@@ -136,8 +137,8 @@ def _scatter_alike(after: PositioningTest, first: PositioningTest) -> tuple[floa
     """Return the correlation of the scatter in two tests at the same targets, with its degrees of
     freedom; 0, 0 if undefined.
 
-    Scatter: readings less the mean of their target and less the straight line of their run, because
-    a drift over the runs may well be the same in two honest tests.
+    The scatter is the readings minus the mean of their target and minus the straight line of their
+    run. The line is removed because a drift over the runs may be the same in two true tests.
     """
     pairs = []
     for side in Direction:
@@ -194,9 +195,10 @@ def noise_odds(
     """Return ``quiet`` if the scatter ``s`` is implausibly small compared with that of the first
     test, ``loud`` if it is implausibly large, else an empty text.
 
-    Too quiet: even with a third of the first test's noise, a scatter this small would appear less
-    than once in 1000 tests (ratio of two variances, Paulson's normal score). Too loud: the same
-    with three times the noise. With few degrees of freedom neither is possible.
+    Too small means: even if the noise were a third of that of the first test, a scatter this small
+    would occur less than once in 1000 tests (ratio of two variances, Paulson's normal score). Too
+    large is defined in the same way with three times the noise. With few degrees of freedom neither
+    is possible.
     """
     if min(dof, dof_first) < 1.0 or s_first <= 0.0:
         return ""
@@ -208,12 +210,11 @@ def noise_odds(
 
 
 def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
-    """Return the standard normal value that is as improbable as a variance ratio (F).
+    """Return the standard normal value that is as improbable as a variance ratio (F) of ``dof`` and
+    ``noise_dof`` degrees of freedom.
 
-    Of ``dof`` and ``noise_dof`` degrees of freedom.
-
-    Paulson, Ann. Math. Statist. 13 (1942) 233: the cube root of F is nearly normal. With exactly
-    known noise this is the approximation of Wilson and Hilferty for chi-square / dof.
+    The cube root of F is nearly normal (Paulson, Ann. Math. Statist. 13, 1942, 233). If the noise
+    is exactly known, this is the approximation of Wilson and Hilferty for chi-square / dof.
     """
     a, b = 2.0 / (9.0 * dof), 2.0 / (9.0 * noise_dof)
     root = math.cbrt(max(ratio, 0.0))
@@ -221,10 +222,9 @@ def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
 
 
 def proof_findings(after: PositioningTest, first: PositioningTest) -> list[Finding]:
-    """Return the findings that a test after loading is only weak evidence: targets of the first
-    test are missing (CW-V020), or the noise is implausible (CW-V021).
-
-    Both are relative to the ``first`` test.
+    """Return the findings that a test after loading is only weak evidence: targets of the ``first``
+    test are missing (CW-V020), or the noise is implausible compared with the ``first`` test
+    (CW-V021).
     """
     return [*_coverage(after, first), *_noise(after, first)]
 
@@ -291,10 +291,10 @@ def file_disagreement(parts: Sequence[PositioningTest]) -> tuple[PositioningTest
     """Return the file whose mean deviations differ most from those of the first file of the same
     test, with the difference as text; None if all files agree.
 
-    Two files differ where their means at the same targets and directions are more than `_BELIEVED`
-    times the scatter of a reading within the files apart: another datum, or another correction. The
-    means of both would describe no existing machine. Not judged where the readings do not repeat
-    within a file.
+    Two files differ if their means at the same targets and directions differ by more than
+    `_BELIEVED` times the scatter of a reading within the files. They then have another datum or
+    another correction, and their common mean would describe no existing machine. Files without
+    repeated readings are not compared.
     """
     scatter = [pooled_scatter(part) for part in parts]
     dof = sum(each for _, each in scatter)

@@ -1,12 +1,14 @@
 """Requirements of a verification in addition to the limits: the right plan, tests of all planned
 axes, and credible tests.
 
-A plan of this very job, every planned axis, and tests that prove something.
+The plan must belong to this job, every planned axis must be measured, and the tests must be strong
+enough as evidence. Findings of the evaluation follow a rule (``docs/commands.md``, "What good
+needs"):
 
-The rule for the findings of the evaluation (``docs/commands.md``, "What good needs"): a warning
-about the readings of the test after loading makes the verdict undecided; a warning about how the
-test was planned does so where the first test did not have it already; warnings that can only make
-the values larger (drift, an outlying traverse or reading) do not change it.
+- A warning about the readings of the test after loading makes the verdict undecided.
+- A warning about how the test was planned does so if the first test did not have this warning.
+- A warning that can only increase the values (drift, an outlying traverse or reading) does not
+  change the verdict.
 """
 
 from __future__ import annotations
@@ -59,7 +61,8 @@ def changed_limits(job: Job, plan: Plan) -> Iterator[Finding]:
     """Yield the finding CW-V022 if limits, standard, decision rule or declared uncertainty changed
     since the run.
 
-    An uncertainty declared after the measurement could explain any slope.
+    The uncertainty is compared because one that is declared after the measurement could explain any
+    slope.
     """
     if job.standard != plan.standard:
         yield _changed("standard", plan.standard, job.standard)
@@ -133,8 +136,8 @@ def not_measured(
     """Yield the finding CW-V023 for each planned or limited axis or circle that was not measured
     after loading.
 
-    ``axes``: the measured ones, each with the name of the test that was repeated; ``circles``: the
-    circular tests after loading by the name of those before.
+    ``axes``: the measured axes, each with the name of the test that was repeated. ``circles``: the
+    circular tests after loading, by the name of the tests before.
     """
     for name, entry in plan.axes.items():
         limited = name in job.axes and job.axes[name].accept is not None

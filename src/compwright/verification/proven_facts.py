@@ -46,8 +46,8 @@ def proven_axis(
     ``backlash``: the plan changed the backlash value; ``two_curves``: the table has one curve for
     each direction.
 
-    That a fact is probable beforehand is no proof. ``loading``: the verdict as in its document;
-    ``sign_odds`` from `sign_odds`.
+    ``loading``: the loading verdict as in its document. ``sign_odds``: the result of the function
+    `sign_odds`. A fact that is only probable beforehand is not proven.
     """
     doubted = {
         *loading["equivalent"],
@@ -75,11 +75,10 @@ def sign_odds(
     each measured direction, the means expected with the table, those without it, and those measured
     after loading; ``scatter``: the standard deviation of a measured mean.
 
-    All arrays are (m,).
-
-    With the opposite sign, the test would show 2·before - expected; both less a free datum common
-    to both directions. The variance of that expectation is taken as five times as large, the upper
-    bound from doubling the mean of the test before: the odds are rather too small.
+    All arrays are (m,). With the opposite sign, the test would show twice the means without the
+    table minus the expected ones. A free datum common to both directions is subtracted from both.
+    The variance of that expectation is taken as five times as large, which is the upper bound for
+    doubling the mean of the test before. Therefore the odds are too small rather than too large.
     """
     if not curves:
         return 0.0

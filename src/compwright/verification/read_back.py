@@ -30,8 +30,9 @@ def judge_read_back(
     """Return the verdict on the values read back (``loaded``) compared with the plan, mm or deg.
     ``old``: the values in the control before.
 
-    The first explanation that is exact (within `SAME`) everywhere counts; a table of zeros explains
-    nothing.
+    The mistakes of loading are tried in a fixed order. The verdict is the first one that explains
+    the values exactly (within `SAME`) at all positions. A table of zeros explains nothing.
+    ``nodes``, ``spacing``: the planned table points and their interval.
     """
     where = nodes if nodes.size > 1 else np.array([-100.0, 0.0, 100.0])
     wish = {side: planned(where, side) for side in Direction}
@@ -60,7 +61,8 @@ def _cause(cause: str, *, backlash: bool = True) -> SentenceText:
 class _Mistake:
     """A possible mistake of loading: the correction after it, and the sentences that state it.
 
-    ``apart``: the sentence if it explains all but a constant for each direction.
+    ``apart``: the sentence that is used if the mistake explains the values except for a constant in
+    each direction.
     """
 
     verdict: str

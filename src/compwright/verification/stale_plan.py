@@ -20,11 +20,11 @@ def stale_plan(
     job: Job, plan: Plan, file: str, *, options: Mapping[str, object], read: ReadAgain
 ) -> list[Fault]:
     """Return a fault for each difference between the job and the inputs from which the plan was
-    made. Limits are not compared. ``read``: a function that reads a test of the job again from its
-    files.
+    made. Limits are not compared.
 
-    ``options``: those of the job, with the values that it leaves to the control; ``read`` returns
-    None where the files are gone.
+    ``options``: those of the job, with the values that it leaves to the control. ``read``: a
+    function that reads a test of the job again from its files; it returns None if the files no
+    longer exist.
     """
     differences = [
         *_axes_differ(job, plan, read),

@@ -4,16 +4,16 @@ and becomes text by the template of a language.
 A template is text with fields. ``{name}`` inserts a value, in the form behind a colon:
 
 - a number format of Python (``.2f``, ``+.1f``, ``g``, ``.0%``), or ``2sig``: significant digits,
-  never an exponent; ``+2sig`` with its sign
-- ``key``: number as the value of a key in the job, with a decimal point in every language
-- ``odds``: odds to 1, one significant digit, beyond a million no number
-- ``and``, ``join|; ``: what joins the items of a list; by default commas, each item in the number
-  format that is given
-- ``plural|target|targets``: the form for this number, as many forms as the language has
-- ``if|text|other text``: text where there is a value that is not zero or empty
+  never an exponent; ``+2sig``: with its sign
+- ``key``: a number as the value of a key in the job, with a decimal point in every language
+- ``odds``: odds to 1, one significant digit; no number beyond a million
+- ``and``, ``join|; ``: the text between the items of a list; by default commas, each item in the
+  number format that is given
+- ``plural|target|targets``: the form for this number; a language may have more than two forms
+- ``if|text|other text``: the first text if the value is not zero or empty, else the other
 - ``capital``: a text with its first letter as a capital
-- ``choose|key=text|other key=text|=text``: text by a value, the one without a key for any other
-  value; each text may contain fields
+- ``choose|key=text|other key=text|=text``: the text of the key that equals the value; the text
+  without a key is for any other value. Each text may contain fields
 """
 
 from __future__ import annotations

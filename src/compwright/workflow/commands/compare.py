@@ -52,7 +52,7 @@ class CompareOutcome:
 def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
     """Return how files that were read back from the control differ from a plan.
 
-    Raises UsageError for a plan without tables, InputError for files that cannot be read,
+    Raises UsageError for a plan without tables. Raises InputError for files that cannot be read,
     contradict themselves or contain no data of an axis of the plan.
     """
     plan = read_plan(storage.read_bytes(session, plan_file, PLAN), str(plan_file))
@@ -149,7 +149,8 @@ def _found(
     """Return, for each axis address, the correction in the files read back (``loaded``: their
     paths), or the error because of which the correction cannot be read.
 
-    Where axes can be read alone, a fault of one hides no other. Raises InputError where the files
+    If the control's axes can be read separately, an error of one axis does not hide the others. The
+    second result is an error that concerns all axes, or None. Raises InputError if the files
     contain no data of an axis.
     """
     try:
@@ -192,7 +193,7 @@ def planned_files(
     that are decoded from these files (None if the plan has no table). ``as_found``: the control's
     contents before.
 
-    The plan's files in the place of those that were patched.
+    The plan's files replace those files of the control from which they were made.
     """
     fitted = [
         (entry.axis, entry.fitted) for entry in plan.axes.values() if entry.fitted is not None
@@ -222,7 +223,7 @@ def _compared(
     the plan. ``own``: the differences of other values, by axis; ``partly``: which files were
     loaded, None if all of them.
 
-    ``found`` an error: why the correction of the values read back is unknown.
+    ``found``: the corrections read back, or the error because of which they are unknown.
     """
     axis = entry.axis
     if isinstance(found, (InputError, UsageError)):

@@ -34,8 +34,8 @@ def decoded_files(
     the positions, as text (None: those of the tables).
 
     The option ``active`` states whether the tables are active, and whether all values of a program
-    were carried out. Raises UsageError (options, a bad list) and InputError (files, or an axis that
-    they do not contain).
+    were carried out. Raises UsageError for wrong options and for an invalid list of positions.
+    Raises InputError for files that cannot be read, and for an axis that they do not contain.
     """
     active = stated_activity(options)
     wanted = None if at is None else positions_of(at)
@@ -59,8 +59,8 @@ def positions_of(text: str) -> FloatArray:
     """Return the positions (mm or deg) in a text of numbers and ranges ``LO:HI:STEP``, in the order
     of the text.
 
-    A range ends with HI where a step falls on it (within 1e-9 of a step). Raises UsageError with
-    every part that cannot be read.
+    A range includes HI if a step ends there (within 1e-9 of a step). Raises UsageError with every
+    part that cannot be read.
     """
     faults: list[Fault] = []
     positions: list[float] = []

@@ -49,8 +49,8 @@ def run_demo(
 ) -> DemoOutcome:
     """Run the whole demo in the folder ``out``: measure, compensate, measure again, verify.
 
-    ``crew``: who works on the axes. Raises StorageError when a file exists (unless ``force``) or
-    cannot be written.
+    ``crew``: the processes that work on the axes. Raises StorageError if a file exists (unless
+    ``force``) or cannot be written.
     """
     clock = _Clock()
     shipped = storage.demo_files(session)

@@ -71,8 +71,8 @@ class EvaluationRun:
     """The result of ``evaluate``. ``many``: there are too many tests for a report page for each
     test.
 
-    ``exit_code`` is 0, 3 for a file that cannot be read, 2 where the standard asked for does not
-    fit a test and all else is read, 70 where compwright itself failed at one.
+    ``exit_code``: 0 if all is well; 3 if a file cannot be read; 2 if the requested standard does
+    not fit a test and everything else is read; 70 if compwright itself failed at a file.
     """
 
     document: Mapping[str, Any]
@@ -99,18 +99,22 @@ def evaluate_files(
     files. ``spread``: the formula for the scatter s of repeated readings; ``watch``: a function
     that is called with the progress.
 
-    Folders: every file in them except hidden ones; ``crew``: the processes.
+    - ``paths``: files and folders. Of a folder every file is read except hidden ones.
+    - ``standards``: at most one for positioning and one for circular tests; default: that of the
+      kind of test.
+    - ``profile``: the mapping profile for tables of other programs.
+    - ``whole``: whether the entries of many files contain targets and readings too; else only what
+      a summary and a table need (`in_short`).
+    - ``crew``: the processes that share the work.
 
-    ``profile``: for tables of other programs. ``standards``: at most one for positioning and one
-    for circular tests; without one the default of the kind. ``whole``: entries of many files hold
-    targets and readings too; else only what a summary and a table need (`in_short`). Two files that
-    hold one direction each of the same circular test are one test (`circular_pairs.paired`).
+    Two files that contain one direction each of the same circular test are one test
+    (`circular_pairs.paired`). A measurement file that cannot be read becomes an entry in
+    ``errors``, and the rest is evaluated. So does a file in a folder without any measurement file.
+    Other files in a folder of measurements (plots, JSON, jobs) are skipped and listed in
+    ``skipped``, and its folders in ``folders``.
 
-    A file that cannot be read, also one in a folder that is no measurement file, becomes an entry
-    in ``errors`` and the rest is evaluated. Other files in a folder of measurements (plots, JSON,
-    jobs) are skipped and named in ``skipped``, folders in it in ``folders``. Raises UsageError for
-    unknown standards, two of one kind, a range method that the standard or the only test does not
-    have, or no path at all.
+    Raises UsageError for an unknown standard, for two standards of one kind, for a range method
+    that the standard or the only test does not have, and if no path is given.
     """
     positioning, circular = _standards(standards, spread)
     if not paths:
@@ -234,12 +238,13 @@ def write_evaluation(
     """Write the outputs of ``evaluate``: JSON, plot, table and report, all or none. Returns the
     written paths.
 
-    The plot (svg, png or pdf by its ending), the table (csv or xlsx) and the report (html or pdf;
-    ``command`` repeats it).
+    The formats follow from the file name extensions: svg, png or pdf for the plot, csv or xlsx for
+    the table, html or pdf for the report. ``command``: the command line that makes the report
+    again.
 
-    Raises StorageError when a file exists (unless ``force``) or cannot be written, UsageError for
-    another ending of the plot, the table or the report, one file for two of them, or when there is
-    nothing to plot or more than fits in a picture.
+    Raises StorageError if a file exists (unless ``force``) or cannot be written. Raises UsageError
+    for another extension, for one file name for two outputs, and if there is nothing to plot or
+    more than fits in a picture.
     """
     require_report_form(report_path, ".html", ".pdf")
     files: dict[Path, bytes] = {}
@@ -288,7 +293,7 @@ _WITH_PAGES: Final = ("positioning", "circular")
 def _with_pages(document: Mapping[str, Any]) -> Mapping[str, Any]:
     """Return the document with only those tests that get a report page and a figure.
 
-    A drift test and lost motion over distance or speed have neither.
+    Drift tests and tests of lost motion over distance or speed are left out.
     """
     tests = [result for result in document["results"] if result["kind"] in _WITH_PAGES]
     if document["results"] and not tests:

@@ -64,10 +64,10 @@ def export_plan(
     """Fit tables to the total corrections in the plan file ``path`` within the limits of a control,
     and write the control's files into ``out``.
 
-    Another control has its own names of the axes: the options ``address.NAME`` give them, else the
-    plan's names are used. ``states``: the present contents of the control, ``none`` or its files;
-    empty: as in the plan, if it is for the same format. Raises UsageError (2) where the state is
-    not known, InputError (3), CapacityError (4), StorageError (5).
+    ``states``: the present contents of the control, ``none`` or its files; empty: as in the plan,
+    if the plan is for the same format. Another control has its own names of the axes: the options
+    ``address.NAME`` give them, and otherwise the plan's names are used. Raises UsageError (2) if
+    the state is unknown, InputError (3), CapacityError (4) and StorageError (5).
     """
     plan = read_plan(storage.read_bytes(session, path, PLAN), str(path))
     addresses = {
@@ -155,9 +155,9 @@ def _axes_here(
     """Return the axes of a plan by name, with the addresses that they have on ``control``, and the
     assumptions about these addresses.
 
-    For the plan's own control all axes; for another one those that get a table or whose name is
-    given. Options belong to one control: those of the plan's control do not apply to another;
-    ``options``, from the command, override them.
+    For the plan's own control the result has all axes. For another control it has those that get a
+    table or whose name is given. Options belong to one control, so those of the plan's control are
+    not used for another. ``options``: those of the command, which override them.
     """
     same = plan.format == control.id
     fitted = {name for name, entry in plan.axes.items() if entry.fitted is not None}

@@ -26,7 +26,8 @@ def list_formats(session: Session) -> tuple[str, ...]:
     """Return the installed controls as lines of text, sorted by maker. Raises InputError for an
     unreadable definition.
 
-    Id, title, the names that are understood, and how many facts are known how well.
+    A line has the id, the title, the names that compwright understands, and how many facts are
+    confirmed.
     """
     return tuple(listing(shipped_definitions(session).values()))
 
@@ -39,10 +40,9 @@ def shipped_ids(session: Session) -> list[str]:
 def show_format(session: Session, name: str) -> tuple[str, ...]:
     """Return facts about a control as lines of text: files, limits, options, and their evidence.
 
-    ``name``: an id that ships, or the path of a definition of one's own.
-
-    Raises UsageError for an unknown id, naming those that exist, InputError for a file that is no
-    definition.
+    ``name``: an id of a control that is part of compwright, or the path of a user's own definition.
+    Raises UsageError for an unknown id; the error names those that exist. Raises InputError for a
+    file that is not a definition.
     """
     definition = (
         own_definition(session, Path(name))
@@ -60,10 +60,9 @@ def show_format(session: Session, name: str) -> tuple[str, ...]:
 def check_formats(session: Session, paths: Sequence[Path]) -> tuple[str, ...]:
     """Check the control definitions in ``paths``, and return a line of text about each definition.
 
-    Files or folders; none: those that ship with compwright.
-
-    Raises InputError with every fault of every file: keys, hand-worked corrections that do not come
-    out, a sample that is not read back as written.
+    ``paths``: files or folders; if empty, the definitions that are part of compwright. Raises
+    InputError with every fault of every file: wrong keys, corrections worked out by hand that
+    differ from those calculated, a sample that is not read back as written.
     """
     lines: list[str] = []
     faults: list[Fault] = []

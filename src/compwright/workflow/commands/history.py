@@ -27,8 +27,8 @@ from compwright.workflow.results.single_files import refuse_other_kinds
 class HistoryOutcome:
     """The result of ``history``: the JSON document, the written files and the exit code.
 
-    ``exit_code`` is 3 where something could not be read and the rest was; ``read``: how many
-    folders were read, the others were known to the index.
+    ``exit_code``: 3 if something could not be read and the rest was read. ``read``: the number of
+    folders that were read; the others were known from the index.
     """
 
     exit_code: int
