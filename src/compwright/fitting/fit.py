@@ -193,9 +193,9 @@ def _whole_goal(
 ) -> FittedTable:
     """Return the table of whole increments that is closest to the best table for the ``goal``.
 
-    ``wanted``: the wanted correction; ``aim``: the same correction on the points of ``grid``, zero
-    in the zero state. The table ``usual`` has the least mean square. It is returned if simulated
-    tests show no gain.
+    ``wanted``: the wanted correction. ``aim``: the part of it that the points of ``grid`` can
+    follow, zero in the zero state. The table ``usual`` has the least mean square. It is returned if
+    simulated tests show no gain.
     """
     scenarios = wanted.scenarios
     if scenarios is None or capacity.lattice is None:
