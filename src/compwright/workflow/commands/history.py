@@ -52,8 +52,8 @@ def history_of(
     changes between them, and write the requested files. ``index``: a database that keeps what was
     read for the next call.
 
-    Raises UsageError, InputError where nothing can be read or the index is none, and StorageError;
-    nothing is written then.
+    Raises UsageError, StorageError, and InputError if nothing can be read or ``index`` is not such
+    a database. In these cases no file is written.
     """
     named = [
         path for path in (json_path, plot_path, page_path, table_path, index) if path is not None
@@ -90,7 +90,7 @@ def _read(
 ) -> tuple[list[HistoryEntry], list[dict[str, Any]], int]:
     """Return the tests and notes of all folders, and the number of folders that were read.
 
-    ``faults`` grows by the folders that cannot be read.
+    A fault is added to ``faults`` for each folder that cannot be read.
     """
     entries: list[HistoryEntry] = []
     folder_documents = []
@@ -160,7 +160,7 @@ def _series(entries: Iterable[HistoryEntry], tops: Sequence[Path]) -> list[TestS
 def _machine(entry: HistoryEntry, tops: Sequence[Path]) -> str:
     """Return what identifies a machine: its serial number, else its name, else the folder.
 
-    Without both, the results of one folder belong together.
+    If there is neither serial number nor name, the results of one folder belong together.
     """
     if entry.serial:
         return f"1 {entry.serial.casefold()}"
@@ -176,7 +176,7 @@ def _in_time(group: Iterable[HistoryEntry]) -> Callable[[HistoryEntry], tuple[ob
     """Return a sort key that orders tests by date. A test without a date is sorted next to the
     dated tests of the same folder.
 
-    Tests of one day are in the order of the folders, unless each of them says its time.
+    Tests of the same day are in the order of the folders, unless each of them states its time.
     """
     dated: dict[str, list[str]] = {}
     for entry in group:

@@ -48,9 +48,9 @@ def new_job(
 ) -> NewOutcome:
     """Write a job with every axis that has an active compensation in the control's files.
 
-    Where no axis has a table or backlash value, every axis that the files name gets one. From a
-    folder, the job takes the files that concern the control. Raises UsageError, InputError (files
-    that contradict themselves) and StorageError.
+    If no axis has a table or backlash value, the job has every axis that the files name. From a
+    folder, the job takes the files that concern the control. Raises UsageError, StorageError, and
+    InputError for files that contradict themselves.
     """
     active = stated_activity(options)
     control = open_control(session, format_id, options)
@@ -131,7 +131,7 @@ def _read(
     """Return the contents of the files, and messages about axes that cannot be read. ``active``:
     whether the tables are active, None if the user did not state it.
 
-    Raises InputError where nothing is left.
+    Raises InputError if no axis can be read.
     """
     try:
         return decode(control, files, active=active, drafting=True).state, ()

@@ -30,8 +30,8 @@ def propose_profile(
 ) -> ProfileOutcome:
     """Write a proposed profile for ``file`` to ``out``.
 
-    Raises InputError for a file without a table, UsageError for one that needs no profile,
-    StorageError when ``out`` exists (unless ``force``) or cannot be written.
+    Raises InputError for a file without a table, and UsageError for a file that needs no profile.
+    Raises StorageError if ``out`` exists (unless ``force``) or cannot be written.
     """
     proposed = proposed_profile(storage.read_bytes(session, file, MEASUREMENT), shown_path(file))
     target = {out: encoded(proposed.text)}

@@ -35,7 +35,7 @@ class RedactedFile:
     """One copied file: the original, the copy, the kind of file, and for each kind of text how many
     texts were removed.
 
-    ``texts``: these themselves, for whoever asks.
+    ``texts``: the removed texts themselves, for a user who wants to see them.
     """
 
     file: Path
@@ -119,11 +119,12 @@ def redact_files(
 ) -> RedactOutcome:
     """Write a copy of each file without names into ``out``.
 
-    Under its own name unless that holds a removed text, or a possible serial number.
+    A copy has the name of its original, unless that name contains a removed text or a possible
+    serial number. A file is not copied if its kind is unknown, or if it cannot be proven that its
+    copy is clean. Such a file is listed in ``faults``, and the rest is copied.
 
-    A file of unknown kind, or one that cannot be proven clean, is not copied and is listed in
-    ``faults``; the rest is copied. Raises UsageError for a wrong profile or control and for a JSON
-    file that would lie among the copies, StorageError where nothing can be written.
+    Raises UsageError for a wrong profile or control, and for a JSON file in the folder of the
+    copies. Raises StorageError if nothing can be written.
     """
     if json_path is not None and storage.resolved(out) in storage.resolved(json_path).parents:
         raise UsageError(

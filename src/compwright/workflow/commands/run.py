@@ -43,7 +43,8 @@ _NO_JOB = JOB + " is not written: a file name is not valid UTF-8: {}; rename the
 class RunOutcome:
     """The result of ``run``: the results of all stages, and the paths of the written files.
 
-    ``no_tables`` and ``refused`` (by axis) say why a table is missing that the job asks for.
+    ``no_tables``: why there are no tables at all. ``refused``: by axis, why a table that the job
+    requires is missing.
     """
 
     exit_code: int
@@ -62,8 +63,8 @@ class PlannedJob:
     """A job after all stages of ``run``, with the contents of its result files, which are not
     written yet.
 
-    ``folder``: what the job's paths are relative to; ``stated``: what the command line says of a
-    job without a file, which then is among the results.
+    ``folder``: the folder of the job's relative paths. ``stated``: for a job without a job file,
+    the values of the command line, which are then written with the results.
     """
 
     job: Job
@@ -96,8 +97,9 @@ def planned(
     the command line, for a run without a job file; ``accept_worse``: also write tables that would
     not improve their axis.
 
-    ``out``: where its results go; ``each`` works on the axes, in turn or side by side: the bytes
-    are the same. Raises UsageError (2), InputError (3) and CapacityError (4).
+    ``out``: the folder of its results. ``each``: applies a function to all axes, one after the
+    other or in parallel; the results are the same to the byte. Raises UsageError (2), InputError
+    (3) and CapacityError (4).
     """
     finished = run_stages(session, job, folder, out, accept_worse=accept_worse, each=each)
     return PlannedJob(
@@ -121,8 +123,8 @@ def write_planned(
     """Write the files of a finished job into ``out``, all of them or none, together with the
     prediction (``json_path``) and the report as PDF (``report``) if these paths are given.
 
-    Raises StorageError (5); nothing is written then. Without a state of the control, evaluation,
-    prediction and report are written but no table (exit 2).
+    If the state of the control is unknown, evaluation, prediction and report are written but no
+    table (exit 2). Raises StorageError (5); no file is written then.
     """
     job, stated = planned.job, planned.stated
     finished, results = planned.finished, planned.results

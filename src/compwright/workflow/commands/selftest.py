@@ -42,8 +42,8 @@ _PACKAGES: Final = ("numpy", "scipy", "cvxpy", "osqp", "PyYAML", "pydantic", "cl
 class Check:
     """One comparison of the self-test: expected and obtained value, with the permitted limit.
 
-    ``group``: the file of reference data, or the control; ``subject``: the standard, or the table
-    of the control. ``obtained`` None: nothing came out, ``note`` says why.
+    ``group``: the file of reference data, or the control. ``subject``: the standard, or the table
+    of the control. ``obtained``: None if there is no value; ``note`` then gives the reason.
     """
 
     group: str
@@ -91,7 +91,7 @@ def write_selftest(
     """Write the self-test as pages to be signed (to the paths ``pages``) and as JSON documents (to
     the paths ``answers``), all or none. Returns the written paths.
 
-    Raises StorageError, and UsageError where the report extra is missing.
+    Raises StorageError, and UsageError if the extra ``report`` is not installed.
     """
     files = dict.fromkeys(answers, encoded(to_json(document)))
     for path in pages:

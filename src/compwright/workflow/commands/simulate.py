@@ -49,8 +49,8 @@ def simulate_files(
     each axis and circle into ``out``. ``tables``: the folder with the tables that are loaded in its
     control, None for no tables.
 
-    ``file``: the machine file, for messages. Noise comes from ``seed`` alone: the same seed gives
-    the same bytes.
+    ``file``: the name of the machine file in messages. Noise depends on ``seed`` alone, so the same
+    seed gives the same bytes.
     """
     measured = simulated(session, machine, seed=seed, tables=tables, file=file)
     files = dict(_file_of(machine, name, test) for name, test in measured.items())

@@ -120,15 +120,18 @@ def verify_job(
     """Judge the tests after loading, and write the results into ``out``, with ``update`` also the
     files of the next round, all or nothing.
 
-    ``verification.json`` and ``verification.html``, and with ``update`` the next round into
-    ``next`` below it.
+    The results are ``verification.json`` and ``verification.html``. The next round is written into
+    the folder ``next`` in ``out``.
 
-    ``after``: ``FILE`` or ``TEST=FILE``, relative to the working directory; ``loaded``:
-    what was read back from the control; ``profile``: the mapping profile of the tests after
-    loading, else that of the job; ``json_path``: the verification once more; ``report``: its page
-    as PDF; ``each`` works on the axes of the next round. Raises UsageError (2; ``update`` without
-    ``loaded``), InputError (3) and StorageError (5); nothing is written then. A next round that
-    cannot be made makes the exit code 1.
+    - ``after``: texts ``FILE`` or ``TEST=FILE``, relative to the working directory.
+    - ``loaded``: the files that were read back from the control.
+    - ``profile``: the mapping profile of the tests after loading; default: that of the job.
+    - ``json_path``: the path of another copy of the verification. ``report``: that of its page as
+      PDF.
+    - ``each``: applies a function to the axes of the next round.
+
+    Raises UsageError (2; also for ``update`` without ``loaded``), InputError (3) and StorageError
+    (5); no file is written then. If the next round cannot be made, the exit code is 1.
     """
     if update and not loaded:
         raise UsageError(NOT_READ_BACK)
@@ -345,7 +348,7 @@ def _planned(
     """Return the plan, the control, the job with the control's axis names, and what the control
     contained in each of the job's ``states``.
 
-    Raises InputError for the plan of another job.
+    Raises InputError if the plan belongs to another job.
     """
     if not storage.is_there(session, file):
         raise InputError(

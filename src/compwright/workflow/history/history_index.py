@@ -1,7 +1,8 @@
 """An SQLite index of result folders, so that a history reads only changed folders again.
 
-The database lives in memory; its bytes are read and written whole like any file. It is known by
-``application_id`` and ``user_version`` (SQLite, "Database File Format", 1.3.17 and 1.3.15).
+The database is in memory. Its bytes are read and written as a whole, like any other file. It is
+recognised by ``application_id`` and ``user_version`` (SQLite, "Database File Format", 1.3.17 and
+1.3.15).
 """
 
 from __future__ import annotations
@@ -127,7 +128,7 @@ class HistoryIndex:
 def opened(session: Session, path: Path) -> Iterator[HistoryIndex]:
     """Open the index stored in a file, or a new index if there is no file.
 
-    Raises InputError for a file that is no index of this version; it stays as it is.
+    Raises InputError for a file that is not an index of this version; the file is not changed.
     """
     file = shown_path(path)
     with closing(sqlite3.connect(":memory:")) as database:

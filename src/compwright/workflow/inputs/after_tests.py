@@ -50,7 +50,7 @@ def after_tests(
     """Read the tests after loading, given as ``specs`` (values of ``--after``, or tests in memory);
     several files of one test are joined. Raises one error with the faults of all files.
 
-    ``profile``: that of the tests after loading, in the place of the job's.
+    ``profile``: the mapping profile of the tests after loading, which replaces that of the job.
     """
     profiles = _profiles(job) if profile is None else [profile]
     errors: list[CompwrightError] = []
@@ -98,8 +98,8 @@ def _later(request: TestRequest, paths: Sequence[str]) -> TestRequest:
     """Return how to read a test after loading: as the job's own test is read, but from the files
     ``paths``.
 
-    Those that the job states are of the test before. Of a record of the environment only the times
-    after loading count.
+    The temperatures that the job states are left out, because they are those of the test before
+    loading. An environment record can cover both tests, so the readings must have times.
     """
     environment = request.environment
     return replace(

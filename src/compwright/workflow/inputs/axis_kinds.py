@@ -1,7 +1,8 @@
 """Find whether the axes in a control's files are linear or rotary, without a job.
 
-The files say it, or ``--option kind``, or the plan of the run that wrote them. Else it is unknown:
-a correction of 0.001 is then 1 µm or 3.6 arcsec.
+The answer comes from the files, from ``--option kind``, or from the plan of the run that wrote the
+files. If none of these states it, the kind is unknown: a correction of 0.001 is then 1 µm or 3.6
+arcsec.
 """
 
 from __future__ import annotations
@@ -51,11 +52,11 @@ def decode_kinds(
     *,
     active: bool | None = None,
 ) -> tuple[Control, DecodedState, Kinds]:
-    """Return a control, the decoded contents of its files, and the axes for which the files leave
-    open whether they are linear or rotary. ``address``: the only axis to decode (None: all);
+    """Return a control, the decoded contents of its files, and the axes for which the files do not
+    show whether they are linear or rotary. ``address``: the only axis to decode (None: all);
     ``active``: whether the tables are active, None if not stated.
 
-    Raises UsageError where the numbers themselves depend on an unknown kind, or a given kind
+    Raises UsageError if the numbers themselves depend on an unknown kind, or if a given kind
     contradicts the files.
     """
     control = open_control(session, format_id, options)

@@ -1,7 +1,7 @@
 """Read circular tests from their files, and join the two files of one test.
 
-``evaluate`` loads it only when a file is no positioning test: the way of a positioning test stays
-short.
+``evaluate`` loads this module only if a file is not a positioning test, so that positioning tests
+are evaluated quickly.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Evaluate measurement files one by one, so that parallel processes can share the work.
 
-A file is passed with its content, because only the first process reads files. The result is the
-entry of the JSON document and the values by which the tests of a folder are compared.
+A file is passed with its content, because only the first process reads files. The result has the
+entry for the JSON document, and the values by which the tests of a folder are compared.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class EvaluationRequest:
     """The settings for all evaluations: the standards, the formula for the scatter s of repeated
     readings, and the mapping profile.
 
-    ``whole``: whether entries carry targets and readings.
+    ``whole``: whether the entries of the result contain targets and readings.
     """
 
     positioning: str
@@ -77,8 +77,8 @@ class Noted:
 class FileTests:
     """The tests in one file, and its faults.
 
-    Positioning tests evaluated, circular ones as they were read, because two files may be one of
-    them.
+    Positioning tests are evaluated. Circular tests are not evaluated yet, because two files may
+    contain one direction each of the same test.
     """
 
     tests: tuple[Evaluated | CircularTest, ...] = ()

@@ -33,10 +33,10 @@ class GivenFile:
 
 
 def files_of_job(session: Session, job: Job, folder: Path, definition: Texts) -> list[GivenFile]:
-    """Return every input file of a job, the job's own first. Raises InputError for an unreadable
+    """Return every input file of a job, the job file first. Raises InputError for an unreadable
     file.
 
-    ``definition``: the texts of a definition of the user's own, by their files.
+    ``definition``: the texts of the user's own control definition, by file.
     """
     found = (
         [] if not job.file else [_given(session, "job", "", Path(job.file).name, Path(job.file))]
@@ -111,8 +111,9 @@ def files_of_verify(
 ) -> list[GivenFile]:
     """Return every input file of ``verify``. Raises InputError for an unreadable file.
 
-    ``after``: its values of positioning tests (``FILE`` or ``TEST=FILE``), ``circles``: files by
-    circle, ``loaded``: what was read back; ``profile``: that of the tests.
+    ``after``: the positioning tests after loading, as ``FILE`` or ``TEST=FILE``. ``circles``: the
+    files of each circular test, by its name. ``loaded``: the files read back from the control.
+    ``profile``: the mapping profile of the positioning tests.
     """
     names = {request.name for entry in job.axes.values() for request in entry.before}
     found: list[GivenFile] = []
@@ -170,12 +171,13 @@ def kept(
     written: Collection[str],
 ) -> tuple[tuple[RecordedInput, ...], dict[str, bytes]]:
     """Return the input files of the command ``by``, each with its place in the result folder
-    ``out``, and the copies to be written there. A file is not copied if it, or a file ``there``
-    with the same contents, is in the folder already.
+    ``out``, and the copies to be written there. A file is not copied if the same contents are in
+    the folder already.
 
-    No bytes are kept twice: what is among the files ``there`` (relative name -> bytes: the way back
-    holds what was in the control), or lies in ``out`` (the inputs of a next round are written
-    there with it) and is none of those ``written``, is named where it lies.
+    ``there``: the files of the result folder that the run itself writes (relative name -> bytes),
+    such as the old contents of the control. ``written``: the names of files that this command
+    writes. An input that is already in ``out`` and is not one of ``written`` stays where it is,
+    such as the inputs of a next round. In all these cases the result names the existing file.
     """
     places = {fingerprint(content): name for name, content in there.items()}
     copies: dict[str, bytes] = {}

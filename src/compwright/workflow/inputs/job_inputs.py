@@ -127,7 +127,8 @@ def _without_unnamed(ours: PositioningTest, tests: Sequence[PositioningTest]) ->
     """Return the test ``ours`` of a named axis, with a warning if the file also contains tests
     whose axis is not named.
 
-    A copied sheet may hold the newer measurement.
+    The warning is needed because such a test may be a newer measurement of the same axis, on a
+    copied sheet.
     """
     unnamed = [test.name for test in tests if not test.axis]
     if not unnamed:
@@ -146,8 +147,8 @@ def read_test(
     """Read the files of the test ``request`` of one axis (or its parts ``measured`` in memory) as
     one record in machine coordinates.
 
-    The temperature is that of the environment record, else of the test's own keys, else of its
-    files, else of the axis.
+    The temperature is taken from the first of these that states it: the environment record, the
+    test's own keys, its files, the axis.
     """
     errors: list[CompwrightError] = []
     parts = list(measured)

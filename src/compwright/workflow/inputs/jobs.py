@@ -56,7 +56,8 @@ def read_job_file(session: Session, path: Path, plan: Path | None = None) -> Job
     """Read a job file, with the drift tests, environment record and logo that it names. ``plan``:
     the plan of an earlier run, whose copy of the user's own control definition is used.
 
-    Raises InputError when one of them cannot be read, UsageError with every fault of the job.
+    Raises InputError if one of these files cannot be read. Raises UsageError with every fault of
+    the job.
     """
     carried = () if plan is None else carried_definition(storage.earlier_bytes(session, plan))
     further = partial(wrong_control, session, folder=path.parent, carried=carried)
@@ -155,7 +156,7 @@ def wrong_control(
     """Yield the faults of the control's id and of its options in the data of a job file.
     ``carried``: the texts of the control definition that is copied into a plan, if any.
 
-    ``folder``: what the path of a definition is relative to.
+    ``folder``: the folder to which the path of a definition is relative.
     """
     controller = data.get("controller")
     format_id = controller.get("format") if isinstance(controller, dict) else None
@@ -194,8 +195,9 @@ def _unknown_diameter(axes: object, control: Control, *, files: bool) -> Iterato
     """Yield a fault for each axis with diameter programming if it is unknown whether the control's
     tables count in radius or in diameter.
 
-    Everything in a job counts in radius, as the machine moves. Where the control's files state how
-    the axis is programmed, the job is checked against them; without ``files`` it cannot be checked.
+    All lengths in a job are radii, as the machine moves. If the control's files state how the axis
+    is programmed, the job is checked against them. Without files (``files`` False) this check is
+    impossible.
     """
     definition = control.definition
     if definition.diameter.tables == "radius" or (files and "diameter" in definition.bindings):
@@ -269,8 +271,8 @@ def _wrong_axis_options(axes: object, control: Control, *, unit_needed: bool) ->
 def default_folder(session: Session, job_file: Path) -> Path:
     """Return the default result folder of a job: next to the job file, with the same stem.
 
-    A job within the results of its own run, as that of a next round is, uses that folder; so does
-    the copy of a job in the folder of its results.
+    If the job is inside the results of its own run, such as the job of a next round or the copy of
+    a job, the folder of these results is used.
     """
     own = (
         job_file.with_suffix("")
@@ -312,8 +314,9 @@ def job_of(
 ) -> JobToRun:
     """Return the job of a run. ``out``: the folder of its results, if one was named.
 
-    One JOB file without ``--format`` is a job; anything else are measurement files of one test,
-    and the job is one that lies in the folder of its results. Raises UsageError with all faults.
+    A single input without ``--format`` is a job file. All other inputs are measurement files of one
+    test, and the job's relative paths then start at the folder of its results. Raises UsageError
+    with all faults.
     """
     first = Path(inputs[0])
     needed = {"--format": format_id, "--axis": axis, "--travel": travel}

@@ -43,8 +43,8 @@ def measurement_files(session: Session, path: Path) -> FoundMeasurements:
     """Return the measurement files of ``path``. Plots, JSON, jobs and pages in a folder are left
     out.
 
-    Whether the others are measurements is found out when they are read. Raises InputError for a
-    folder without any.
+    Whether the other files are measurements is known only when they are read. Raises InputError for
+    a folder without any.
     """
     entries = storage.list_files(session, path)
     if entries == [path]:

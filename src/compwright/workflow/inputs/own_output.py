@@ -2,9 +2,9 @@
 the error would be corrected twice.
 
 A fit adds the error that a test shows to the correction that was active in that test. A test that
-was taken before a table was loaded does not show the machine with it. If the state of that test is
-the table that an earlier run made *from this very test*, that table would be added once more, and
-again in every further run.
+was measured before a table was loaded does not show the machine with this table. If the job states
+that the test was measured with the table that an earlier run made *from this very test*, the fit
+would add that table once more, and again in every further run.
 """
 
 from __future__ import annotations
@@ -70,11 +70,11 @@ def refuse_own_output(
     out: Path,
 ) -> None:
     """Raise UsageError if a state of the control contains the tables that an earlier run made from
-    a test of this job.
+    a test of this job, or if ``as_found`` is in a folder that this run replaces.
 
-    ``circles``: circular tests, each with the state it was measured in. ``folder``: what the job's
-    paths are relative to; ``out``: where this run writes. Also where ``as_found`` lies in a folder
-    that this run replaces.
+    ``circles``: circular tests, each with the name of the state in which it was measured.
+    ``folder``: the folder of the job's relative paths. ``out``: the folder to which this run
+    writes.
     """
     faults = list(_inside_out(job, folder, out))
     raise_all(UsageError, faults)
@@ -133,8 +133,8 @@ def _of_other_days(folder: Path) -> Iterator[Path]:
     """Yield the paths of possible plans in the folders next to the job's folder, where earlier jobs
     of the same machine may be.
 
-    Those next to the job's, and one below. They belong to other jobs: they are not locked or
-    repaired.
+    Folders one level below these are searched too. They belong to other jobs, so they are neither
+    locked nor repaired.
     """
     sisters = storage.folders_in(storage.resolved(folder).parent)
     for sister in sisters if len(sisters) <= _MOST_SISTERS else ():
@@ -213,8 +213,8 @@ def _same(test: PositioningTest, old: PositioningTest) -> bool:
     """Return whether two tests are the same measurement, because their files or nearly all of their
     readings are equal.
 
-    Rows that were deleted or added make no new measurement. A test with the new table loaded shows
-    other readings.
+    A test stays the same measurement if rows are deleted or added. A test with the new table loaded
+    has other readings.
     """
     if share_a_file(test.sources, old.sources):
         return True
@@ -251,12 +251,12 @@ def _is_own_table(
     ``digit``: the last digit of the readings if the job's test is a coarsely rounded copy of that
     test, else 0; ``made``: whether the run of the plan wrote a file of this state.
 
-    Whether it gives an axis another correction than was active during the plan's ``test``, and that
-    is what the plan wanted.
+    It does if the state's correction of the axis differs from the correction that was active during
+    the plan's ``test``, and if this difference is the correction that the plan wanted.
 
-    Within ``digit`` (mm or deg) two tests may agree although their tables differ. Files that the
-    run did not write may contain the same table in another form (a whole backup, fewer digits,
-    without the backlash value).
+    Differences within ``digit`` (mm or deg) are ignored. A state whose files the run did not write
+    may contain the same table in another form (a whole backup, fewer digits, without the backlash
+    value).
     """
     if planned.fitted is None:
         return False
@@ -294,7 +294,7 @@ def _change(
     """Return, for each direction, the correction that the state makes minus the correction that was
     active during ``test``.
 
-    Zero where the latter is unknown.
+    A correction that was active during ``test`` and is unknown counts as zero.
     """
     targets, before, active = test.test.targets, test.acted, planned.active
     if before is None and active is not None and test.measured_in == planned.tests[0].measured_in:

@@ -1,7 +1,7 @@
 """Refuse measurements that cannot belong to their axis, before a table is made from them.
 
-``evaluation.plausibility`` judges a single test; this module needs the job: the travel of the axis,
-and its other tests.
+`evaluation.plausibility` judges a single test. This module needs the job, because it compares the
+test with the travel of the axis and with the axis' other tests.
 """
 
 from __future__ import annotations
@@ -68,8 +68,8 @@ def _faults(job: Job, axis: str, index: int, planned: PlannedTest) -> Iterator[F
 def _outside(axis: Axis, test: PositioningTest, file: str) -> Iterator[Fault]:
     """Yield a fault for targets outside the travel of the axis.
 
-    Half an interval of the targets (or a tenth of the travel) is left to travels that were rounded;
-    it is a doubt (CW-T007). Axes that turn endlessly go everywhere.
+    Targets may lie outside by half an interval of the targets (or a tenth of the travel), because
+    the travel may be rounded; this is a doubt (CW-T007). Axes that turn endlessly have no outside.
     """
     low, high = axis.travel
     if axis.kind is AxisKind.ROTARY and (axis.modulo is not None or high - low >= _TURN):
@@ -93,8 +93,8 @@ def given_twice(named: Iterable[NamedTest]) -> list[Fault]:
     """Return a fault for each test that contains a file twice, and for each pair of tests that are
     the same measurement.
 
-    One measurement: files that are the same byte for byte, or readings that scatter and are the
-    same to the last digit.
+    Two tests are the same measurement if their files are equal byte for byte, or if their readings
+    scatter and are equal to the last digit.
     """
     every = tuple(named)
     faults = []

@@ -36,8 +36,8 @@ def measurement_copy(content: bytes, file: str, cuts: Cuts, profile: Profile | N
     """Return a checked copy of a measurement file without names; ``cuts`` records the removed
     texts.
 
-    Raises InputError for a file that cannot be read, whose copy would have another meaning, or
-    whose copy still contains a removed text.
+    Raises InputError for a file that cannot be read, for a copy that would have another meaning,
+    and for a copy that still contains a removed text.
     """
     made = redacted_measurement(content, file, cuts, profile)
     read_by = None if not made.profile else read_profile(made.answered.encode(), "profile")

@@ -75,8 +75,8 @@ def names_of_copies(
     upper and lower case are the same. ``removed``: the texts removed from the files; ``names``: the
     neutral names.
 
-    A name is kept, except for parts that contain a text removed from any file, or that may be a
-    serial number. Each removed text has its kind before it.
+    Each of ``removed`` is a pair of the kind of text and the text. Only those parts of a name are
+    replaced that contain a text removed from any file, or that may be a serial number.
     """
     somebody = _somebody(removed)
     made: list[str] = []

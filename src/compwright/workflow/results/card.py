@@ -49,9 +49,10 @@ def card_document(
 ) -> dict[str, Any]:
     """Return the contents of a run's commissioning card as plain data, with values in µm or arcsec.
 
-    ``entered``: the control's own files as patched, and new ones; ``back``: small files that bring
-    the old values back; ``between``: the cross-axis tables; ``harmful``: what some of the files
-    do without the others.
+    ``loaded``: the corrections read from the written files. ``entered``: the changed copies of the
+    control's own files, and new files. ``back``: small files that restore the old values.
+    ``between``: the corrections between axes. ``harmful``: sentences on the harm if only some of
+    the files are loaded.
     """
     written = {name: work for name, work in works.items() if work.planned.fitted is not None}
     facts = assumed_documents(assumed)

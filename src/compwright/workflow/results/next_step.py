@@ -19,7 +19,7 @@ def after_run(outcome: Any, job: Path, out: Path, *, apart: bool) -> str:
     """Return the last line of ``run``: the next step, with the command to type. ``apart``: whether
     the results are in a folder other than the default one of the job.
 
-    ``job``: its job file; ``out``: the folder of its results.
+    ``job``: the job file. ``out``: the folder of its results.
     """
     again = _command("run", job, *(("--out", out) if apart else ()), "--force")
     if outcome.no_tables:
@@ -55,8 +55,8 @@ def after_verify(
     """Return the last line of ``verify``: the next step, with the command to type. ``given``: the
     options with paths, which are repeated in that command.
 
-    ``after``: its tests; ``plan``: the plan that it used; ``read_back``: whether the control's
-    files were given.
+    ``after``: the tests after loading. ``plan``: the plan that was used. ``read_back``: whether the
+    files read back from the control were given.
     """
     document = outcome.document
     then, folder = document.get("next") or {}, out / "next"

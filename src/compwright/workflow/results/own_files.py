@@ -1,8 +1,7 @@
 """Write files of a command into a folder, together with a hidden list of these files that protects
 the user's own files.
 
-A hidden list distinguishes the files of an earlier run from the user's, which are never replaced
-and never removed.
+Files that are not in the list are the user's. They are never replaced and never removed.
 """
 
 from __future__ import annotations
@@ -31,8 +30,9 @@ def write_listed(
     paths, all or nothing. With ``as_set``, remove files that an earlier call of the ``command``
     wrote and this one does not. Return the written paths.
 
-    With ``force``, unchanged files of an earlier command there are replaced. Raises StorageError as
-    `storage.write_files` does, also for a file that is not in the list or was changed.
+    With ``force``, files of an earlier command in the folder are replaced, unless they were changed
+    since. Raises StorageError as `storage.write_files` does, also for a file that is not in the
+    list or was changed.
     """
     earlier = listed_before(storage.earlier_bytes(session, out / LIST))
     still = {

@@ -20,8 +20,8 @@ def progress(*, shown: bool) -> Iterator[Callable[[str, int, int], None]]:
     """Provide a function that reports progress, as a bar if ``shown`` is true, else not at all. Its
     arguments are the kind of work (a word), the number done, and the total number.
 
-    It draws a bar on standard error until the work is done, where it is to be ``shown`` and the
-    work takes longer than a moment.
+    The bar appears on standard error if the work takes longer than a moment, and is removed when
+    the work is done.
     """
     if not shown:
         yield lambda what, done, count: None  # noqa: ARG005

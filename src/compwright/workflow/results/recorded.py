@@ -56,7 +56,7 @@ def recorded_run(
     files of an earlier verification to be removed. ``draft``: the job file that a run without a job
     file makes.
 
-    ``given``: the inputs (`files_of_job`); ``out``: the result folder.
+    ``given``: the inputs (`files_of_job`). ``out``: the result folder.
     """
     job, control = finished.measured.job, finished.measured.control
     there = {
@@ -178,7 +178,7 @@ def recorded_verification(
     """Return the copies of the inputs of ``verify``, and the record with the verification added:
     its ``document``, and the evaluations of its tests ``before`` and ``after`` loading.
 
-    ``files``: what else the command writes.
+    ``files``: the other files that the command writes.
     """
     begun = _begun(session, run, out, before)
     there = _still_there(session, begun, out, files)
@@ -229,7 +229,7 @@ def _begun(
     """Return the record of the run, to which the verification is added. If the verification is
     written to another folder, the record does not list the run's files.
 
-    A run of an older version has none: it is rebuilt from the plan as far as possible.
+    A run of an older version has no record. It is then made from the plan, as far as possible.
     """
     digest = fingerprint(storage.earlier_bytes(session, run.file))
     try:

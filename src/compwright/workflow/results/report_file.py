@@ -50,8 +50,8 @@ def answer_files(
     """Return the contents of the files of ``--json`` and ``--report`` by path. Raises UsageError if
     both have the same name.
 
-    ``page``: the report as HTML; None where it could not be made. ``card``: the commissioning card,
-    which is written next to the report: ``out.pdf``, ``out-card.pdf``.
+    ``page``: the report as HTML; None if it could not be made. ``card``: the commissioning card,
+    which is written next to the report: ``out-card.pdf`` for the report ``out.pdf``.
     """
     files: dict[Path, bytes] = {} if json_path is None else {json_path: document}
     if report is None or page is None:

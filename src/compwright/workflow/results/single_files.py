@@ -1,7 +1,7 @@
 """Check that ``--force`` replaces a file only by one of the same kind.
 
-A file that the user names for an answer (``--json``, ``--plot``, ``--table``, ``--out``): a
-measurement, a job, a plan, a picture in the place of a document.
+This is for files whose path the user gives (``--json``, ``--plot``, ``--table``, ``--out``). A
+wrong path would otherwise destroy a measurement, a job or a plan.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def refuse_other_kinds(
     different kind. ``results``: the other files that the command writes, which are not checked
     here.
 
-    One name for two files is refused when they are written.
+    One name for two files is not checked here: it is refused when they are written.
     """
     if not force or not targets:
         return
@@ -131,8 +131,8 @@ def _properties(content: bytes) -> bytes:
     """Return the properties of a workbook (such as author and date) as bytes, or b"" if it has
     none.
 
-    Those of compwright carry no date, so that they stay the same until another program saves the
-    file.
+    The properties that compwright writes contain no date. They change only if another program saves
+    the file.
     """
     try:
         with zipfile.ZipFile(BytesIO(content)) as archive:

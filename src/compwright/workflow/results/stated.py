@@ -1,7 +1,7 @@
 """What the job states about its tests (such as travel and compensation), for the test sheet of a
 report.
 
-By the keys of `reporting.report_items`.
+The statements have the keys of `reporting.report_items`.
 """
 
 from __future__ import annotations

@@ -160,7 +160,7 @@ def verify_view(
 ) -> dict[str, Any]:
     """Return the data for the report of a verification.
 
-    ``axes`` are those of the verification document, ``options`` the words of the command line.
+    ``axes``: those of the verification document. ``options``: the words of the command line.
     """
     return {
         "title": say("report.verification", axes=list(axes)),

@@ -129,8 +129,8 @@ class Finished:
     def _of_control(self, finding: Finding) -> ScopedFinding:
         """Return a finding about the control's files, with the axes of the job that it concerns.
 
-        That no file holds an axis's own table is no doubt where no table is made: the existing
-        compensation stays.
+        One finding is no doubt if no table is made: that no file contains an axis' own table. The
+        existing compensation then stays.
         """
         own = frozenset(
             name

@@ -35,8 +35,8 @@ def fitted(measured: Measured, wanted: Wanted, each: Each = in_turn) -> Fitted:
     """Return the tables fitted within the control's limits. If the present contents of the control
     are unknown, no table is fitted.
 
-    Raises UsageError where an option contradicts the control's files, CapacityError with the faults
-    of all axes.
+    Raises UsageError if an option contradicts the control's files, and CapacityError with the
+    faults of all axes.
     """
     job, as_found = measured.job, measured.as_found
     if as_found is None:

@@ -38,9 +38,9 @@ from compwright.workflow.inputs.plausible import given_twice, impossible_tests, 
 class Measured:
     """The contents of a job's files, and the job with the axis names of the control.
 
-    ``active``: the active corrections of each state, by its name. ``named``: assumptions about
-    names; ``findings``: by which reader the control's files were read, and keys of the job without
-    effect.
+    ``active``: the active corrections of each state, by the name of the state. ``named``:
+    assumptions about names of axes. ``findings``: about the reader by which the control's files
+    were read, and about keys of the job without effect.
     """
 
     job: Job
@@ -70,8 +70,9 @@ class Measured:
 def measured(session: Session, job: Job, folder: Path, out: Path) -> Measured:
     """Open the control of a job, and read all its files, relative to ``folder``.
 
-    Raises UsageError and InputError: what cannot be read, contradicts itself, is no measurement of
-    this machine, or was made by an earlier run from the same tests.
+    Raises UsageError and InputError for a file that cannot be read or contradicts itself, for a
+    measurement that cannot be of this machine, and for tables that an earlier run made from the
+    same tests.
     """
     control = open_control(session, job.format, job.options, origin_of(job, folder))
     own = [storage.named_from(folder, path) for path in job.states.get(AS_FOUND, ())]

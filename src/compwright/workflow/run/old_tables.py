@@ -38,11 +38,10 @@ _Task = tuple[Axis, PlannedTest, PlannedTest, Mapping[str, ControlState], tuple[
 def with_old_tables(
     measured: Measured, works: Mapping[str, AxisWork], each: Each
 ) -> tuple[dict[str, AxisWork], tuple[Finding, ...]]:
-    """Return the axes by name, and the findings on whether the existing table was active. An axis
-    whose existing table differs from the files gets no new table.
+    """Return the axes by name, and the findings on whether the existing table was active.
 
-    An axis gets no table where its tests show that the active correction differs from the files:
-    the total of old and new would be wrong.
+    An axis gets no new table if its tests show that the active correction differs from the
+    control's files, because the total of old and new would be wrong.
     """
     tasks = [
         (name, task)
@@ -70,9 +69,7 @@ def _tasks(
     work: AxisWork, states: Mapping[str, ControlState], axes: tuple[Axis, ...]
 ) -> list[_Task]:
     """Return the pairs of tests of an axis to be compared: the test with the least active
-    correction, with the test in each other state.
-
-    The one with the least active correction, with each other one.
+    correction, with a test in each other state.
     """
     axis = work.planned.axis
     first: dict[str, PlannedTest] = {}
@@ -119,7 +116,7 @@ def judged_old_table(
     ``off``, which has the least correction. ``states``: the control's contents by the name of the
     state; ``axes``: all axes of the job.
 
-    The tables of the other axes may be active in place of this one.
+    It is also tested whether the table of another axis was active instead of this one.
     """
     least, table = (axis_compensation(states[one.measured_in], axis) for one in (off, on))
     tests = with_backlash((replace(off, acted=None),), axis, states)
@@ -161,6 +158,7 @@ def _of_others(
 def _slope(off: PlannedTest, on: PlannedTest) -> float:
     """Return the standard uncertainty of the difference between two tests' slopes, mm/mm.
 
-    As declared, else that of a usual change of temperature (`planning.wanted_correction`).
+    It is the declared one. If none is declared, it is that of a usual change of temperature
+    (`planning.wanted_correction`).
     """
     return max(math.hypot(off.slope_std, on.slope_std), UNDECLARED_SLOPE)

@@ -27,8 +27,8 @@ def run_stages(
     """Return the results of a job after all five stages of a run. ``accept_worse``: also write
     tables that would not improve their axis.
 
-    ``folder``: what the job's paths are relative to; ``out``: where its results go; ``each`` works
-    on the axes. Raises UsageError, InputError and CapacityError.
+    ``folder``: the folder of the job's relative paths. ``out``: the folder of its results.
+    ``each``: applies a function to all axes. Raises UsageError, InputError and CapacityError.
     """
     start = measured(session, job, folder, out)
     wish = wanted(start, each)

@@ -37,8 +37,8 @@ class Wanted:
 def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
     """Return the corrections that the tests of a job require.
 
-    Raises UsageError for limits that fit no test, InputError for tests that cannot be evaluated or
-    leave most of the travel open.
+    Raises UsageError for limits that fit no test. Raises InputError for tests that cannot be
+    evaluated, or that cover less than half of the travel.
     """
     job, axes = measured.job, measured.axes
     entries = {name: entry for name, entry in job.axes.items() if entry.before}
@@ -77,9 +77,10 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
 
 def _not_twice(job: Job, work: AxisWork) -> AxisWork:
     """Return the axis; it gets no new table if its existing table seems to be made from the same
-    test. The same error would be corrected twice.
+    test, because the same error would be corrected twice.
 
-    Where tests in two states show what that table did, its shape is no further evidence.
+    If tests in two states show the effect of that table, its shape is no evidence, and the axis is
+    not changed.
     """
     if work.refused:
         doubts = tuple(each for each in work.doubts if each.code != MIRRORED)

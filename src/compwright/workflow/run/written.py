@@ -37,9 +37,9 @@ FittedAxes = Sequence[tuple[Axis, FittedTable]]
 class Written:
     """The files with the fitted tables, and the corrections read from them (``loaded``).
 
-    ``entered``: the control's own files as patched, and new ones, whichever of them are delivered;
-    ``back``: small files that restore the old values. ``works``: the axes, without the tables that
-    would not improve them; ``cross``: the corrections between axes.
+    ``entered``: the changed copies of the control's own files, and new files, whichever of them are
+    delivered. ``back``: small files that restore the old values. ``works``: the axes, without the
+    tables that would not improve them. ``cross``: the corrections between axes.
     """
 
     works: Mapping[str, AxisWork]
@@ -62,8 +62,8 @@ def written(
     """Write the tables of a job as the control's files and read them again. Tables that improve
     nothing are left out, unless ``accept_worse``.
 
-    Raises CapacityError where the control cannot hold something, CompwrightError (a fault of our
-    own) where other things come back than were written.
+    Raises CapacityError if the control cannot hold a table. Raises CompwrightError (an internal
+    fault) if the values read differ from those written.
     """
     as_found, control = measured.as_found, fitted.control
     if as_found is None:
@@ -138,8 +138,8 @@ def write_fitted(
     """Write fitted tables as the control's files. Returns these files and the corrections that are
     read back from them.
 
-    The present files (``as_found``) are patched. Raises CapacityError where a value cannot be held,
-    and CompwrightError (a fault of compwright itself) when the table of another axis reads
+    The files are changed copies of the present ones (``as_found``). Raises CapacityError if a value
+    cannot be held. Raises CompwrightError (an internal fault) if the table of another axis reads
     differently than before.
     """
     if not fitted:

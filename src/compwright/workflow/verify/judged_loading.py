@@ -55,9 +55,9 @@ def judged_loading(
     the test with the index ``place`` in the plan. ``others``: the other axes of the plan, whose
     tables can be loaded in place of this one.
 
-    ``observed``, ``posterior``: the tests before and the error estimated from them; ``stored``: the
-    contents of the control before, its tables switched on; ``read_back``: the table read back from
-    the control is the plan's.
+    ``observed``, ``posterior``: the tests before and the error estimated from them. ``stored``: the
+    contents of the control before, with its tables switched on. ``read_back``: whether the table
+    read back from the control is that of the plan.
     """
     if planned.fitted is None:
         return LoadingVerdict(
@@ -146,7 +146,8 @@ def _judged_against(
     test is relative to the slope of the first test; the given ``posterior`` if that changes
     nothing.
 
-    The difference of slope between the first test and the one after loading is then one number.
+    The difference of slope between the first test and the test after loading is then a single
+    unknown.
     """
     relative = relative_to_first(planned.tests)
     if all(one.slope_std == each.slope_std for one, each in zip(relative, observed, strict=True)):

@@ -49,10 +49,12 @@ _HEADING = (
 class Looped:
     """The results of this round that become inputs of the next round.
 
-    ``axes``: the tests after loading of the axes that may be corrected further; ``other_axes``:
-    further axes of circles; ``files``: the present files of the control, ``active``: whether their
-    tables were active, as measured; ``circles``: the files of circles after loading by name;
-    ``squareness``: planes that may be corrected further.
+    - ``axes``: the tests after loading of the axes that may be corrected further. ``other_axes``:
+      further axes of circles.
+    - ``files``: the present files of the control. ``active``: whether their tables were active, as
+      measured.
+    - ``circles``: the files of circles after loading, by name. ``squareness``: planes that may be
+      corrected further.
     """
 
     axes: Mapping[str, AfterTest]
@@ -95,7 +97,7 @@ def next_files(session: Session, job: Job, plan: Plan, then: Looped) -> dict[str
     """Return every input of the next round by its relative name, the job first. ``then``: the
     results of this round that become inputs.
 
-    Raises InputError where a measurement of the last round no longer exists.
+    Raises InputError if a measurement of the last round no longer exists.
     """
     file = Path(job.file)
     data = read_yaml(storage.read_bytes(session, file, JOB_FILE), job.file).data
@@ -229,8 +231,8 @@ def _circles(
     """Return the circular tests for the next job: those after loading (from ``then``, the results
     of this round), and earlier ones that were not repeated.
 
-    A correction between axes that is in no file of the control was active in none of the older
-    circles: these are left out.
+    If a correction between axes is in no file of the control, it was not active in the earlier
+    circles, so these are left out.
     """
     unseen = [entry.pair for entry in plan.cross if not entry.written]
     found = []
@@ -311,7 +313,7 @@ def _files_with_tests(
 def _definition(name: str, plan: Plan, copies: _Copies) -> str:
     """Return the control's id, or the copied path of the user's own control definition.
 
-    Raises InputError where a definition that it extends is outside of its folder.
+    Raises InputError if that definition extends another one that is outside of its folder.
     """
     if not plan.definition:
         return name

@@ -1,9 +1,10 @@
 """The next round after loading: which axes can be corrected further, and the result folder of its
 job.
 
-A change is added to the existing table only where a measurement has shown that this table is active
-as planned, and where the values read back are those that were to be loaded. Everything else keeps
-the existing table: otherwise a loading fault would be added to, or a wrong sign made larger.
+A change is added to the existing table under two conditions. A measurement has shown that this
+table is active as planned, and the values read back are those that were to be loaded. Every other
+axis keeps its existing table, because a change could be added to a loading fault, or could make a
+wrong sign worse.
 """
 
 from __future__ import annotations
@@ -58,9 +59,9 @@ _NOT_FROM_HERE: Final = frozenset({"CW-V011", "CW-S087", "CW-V022"})
 class Verified:
     """The plan, the job, the files and the results of ``verify``, as the next round needs them.
 
-    ``specs``: the values of ``--after`` that are positioning tests, and ``tests`` the tests;
-    ``circles``: results of circles after loading, ``circle_files`` the files of each by name;
-    ``read_back``: the files read back from the control.
+    ``specs``: those values of ``--after`` that are positioning tests. ``tests``: these tests.
+    ``circles``: results of circles after loading. ``circle_files``: the files of each circle, by
+    name. ``read_back``: the files read back from the control.
     """
 
     job: Job
@@ -80,8 +81,8 @@ class Round:
     """The document about the next round, the files of the next round (empty if it is not written),
     and notes for the user.
 
-    ``whole``: folders that hold exactly these files afterwards; ``renewed``: those in which the
-    user may keep files of his own.
+    ``whole``: folders that contain exactly these files afterwards. ``renewed``: folders in which
+    the user may keep his own files.
     """
 
     document: Mapping[str, Any]
@@ -296,8 +297,8 @@ def _squareness(found: Verified, axes: Collection[str]) -> Iterator[str]:
     """Yield the planes whose squareness can be corrected again in the next round. ``axes``: the
     axes that can be corrected further.
 
-    Measured again, with no axis whose table is in doubt, and where something was corrected before,
-    as it was expected.
+    A plane is yielded if its circle was measured again and no axis of it has a table in doubt. If
+    its squareness was corrected before, the correction must have had the expected effect.
     """
     doubted = {
         name

@@ -1,7 +1,7 @@
 """Write what a verification with the verdict ``good`` proves about a real machine, in the form of
 keys of a job and of a control definition.
 
-Nothing is written into either.
+The user copies the keys: the job and the definition themselves are not changed.
 """
 
 from __future__ import annotations
@@ -31,7 +31,8 @@ def proven_files(
     ``results``: the folders of the run and of the verification; ``loaded``: the files that were
     read back.
 
-    No files where a good verification proves nothing about a machine, with the reason.
+    If a good verification proves nothing about a machine, there are no files, and a message gives
+    the reason.
     """
     if document["verdict"] != "good" or not found.axes or not loaded:
         return {}, ()

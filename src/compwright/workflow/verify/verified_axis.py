@@ -58,10 +58,10 @@ def verified_axis(
 ) -> VerifiedAxis:
     """Compare the test of an axis after loading with the prediction of the plan. ``twice``: the
     fault that the test is a copy of another one, if any; ``ours``: whether ``read_back`` is only
-    what ``run`` wrote, no evidence about the control.
+    what ``run`` wrote, which is no evidence about the control.
 
-    ``as_found``: contents of the control before; ``stored``: the same with its tables switched on;
-    ``read_back``: contents read back since, if any; ``others``: the other axes of the plan.
+    ``as_found``: contents of the control before. ``stored``: the same with its tables switched on.
+    ``read_back``: contents read back since, if any. ``others``: the other axes of the plan.
     """
     axis = planned.axis
     names = [entry.test.name for entry in planned.tests]
