@@ -216,6 +216,44 @@ def test_a_next_round_for_squareness_alone(
     assert then["reason"] == "stop here: the squareness of XY needs no further correction"
 
 
+def test_the_machine_s_own_table_takes_the_squareness(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """15 µm/m are in table 0, which alone may be written: its points stay, and hold 40 µm/m more;
+    a second circle is then good, and no table is left to be written.
+    """
+    (folder / "control").mkdir()
+    values = "".join(f"$AN_CEC[0,{i}]={0.0015 * i:.6f}\n" for i in range(9))
+    (folder / "control" / "MD.INI").write_text(
+        "CHANDATA(1)\n$MA_CEC_ENABLE[AX2]=1\n$SN_CEC_TABLE_ENABLE[0]=1\n$SN_CEC_TABLE_WEIGHT[0]=1\n"
+        "$MN_MM_CEC_MAX_POINTS[0]=9\n$MA_BACKLASH[0,AX1]=0\n$MA_BACKLASH[0,AX2]=0\nM17\n"
+    )
+    (folder / "control" / "CEC.INI").write_text(
+        f"CHANDATA(1)\n{values}$AN_CEC_INPUT_AXIS[0]=(AX1)\n$AN_CEC_OUTPUT_AXIS[0]=(AX2)\n"
+        "$AN_CEC_STEP[0]=100\n$AN_CEC_MIN[0]=0\n$AN_CEC_MAX[0]=800\n$AN_CEC_DIRECTION[0]=0\n"
+        "$AN_CEC_MULT_BY_TABLE[0]=0\n$AN_CEC_IS_MODULO[0]=0\nM17\n"
+    )
+    options = CEC.replace("[0, 1, 2, 3, 4, 5, 6, 7]", "[0]")
+    write_circle(folder / "xy.csv", Bent().circle(2, judge_of(folder / "control")))
+    assert run(folder, SIEMENS, options=options, states="[control]") == 0
+    (table,) = (folder / "job" / "tables" / SIEMENS).iterdir()
+    held = dict(re.findall(r"^\$AN_CEC\[(0,\d)\]=(\S+)$", table.read_text(), re.MULTILINE))
+    assert [float(one) for one in held.values()] == pytest.approx(
+        [0.004 * i for i in range(9)], abs=8e-4
+    )
+    assert "at least 9 for table 0" in card(folder)
+    assert "In use: table 0. The file holds its old values plus this correction" in card(folder)
+    shutil.copytree(folder / "control", folder / "loaded")
+    shutil.copy(table, folder / "loaded" / "CEC.INI")
+    write_circle(folder / "after.csv", Bent().circle(8, judge_of(folder / "loaded")))
+    words = ["verify", str(folder / "job.yaml"), "--after", str(folder / "after.csv")]
+    assert compwright([*words, "--loaded", str(folder / "loaded"), "--update"]) == 0
+    then = json.loads((folder / "job" / "verification.json").read_text())["next"]
+    assert then["reason"] == "stop here: the squareness of XY needs no further correction"
+    write_circle(folder / "after.csv", Bent().circle(8, judge_of(folder / "control")))
+    assert compwright([*words, "--loaded", str(folder / "loaded"), "--force"]) == 1
+
+
 def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

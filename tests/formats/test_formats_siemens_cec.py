@@ -4,6 +4,7 @@ squareness, straightness.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
@@ -20,6 +21,7 @@ from compwright.formats.families.card_texts import UNKNOWN
 from compwright.formats.families.pairs import between as cross_writing
 from compwright.formats.families.pairs.sums import cross_tables
 from compwright.formats.families.pairs.tables import Cec
+from compwright.formats.families.pairs.updated_tables import over_own_points
 from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError
 from compwright.foundations.session import Session
@@ -842,6 +844,118 @@ def test_an_empty_table_of_another_ncu_is_not_free() -> None:
         else:
             with pytest.raises(CapacityError, match="cec_tables"):
                 write_cross(SIEMENS, [cross([0.0, 0.004])], options, state, given)
+
+
+#: A table of the machine's own, a bend of AX2 over AX1, and what switches it on.
+BEND = cec(0, [0.004, 0.010, -0.002], (0, 400, 800), ("AX1", "AX2"))
+SWITCHES = {
+    "$SN_CEC_TABLE_ENABLE[0]": "1",
+    "$SN_CEC_TABLE_WEIGHT[0]": "1",
+    "$MA_CEC_ENABLE[AX2]": "1",
+    "$MN_MM_CEC_MAX_POINTS[0]": "9",
+}
+
+
+def own_bend(bend: str = BEND, **changed: str) -> list[ControlFile]:
+    """The machine's files; a value "" leaves a switch out."""
+    switches = SWITCHES | {
+        key.replace("__", "[").replace("_END", "]"): v for key, v in changed.items()
+    }
+    lines = "".join(f"{key}={value}\n" for key, value in switches.items() if value)
+    return files(A__INI=f"{bend}{MD}$MA_BACKLASH[0,AX2]=0\n{lines}M17\n")
+
+
+def in_place(
+    given: Sequence[ControlFile], entry: CrossCompensation, tables: Sequence[int], sign: str
+) -> tuple[ControlFile, ...]:
+    options = {"cec": "available", "cec_tables": list(tables), "cec_sign": sign}
+    state = control_format(SIEMENS, options).read(given)
+    return write_cross(SIEMENS, [entry], options, state, given)
+
+
+def by_hand(text: str, index: int, x: float) -> float:
+    """The number that the control takes from a table at x: linear, the ends hold."""
+    values = {int(n): float(v) for n, v in re.findall(rf"\$AN_CEC\[{index},(\d+)\]=(\S+)", text)}
+    low, step, high = (
+        float(re.findall(rf"\$AN_CEC_{key}\[{index}\]=(\S+)", text)[-1])
+        for key in ("MIN", "STEP", "MAX")
+    )
+    place = (min(max(x, low), high) - low) / step
+    first = min(int(place), round((high - low) / step) - 1)
+    return values[first] + (values[first + 1] - values[first]) * (place - first)
+
+
+@pytest.mark.parametrize(("sign", "file_sign"), [("correction", 1), ("error", -1)])
+@pytest.mark.parametrize("tables", [[0], [0, 5], [5, 0]])
+def test_the_own_table_of_a_pair_is_updated_in_place(
+    sign: str, file_sign: int, tables: Sequence[int]
+) -> None:
+    """Its points stay; each holds its old value plus that of the ramp, no further table is used."""
+    given = own_bend()
+    (file,) = in_place(given, cross([0.0, -0.016]), tables, sign)
+    assert file.name == "A.INI"
+    text = file.content.decode()
+    for place in np.linspace(-100, 900, 41):
+        ramp = -0.016 * min(max(place, 0.0), 800.0) / 800
+        was = by_hand(given[0].content.decode(), 0, place)
+        assert by_hand(text, 0, place) == pytest.approx(was + file_sign * ramp, abs=1e-9)
+    assert "$AN_CEC[5," not in text
+    changed = set(text.splitlines()) ^ set(given[0].content.decode().splitlines())
+    assert all(line.startswith("$AN_CEC[0,") for line in changed)
+
+
+def test_a_table_beyond_the_travel_takes_a_ramp_between_its_points() -> None:
+    """Points from -100 to 900 every 200 mm: the ramp ends at the nearest points outside the travel,
+    0 to 800. Points from 100 to 700 every 200 mm: they get an interval of 100 mm from 0 to 800.
+    """
+    wide = cec(0, [0.004, 0.010, -0.002, 0, 0, 0.001], (-100, 200, 900), ("AX1", "AX2"))
+    narrow = cec(0, [0.004, 0.010, -0.002, 0], (100, 200, 700), ("AX1", "AX2"))
+    for bend, points in ((wide, 6), (narrow, 9)):
+        given = own_bend(bend)
+        options = {"cec": "available", "cec_tables": [0], "cec_sign": "correction"}
+        control = control_format(SIEMENS, options)
+        control = control.in_state(control.read(given))
+        entry = over_own_points(control, cross([0.0, -0.016]))
+        (file,) = write_cross(SIEMENS, [entry], options, control.state, given)
+        text = file.content.decode()
+        assert len(re.findall(r"\$AN_CEC\[0,", text)) == points
+        for place in np.linspace(0, 800, 33):
+            was = by_hand(given[0].content.decode(), 0, place)
+            assert by_hand(text, 0, place) == pytest.approx(was - 2e-5 * place, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("bend", "switches"),
+    [
+        (BEND, {"$SN_CEC_TABLE_ENABLE__0_END": "0"}),
+        (BEND, {"$SN_CEC_TABLE_ENABLE__0_END": ""}),
+        (BEND, {"$SN_CEC_TABLE_WEIGHT__0_END": "2"}),
+        (BEND, {"$SN_CEC_TABLE_WEIGHT__0_END": ""}),
+        (BEND, {"$MA_CEC_ENABLE__AX2_END": "0"}),
+        (BEND.replace("DIRECTION[0]=0", "DIRECTION[0]=1"), {}),
+        (BEND.replace("MULT_BY_TABLE[0]=0", "MULT_BY_TABLE[0]=3"), {}),
+        (BEND.replace("-0.002", "0.004").replace("IS_MODULO[0]=0", "IS_MODULO[0]=1"), {}),
+        (BEND + "$AN_CEC_TYPE[0]=1\n", {}),
+        (BEND + "$SN_CEC_0[0]=0.01\n", {}),
+        (BEND + "$AN_CEC_OUTPUT_NCU[0]=2\n", {}),
+        (BEND + cec(3, [0, 0.01], (0, 800, 800), ("AX1", "AX3"), MULT_BY_TABLE=1), {}),
+        (BEND.replace("STEP[0]=400", "STEP[0]=300"), {}),
+        (cec(0, [0.004, 0.010, -0.002], (7, 300, 607), ("AX1", "AX2")), {}),
+    ],
+)
+def test_an_own_table_that_cannot_take_a_correction_exactly_stays(
+    bend: str, switches: Mapping[str, str]
+) -> None:
+    given = own_bend(bend, **switches)
+    with pytest.raises((CapacityError, InputError)) as caught:
+        in_place(given, cross([0.0, -0.016]), [0], "correction")
+    assert "table 0" in str(caught.value)
+
+
+def test_an_own_table_that_may_not_be_written_is_named() -> None:
+    with pytest.raises(CapacityError) as caught:
+        in_place(own_bend(), cross([0.0, -0.016]), [], "correction")
+    assert "add the index of the control's own table (0) to `cec_tables`" in str(caught.value)
 
 
 def test_cross_tables_and_a_pair_of_one_run_do_not_meet() -> None:

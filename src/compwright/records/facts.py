@@ -113,8 +113,11 @@ class PairTables:
 
     ``stay``: the numbers of tables whose input is also their output and which stay whatever is
     written.
+    ``curves``: positions and corrections, mm or deg, of the tables between two axes to which a
+    correction can be added: one curve for both directions, active beyond doubt.
     """
 
     used: Mapping[int, tuple[str, str]] = field(default_factory=dict)
     reserved: Mapping[int, int] = field(default_factory=dict)
     stay: frozenset[int] = frozenset()
+    curves: Mapping[int, tuple[tuple[float, ...], tuple[float, ...]]] = field(default_factory=dict)

@@ -1,4 +1,4 @@
-"""Write corrections between axes (squareness, straightness) into free CEC tables."""
+"""Write corrections between axes (squareness, straightness) into CEC tables."""
 
 from __future__ import annotations
 
@@ -26,11 +26,18 @@ from compwright.formats.families.pairs.options import (
     too_few,
     unit_unknown,
 )
+from compwright.formats.families.pairs.places import Pair
+from compwright.formats.families.pairs.updated_tables import (
+    added_up,
+    over_own_points,
+    own_tables,
+    updated_table,
+)
 from compwright.formats.families.pairs.writing import CecWriter, PairEntry
 from compwright.formats.text.own_files import OwnFiles
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.foundations.units import outside_factor, shown_unit
-from compwright.records.axis import Direction
+from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import (
     AxisCompensation,
     ControlFile,
@@ -46,7 +53,8 @@ def write_cross(
 ) -> tuple[ControlFile, ...]:
     """Return the changed and new files that add ``cross`` to the existing corrections.
 
-    Each entry of ``cross`` gets unused tables in addition to the existing ones: one for both
+    Each entry of ``cross`` is added to the control's own table of these axes if that takes it
+    exactly. Otherwise it gets unused tables in addition to the existing ones: one for both
     directions, or one for each direction. Values are what the control adds to the output axis, mm
     or deg. An entry with two points is a straight line between them.
 
@@ -103,24 +111,59 @@ def _put(writer: CecWriter, entry: CrossCompensation, faults: list[Fault]) -> li
     pair = tables.axis(entry.input), tables.axis(entry.output)
     both = np.array_equal(entry.positive, entry.negative)
     directions: tuple[Direction | None, ...] = (None,) if both else tuple(Direction)
+    label = f"{entry.output} over {entry.input}"
+    held = updated_table(writer.control, entry) if tables.own is not None else None
+    if held is not None and held[0] not in tables.kept:
+        index, where = held
+        total = _curve(pair, entry, where, added_up(writer.control, index, entry, where))
+        return writer.put([index], pair, [(None, total)], label, faults)
     free = [one for one in tables.allowed if one not in tables.in_use and one not in tables.kept]
     if len(free) < len(directions):
-        label, needed = f"{pair[0]} on {pair[1]}", len(directions)
-        faults.append(too_few(label, writer.definition.id, needed, len(free), tables.allowed))
+        own = [index for index in own_tables(writer.control, pair) if index not in tables.kept]
+        needed, between = len(directions), f"{pair[0]} on {pair[1]}"
+        fault = too_few(between, writer.definition.id, needed, len(free), tables.allowed)
+        faults.append(_with_own(fault, own, tables.allowed) if both and own else fault)
         return []
     curves = []
-    for direction in directions:
-        curve = entry.negative if direction is Direction.NEGATIVE else entry.positive
-        one = AxisCompensation(
-            address=pair[1],
-            kind=entry.input_kind,
-            positions=entry.positions,
-            positive=curve,
-            negative=curve,
-            period=entry.period,
+    for one in directions:
+        values = entry.negative if one is Direction.NEGATIVE else entry.positive
+        curves.append((one, _curve(pair, entry, entry.positions, values)))
+    return writer.put(free, pair, curves, label, faults)
+
+
+def _curve(
+    pair: Pair, entry: CrossCompensation, positions: FloatArray, values: FloatArray
+) -> AxisCompensation:
+    return AxisCompensation(
+        address=pair[1],
+        kind=entry.input_kind,
+        positions=positions,
+        positive=values,
+        negative=values,
+        period=entry.period,
+    )
+
+
+def _with_own(fault: Fault, own: Sequence[int], allowed: Sequence[int]) -> Fault:
+    """Return the fault that too few tables are free, with what it takes to update one of the
+    control's ``own`` tables of these axes.
+    """
+    named = ", ".join(map(str, own))
+    conditions = (
+        "SD41300 = 1, SD41310 = 1 and MD32710 = 1 in the files, direction 0, neither repeating nor"
+        " a factor, and points at the ends of the travel or room for them (MD18342)"
+    )
+    if set(own) <= set(allowed):
+        found = f"{fault.found}, and table {named} of these axes takes no further correction"
+        return replace(
+            fault, found=found, hint=f"{fault.hint}; or change table {named}: {conditions}"
         )
-        curves.append((direction, one))
-    return writer.put(free, pair, curves, f"{entry.output} over {entry.input}", faults)
+    return replace(
+        fault,
+        found=f"{fault.found}, and table {named} of these axes, which may not be written",
+        hint=f"add the index of the control's own table ({named}) to `cec_tables`, so that it is "
+        f"updated in place ({conditions}); or {fault.hint}",
+    )
 
 
 def _beyond_sum(writer: CecWriter, entry: CrossCompensation) -> list[Fault]:
@@ -221,6 +264,11 @@ def pairs_between(family: Family, request: BetweenRequest, *, small: bool) -> Be
     the new values.
     """
     before = request.read(request.base)
+    held = tuple(
+        replace(entry, added=over_own_points(family.in_state(before), entry.added))
+        for entry in request.planned
+    )
+    request = replace(request, planned=held)
     try:
         new = _written(family, request, before)
     except CapacityError as error:
@@ -232,7 +280,7 @@ def pairs_between(family: Family, request: BetweenRequest, *, small: bool) -> Be
         for entry in request.planned
         for step in _steps(family, entry, _named(family, entry, new, small=small), before, after)
     )
-    return Between(files=new, steps=tuple(steps))
+    return Between(files=new, held=held, steps=tuple(steps))
 
 
 def _written(
@@ -281,25 +329,32 @@ def _steps(
     ``named``: the files to load; ``before`` and ``after``: the state of the control's files without
     and with the new tables.
 
-    Existing tables of the same axes are not in these steps, because they stay unchanged.
+    Other tables of the same axes are not in these steps, because they stay unchanged.
     """
     added = entry.added
-    pair, others = (added.input, added.output), before.tables.used
+    pair, others = (added.input, added.output), before.tables
+    updated = {
+        one: len(curve[0])
+        for one, curve in after.tables.curves.items()
+        if others.curves.get(one) not in (None, curve)
+    }
     mine = [
-        str(index)
+        index
         for index, axes in sorted(after.tables.used.items())
-        if axes == pair and index not in others
+        if axes == pair and (index not in others.used or index in updated)
     ]
-    which = tables_in_words(mine)
-    room = reserving(family.definition, added.positions.size, which)
+    which = tables_in_words([str(index) for index in mine])
+    points = max(updated.get(index, added.positions.size) for index in mine)
+    room = reserving(family.definition, points, which)
     each = control_text("it") if len(mine) == 1 else control_text("each of them")
     axes = {"output": entry.output, "input": entry.input}
+    check = _checking(entry, named, which, each)
     steps = {
         control_text("{output} over {input}: reserve and switch off", **axes): _reserving(
             added.output, room, which
         ),
-        control_text("{output} over {input}: check the sign", **axes): _checking(
-            entry, named, which, each
+        control_text("{output} over {input}: check the sign", **axes): (
+            _in_use(check, which) if updated.keys() & set(mine) else check
         ),
         control_text("{output} over {input}: load", **axes): _loading(entry, named),
         control_text("{output} over {input}: switch on", **axes): _switching(entry, which),
@@ -339,6 +394,15 @@ def _checking(entry: PlannedCross, named: str, which: str, each: str) -> str:
         which=which,
         each=each,
         address=entry.added.output,
+    )
+
+
+def _in_use(check: str, which: str) -> str:
+    return control_text(
+        "{check} In use: {which}. The file holds its old values plus this correction. If the check"
+        " fails, load the old values of the folder rollback again.",
+        check=check,
+        which=which,
     )
 
 

@@ -28,7 +28,7 @@ from compwright.formats.families.pairs.options import (
     sign_known,
     sign_question,
 )
-from compwright.formats.families.pairs.places import last, places_of
+from compwright.formats.families.pairs.places import last, of_axis, places_of
 from compwright.formats.families.pairs.programs import check_programs
 from compwright.formats.families.pairs.reading import CecReader, Writable
 from compwright.formats.families.pairs.sums import (
@@ -37,11 +37,12 @@ from compwright.formats.families.pairs.sums import (
     with_own_tables,
     without_cut_sums,
 )
+from compwright.formats.families.pairs.tables import CecTable
 from compwright.formats.text.container import is_container, opened
 from compwright.formats.text.gathering import FoundValue, Gathered, same_value
 from compwright.formats.text.values import name_of
 from compwright.foundations.errors import Fault
-from compwright.records.axis import Axis, AxisKind
+from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile, CrossCompensation
 from compwright.records.facts import PairTables
 from compwright.words.sentences import control_text
@@ -201,8 +202,39 @@ class PairsReader(GridReader):
         return ()
 
     def pair_tables(self) -> PairTables:
-        """Return the axes and reserved points of the cross-axis tables, and which tables stay."""
-        return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay())
+        """Return the axes, reserved points and curves of the cross-axis tables, and which tables
+        stay.
+        """
+        curves = {
+            one.index: (tuple(one.positions.tolist()), tuple(one.values.tolist()))
+            for one in self.cec.tables
+            if one.active and self._is_plain(one)
+        }
+        return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay(), curves)
+
+    def _is_plain(self, one: CecTable) -> bool:
+        """Return whether a table between two axes is one curve for both directions, is switched on
+        by SD41300 and MD32710 in the files, has the weight 1 there, and is a factor of no table.
+        """
+        every = places_of(self.gathered)
+        output = of_axis(self.gathered, one.output)
+        stated = (
+            last("cross_table_enabled", every[one.index]),
+            last("cross_weight", every[one.index]),
+            last("cross_axis_enabled", output),
+        )
+        factors = {
+            int(found.text) - 1
+            for index, places in every.items()
+            if index != one.index and (found := last("cross_multiplier", places)) is not None
+        }
+        return (
+            one.input != one.output
+            and one.period is None
+            and len(one.directions) == len(Direction)
+            and all(found is not None and same_value(found.text, "1") for found in stated)
+            and one.index not in factors
+        )
 
     def active_lines(self) -> dict[str, FoundValue]:
         """Return, by axis name, one line that shows an active correction of the axis, or a value of

@@ -174,6 +174,12 @@ TEXTS: Final[dict[str, str]] = {
         " {unit} pour cec_sign: error. Sinon : ne rien charger, et recommencer le calcul avec"
         " l'autre. Réécrire 0 et désactiver comme à l'étape précédente."
     ),
+    "{check} In use: {which}. The file holds its old values plus this correction. If the check"
+    " fails, load the old values of the folder rollback again.": (
+        "{check} En service : {which}. Le fichier contient ses anciennes valeurs plus cette"
+        " correction. Si la vérification échoue, recharger les anciennes valeurs du dossier"
+        " rollback."
+    ),
     "Load {files}. {error}: {output} is moved by {ends}, 0 at the reference of {input}.": (
         "Charger {files}. {error} : {output} est déplacé de {ends}, 0 à la référence de {input}."
     ),

@@ -170,6 +170,11 @@ TEXTS: Final[dict[str, str]] = {
         " cec_sign: error. Если нет: ничего не загружайте и выполните расчёт снова с другим"
         " значением. Снова запишите 0 и выключите, как в шаге до этого."
     ),
+    "{check} In use: {which}. The file holds its old values plus this correction. If the check"
+    " fails, load the old values of the folder rollback again.": (
+        "{check} Используется: {which}. В файле её прежние значения плюс эта коррекция. Если"
+        " проверка не удалась, снова загрузите прежние значения из папки rollback."
+    ),
     "Load {files}. {error}: {output} is moved by {ends}, 0 at the reference of {input}.": (
         "Загрузите {files}. {error}: {output} перемещается на {ends}, 0 в опорной позиции {input}."
     ),

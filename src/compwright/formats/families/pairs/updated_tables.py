@@ -1,0 +1,105 @@
+"""Add a correction between two axes to the control's own CEC table of this pair, in place.
+
+The sum is exact: each point of the old curve and each corner of the correction is a point of the
+table.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import gcd
+
+import numpy as np
+
+from compwright.formats.families.family import Family
+from compwright.formats.families.pairs.options import allowed_tables
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.correction import CrossCompensation
+
+#: Positions closer than this are one, mm or deg.
+_SAME = 1e-6
+#: A curve is straight that nowhere deviates by more than this from its line, mm or deg.
+_STRAIGHT = 1e-9
+#: A new grid has an interval of whole multiples of this, mm or deg, and values of this.
+_STEP, _QUANTUM = 1e-3, 1e-6
+
+
+def own_tables(control: Family, pair: tuple[str, str]) -> list[int]:
+    """Return the indices of the control's tables of a pair of axes, input and output axis."""
+    return [index for index, axes in control.state.tables.used.items() if axes == pair]
+
+
+def updated_table(control: Family, entry: CrossCompensation) -> tuple[int, FloatArray] | None:
+    """Return the index of the table of the same axes that takes ``entry``, and its new positions;
+    None if no table that may be written takes it exactly.
+
+    ``entry`` as `over_own_points` returns it.
+    """
+    tables = control.state.tables
+    if entry.period is not None or not np.array_equal(entry.positive, entry.negative):
+        return None
+    allowed = allowed_tables(control.definition, control.options)
+    for index in own_tables(control, (entry.input, entry.output)):
+        if index not in allowed or index not in tables.curves:
+            continue
+        old = np.array(tables.curves[index][0])
+        room = max(tables.reserved.get(index, 0), _room(control), old.size)
+        positions = _common(old, entry.positions, room)
+        if positions is not None:
+            return index, positions
+    return None
+
+
+def added_up(
+    control: Family, index: int, entry: CrossCompensation, where: FloatArray
+) -> FloatArray:
+    """Return the correction of a table plus that of ``entry`` at the positions ``where``."""
+    old = np.interp(where, *control.state.tables.curves[index])
+    return np.round((old + entry.at(where, Direction.POSITIVE)) / _QUANTUM) * _QUANTUM
+
+
+def over_own_points(control: Family, entry: CrossCompensation) -> CrossCompensation:
+    """Return a straight correction that ends at points of the control's own table of these axes,
+    the nearest ones outside the travel; others as they are.
+    """
+    tables, ends = control.state.tables, entry.positions[[0, -1]]
+    values = entry.positive[[0, -1]]
+    line = np.interp(entry.positions, ends, values)
+    straight = entry.period is None and all(
+        float(np.max(np.abs(curve - line))) <= _STRAIGHT
+        for curve in (entry.positive, entry.negative)
+    )
+    for index in own_tables(control, (entry.input, entry.output)) if straight else ():
+        old = np.array(tables.curves.get(index, ((), ()))[0])
+        below, above = old[old <= ends[0] + _SAME], old[old >= ends[1] - _SAME]
+        nodes = np.array([*below[-1:], *above[:1]])
+        slope = (values[1] - values[0]) / (ends[1] - ends[0])
+        if nodes.size == len(ends):
+            curve = np.round((values[0] + slope * (nodes - ends[0])) / _QUANTUM) * _QUANTUM
+            wider = replace(entry, positions=nodes, positive=curve, negative=curve)
+            if updated_table(control, wider) is not None:
+                return wider
+    return entry
+
+
+def _room(control: Family) -> int:
+    """Return the number of points that each table of the control has, or that an option states."""
+    fixed = control.definition.limit_number("cross_points")
+    promised = control.options.get("points")
+    return int(fixed or (promised if isinstance(promised, int) else 0))
+
+
+def _common(old: FloatArray, new: FloatArray, room: int) -> FloatArray | None:
+    """Return equally spaced positions that contain those of two curves; None if ``room`` is too
+    small.
+    """
+    if all(float(np.min(np.abs(old - one))) <= _SAME for one in new):
+        return old
+    every = np.unique(np.concatenate([old, new]))
+    steps = (every - every[0]) / _STEP
+    whole = np.round(steps).astype(int)
+    interval = gcd(*whole.tolist())
+    if float(np.max(np.abs(steps - whole))) > _SAME / _STEP or interval == 0:
+        return None
+    count = int(whole[-1]) // interval + 1
+    return every[0] + interval * _STEP * np.arange(count) if count <= room else None
