@@ -149,14 +149,17 @@ def _part(nodes: FloatArray, edge: int, beyond: str, *, first: bool) -> Sentence
 
 
 def _cuts(ways: HypothesisBuilder) -> list[int]:
-    """Return the indices of at most `_CUTS` table points at which a partial table may end."""
+    """Return the indices of the table points at which a partial table may end: at most `_CUTS`, but
+    one for each group of targets beyond it, also where the end is around a target.
+    """
     nodes = ways.table.positions
-    target_index = np.searchsorted(ways.targets, nodes)
+    above = np.searchsorted(ways.targets, nodes)
+    up_to = np.searchsorted(ways.targets, nodes, side="right")
     effective = [
-        cut
-        for cut in range(1, nodes.size)
-        if target_index[cut] > 0 and target_index[cut - 1] < ways.targets.size
+        cut for cut in range(1, nodes.size) if above[cut] > 0 and above[cut - 1] < ways.targets.size
     ]
     if len(effective) <= _CUTS:
         return effective
-    return [effective[i] for i in np.unique(np.linspace(0, len(effective) - 1, _CUTS).astype(int))]
+    distinct = {(up_to[cut - 1], above[cut]): cut for cut in effective}.values()
+    more = np.linspace(0, len(effective) - 1, max(_CUTS - len(distinct), 2)).astype(int)
+    return sorted({*distinct, *(effective[i] for i in more)})

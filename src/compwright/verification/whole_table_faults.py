@@ -139,10 +139,11 @@ def mirrored(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 def wrong_axis(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield hypotheses that the table of another axis is active: with its values at the same
-    positions, or at the same point numbers.
+    positions, or at the same point numbers. The numbers of a table in mm count as deg and the other
+    way round.
     """
     for name, other in ways.loading.others.items():
-        if other.kind is not ways.table.kind or not other.positions.size:
+        if not other.positions.size:
             continue
         backlash = ways.jump(other)
         nodes = ways.table.positions.size
