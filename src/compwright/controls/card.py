@@ -176,13 +176,16 @@ def _rows(
     factor, small = outside_factor(unit), shown_unit(unit)
 
     def describe(table: AxisCompensation | None, lost: float) -> dict[str, str]:
-        amount = say("label.with_unit", value=_minus(f"{lost * factor:.2f}"), unit=small)
+        amount = say(
+            "label.with_unit", value=_minus(f"{round(lost * factor, 2) + 0.0:.2f}"), unit=small
+        )
         backlash = SentenceText(amount)
         constant = table is not None and table.positions.size == 1 and lost != table.backlash
         if table is None or table.positions.size == 0 or constant:  # backlash alone
             none = control_text("none")
             return {"points": none, "range": "—", "largest": "—", "backlash": backlash}
         curves = np.concatenate([table.positive, table.negative]) * factor
+        curves = np.round(curves, 2) + 0.0
         return {
             "points": str(table.positions.size),
             "range": _range(f"{table.positions[0]:g}", f"{table.positions[-1]:g}", unit),

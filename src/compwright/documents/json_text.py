@@ -1,4 +1,4 @@
-"""Write a document as JSON text: the same bytes for equal documents, and no NaN."""
+"""Write a document as JSON text: the same bytes for equal documents, no NaN and no minus zero."""
 
 from __future__ import annotations
 
@@ -46,7 +46,8 @@ def _pieces(value: Any, line: str) -> Iterator[str]:
         yield line + "}"
     elif isinstance(value, list | tuple) and value:
         if all(type(one) is float or one is None for one in value):
-            yield f"[{inside}{_PLAIN(value)[1:-1].replace(', ', f',{inside}')}{line}]"
+            row = _PLAIN([None if one is None else one + 0.0 for one in value])
+            yield f"[{inside}{row[1:-1].replace(', ', f',{inside}')}{line}]"
             return
         before = f"[{inside}"
         for one in value:
@@ -55,7 +56,7 @@ def _pieces(value: Any, line: str) -> Iterator[str]:
             before = f",{inside}"
         yield line + "]"
     else:
-        yield _PLAIN(value)
+        yield _PLAIN(value + 0.0 if isinstance(value, float) else value)
 
 
 def no_number(word: str) -> float:

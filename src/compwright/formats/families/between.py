@@ -139,7 +139,7 @@ def _named(entry: PlannedCross) -> dict[str, str]:
     moved = control_text(
         ", which also moves {output} as a whole by {constant} µm",
         output=entry.output,
-        constant=f"{constant * 1e3:+.2f}",
+        constant=f"{round(constant * 1e3, 2) + 0.0:+.2f}",
     )
     return {
         "squareness": f"{entry.squareness:+.9f}",

@@ -123,7 +123,7 @@ def sign_check(compensation: AxisCompensation, where: FloatArray) -> dict[str, s
     return {
         "check_from": f"{where[low]:.10g}",
         "check_to": f"{where[high]:.10g}",
-        "check_change": f"{change:+.1f} {shown_unit(unit)}",
+        "check_change": f"{round(change, 1) + 0.0:+.1f} {shown_unit(unit)}",
     }
 
 

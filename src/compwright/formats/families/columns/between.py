@@ -181,7 +181,7 @@ def _rows(entry: PlannedCross, form: str) -> list[tuple[float, float]]:
     sign = -1.0 if form == "error" else 1.0
     added = entry.added
     return [
-        (float(position), sign * float(value) + 0.0)
+        (float(position), round(sign * float(value), 4) + 0.0)
         for position, value in zip(added.positions, added.positive, strict=True)
     ]
 

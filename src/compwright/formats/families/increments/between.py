@@ -88,7 +88,7 @@ def _filled(family: Family, request: BetweenRequest, entry: PlannedCross) -> Bet
         return None
     # The first node is the lower end of the first section, whose number stands for its upper end.
     points = [str(facts.first_number - 1 + step) for step in steps for _ in range(2)]
-    amounts = [f"{value / unit:.0f}" for value in added.positive for _ in range(2)]
+    amounts = [str(round(float(value / unit))) for value in added.positive for _ in range(2)]
     texts = [added.input, added.output, *points, *amounts]
     named = {places[place].number: text for place, text in enumerate(texts)}
     values = [f"{number} = {text}" for number, text in named.items()]
@@ -151,7 +151,7 @@ def _rows(
     # The table may reach beyond the line's positions: the line goes on to the points at its ends.
     line = np.polynomial.Polynomial.fit(added.positions, added.positive, 1)
     low, high = line(table.positions[[1, -1]]) / unit
-    ends = f"{low:.0f}", f"{high:.0f}"
+    ends = str(round(float(low))), str(round(float(high)))
     values = (added.input, added.output, *(str(first),) * 2, *(str(last),) * 2)
     texts = (*values, *(ends[0],) * 2, *(ends[1],) * 2)
     points = ("point number at the - end",) * 2 + ("point number at the + end",) * 2

@@ -216,6 +216,6 @@ def _checking(entry: PlannedCross, meaning: str) -> str:
         meaning=meaning,
         start=f"{added.positions[0]:g}",
         end=f"{added.positions[-1]:g}",
-        change=f"{change:+.1f}",
+        change=f"{round(change, 1) + 0.0:+.1f}",
         unit=unit,
     )

@@ -412,7 +412,7 @@ def _loading(entry: PlannedCross, named: str) -> str:
     ends = [
         control_text(
             "{value} {unit} at {input} {position}",
-            value=f"{value * factor:+.2f}",
+            value=f"{round(value * factor, 2) + 0.0:+.2f}",
             unit=unit,
             input=entry.input,
             position=f"{position:g}",
