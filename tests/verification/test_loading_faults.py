@@ -228,6 +228,29 @@ def test_the_message_says_what_was_seen(case: str, words: str) -> None:
     assert "µm rms" in verdict.message
 
 
+def test_a_fine_table_may_end_at_every_target() -> None:
+    """Between the last point that is loaded and the next one, a target has a part of the value."""
+    nodes = np.linspace(0.0, 400.0, 378)
+    values = np.interp(nodes, NODES, WAVES)
+    loading = Loading(
+        new=compensation(values, nodes=nodes), old=NONE, active_before=NONE, others={}
+    )
+    ways = [way for way in loading_hypotheses(loading, TARGETS) if way.name == "partial"]
+    for target in TARGETS:
+        for kept in (nodes <= target, nodes >= target):
+            curve = np.interp(TARGETS, nodes, np.where(kept, values, 0.0))
+            assert any(np.allclose(way.positive, curve, atol=1e-12) for way in ways)
+
+
+def test_the_table_of_an_axis_of_another_kind() -> None:
+    """A rotary axis given the numbers of a linear one: 0.004 mm is active as 0.004 deg."""
+    other = replace(compensation(OTHER, address="C"), kind=AxisKind.ROTARY)
+    loading = Loading(new=ONE_TABLE, old=NONE, active_before=NONE, others={"C": other})
+    (way, *_) = (one for one in loading_hypotheses(loading, TARGETS) if one.name == "wrong_axis")
+    assert way.of == "C"
+    np.testing.assert_allclose(way.positive, np.interp(TARGETS, NODES, OTHER))
+
+
 @pytest.mark.parametrize("language", ["de", "fr", "ru"])
 def test_every_variant_is_translated(language: Language) -> None:
     """The variants of all hypotheses, with the names of their verdicts, contain no English."""
