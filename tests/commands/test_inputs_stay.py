@@ -391,7 +391,7 @@ def test_one_name_for_two_results_is_refused(
     name: str, folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     said = refused(folder, capsys, "run", "job.yaml", "--json", f"job/{name}")
-    assert "two different files would get this name" in said
+    assert "two different output files would get this name" in said
 
 
 def test_existing_files_are_one_line(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -184,9 +184,9 @@ def test_the_page_of_the_verification_shows_the_next_round(rounds: Rounds) -> No
         words = " ".join(html.unescape(re.sub("<[^>]+>", " ", page)).split())
         then = document["next"]
         mark = (
-            "table for the next round"
+            "table for the next correction round"
             if then["axes"]["X"]["table"]
-            else "no new table for the next round"
+            else "no new table for the next correction round"
         )
         shown = then["axes"]["X"]["reason"].replace("um", "µm")
         assert f"Next round {then['reason']}. X {mark} {shown}" in words

@@ -340,7 +340,7 @@ BAD_SHEETS = {
     "cut short": (
         "# value: error\n",
         "# value: error\n# points: 4\n",
-        "states a wrong number of points.* expected 4, found 3",
+        "fewer or more points than it states.* expected 4 points, found 3",
     ),
     "positions descend": ("1,0,0,mm", "1,-200,0,mm", "do not ascend"),
     "a point missing": ("1,0,0,mm\n", "", "numbered one by one"),

@@ -75,7 +75,7 @@ def test_what_the_software_printed_is_next_to_it() -> None:
 
 @pytest.mark.parametrize(
     ("plain", "says"),
-    [(4.4, "the spikes make 80 % of the difference"), (5.1, "they are not the reason")],
+    [(4.4, "the spikes make 80 % of the difference"), (5.1, "the spikes are not the reason")],
 )
 def test_a_difference_has_the_reason_that_a_fit_without_spikes_shows(
     plain: float, says: str

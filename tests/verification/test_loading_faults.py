@@ -215,7 +215,7 @@ def test_a_fault_is_found_by_its_name(case: str) -> None:
         ("no backlash", "the backlash value is wrong: missing"),
         ("backlash twice", "the backlash value is wrong: twice"),
         ("backlash turned", "the backlash value is wrong: with the wrong sign"),
-        ("a part", "up to point 9 (200), no correction beyond"),
+        ("a part", "up to point 9 (200), no correction elsewhere"),
         # 16 intervals of 25 mm; the table holds 1.3 µm at point 9: from point 10 on looks alike.
         ("the other part", "Only a part of the table is active: from point 9 (200) on"),
         ("nothing", "The table is not active"),
@@ -308,7 +308,7 @@ def test_the_old_table_or_nothing() -> None:
     verdict = judge(shown(part, part, LOST), ONE_TABLE, old)
     assert verdict.verdict == "partial"
     assert "up to point" in verdict.message
-    assert "the old values beyond" in verdict.message
+    assert "the old values elsewhere" in verdict.message
     assert judge(shown(WAVES, WAVES, LOST), ONE_TABLE, old).verdict == "loaded"
     lost = judge(shown(WAVES, WAVES, 1 * UM), ONE_TABLE, old)
     assert (lost.verdict, str(lost.detail)) == ("backlash", "the old value instead of the new one")

@@ -393,10 +393,10 @@ def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) 
                 expected=str(stated),
                 found=str(given),
                 hint=(
-                    f"set `{TABLE_VALUES}: {stated}` in the options; if a test of the sign at the "
-                    f"machine showed that the values are the {given}, write the line `# value: "
-                    f"{given}` into the sheet, or remove the table from the control and measure "
-                    "again"
+                    f"set `{TABLE_VALUES}: {stated}` in the options; if instead a test at the "
+                    f"machine showed that the values of the table are the {given}, write "
+                    f"`# value: {given}` into the sheet, or remove the table from the control and "
+                    "measure again"
                 ),
             )
         )

@@ -364,7 +364,8 @@ def texts_in(file: ControlFile) -> tuple[ControlFile, ...]:
 def _unknown(file: ControlFile) -> InputError:
     return InputError(
         Fault(
-            message="the file was not copied: its form is unknown, so names in it cannot be found",
+            message="the file was not copied: its format is unknown, so the names of persons, "
+            "companies and machines in it cannot be found and removed",
             file=file.name,
             expected="a measurement file or a text of a control that compwright reads",
             found=unknown_container(file.content).rstrip(","),

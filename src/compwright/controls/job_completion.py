@@ -109,7 +109,7 @@ def _number_question(control: Control, axis: Axis, by_name: Mapping[str, tuple[s
             "machine's axes in order"
         ),
         expected=f"the number, or the file with {quantity} among the control's files",
-        found=f"files that number {names}" if names else "only the letter",
+        found=f"in the files {names}" if names else "only the letter of the axis",
         hint=(
             "look the number up in the control, then add it to the axis, such as `address: 1`, or "
             f"add the file with {quantity} to the control's files (`states` or `--state`)"

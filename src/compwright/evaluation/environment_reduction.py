@@ -117,15 +117,15 @@ def _refuse_compensated_air(test: PositioningTest) -> None:
         raise InputError(
             Fault(
                 message=(
-                    "the instrument already compensated for the air; removing its effect again"
-                    " would count it twice"
+                    "the instrument already compensated for the air, so its effect would be removed"
+                    " twice"
                 ),
                 file=_file(test),
                 place="compensated_for",
                 expected="no key `compensated_for`, or one that names only the material",
                 found=stated,
                 hint=(
-                    f"remove the columns {', '.join(AIR)} from the record of `environment`, or"
+                    f"remove the columns {', '.join(AIR)} from the environment record, or"
                     " correct `compensated_for` in the file"
                 ),
             )

@@ -138,7 +138,8 @@ def _refuse(capacity: Capacity, request: TableRequest) -> None:
         faults.append(
             Fault(
                 message=(
-                    "the correction is zero at the reference, and the control cannot store zero"
+                    "the correction is zero at the reference position, and the control cannot "
+                    "store zero"
                 ),
                 place="value range",
                 expected="a range that contains 0",

@@ -101,7 +101,7 @@ def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatAr
             Fault(
                 message=(
                     "the points of the existing table must not change, because the "
-                    "columns of other axes depend on them"
+                    "columns of other axes in the same table depend on them"
                 ),
                 place=f"table.{name}",
                 expected=f"{name}: {there:.10g} ({unit}), or no {name}",

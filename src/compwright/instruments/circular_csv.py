@@ -141,7 +141,8 @@ def _check_form(comments: Comments, lines: Sequence[tuple[int, str]], file: str)
                 message=newer if match else "the file is not a circular test",
                 file=file,
                 place=comments.places["compwright"],
-                expected=f"circular {_NEWEST_FORM}{' or a lower number' if match else ''}",
+                expected=f"# compwright: circular {_NEWEST_FORM}"
+                f"{', or a lower number' if match else ''}",
                 found=shown(form),
                 hint=(
                     "update compwright, or export the test again in this form"

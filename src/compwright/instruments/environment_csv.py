@@ -70,7 +70,10 @@ def read_environment(content: bytes, file: str) -> EnvironmentRecord:
         faults.add(
             "is not a record of the environment",
             place=f"line {table.line}",
-            expected=f"a column {TIME}, and the column {MATERIAL} or all of {', '.join(AIR)}",
+            expected=(
+                f"a column {TIME}, and in addition all columns of the air ({', '.join(AIR)}), "
+                f"the column {MATERIAL}, or both"
+            ),
             found=shown(", ".join(table.columns)),
             hint=(
                 "give the columns these names in the header row; remove air columns if the"
@@ -161,7 +164,7 @@ def _column(table: CsvTable, name: str, marks: DecimalMarks, faults: FaultList) 
     outside = np.flatnonzero(((numbers < low) | (numbers > high)) & ~dry)
     if outside.size:
         faults.add(
-            f"cannot be in the unit of {name}",
+            "contains a value that is not plausible in the unit of its column",
             place=table.place(name)(int(outside[0])),
             expected=f"{low:g} to {high:g}{' (dry air: 0)' if name == HUMIDITY else ''}",
             found=(

@@ -40,7 +40,7 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
                 message="the file was written for a newer version of compwright",
                 file=file,
                 place=comments.places["compwright"],
-                expected=f"positioning {_NEWEST_FORM} or a lower number",
+                expected=f"# compwright: positioning {_NEWEST_FORM}, or a lower number",
                 found=form,
                 hint="install the newer version of compwright (docs/how-to/offline.md)",
             )
@@ -101,8 +101,8 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
             Fault(
                 message=(
                     "the file is a table of the Status Pro software, whose columns are not "
-                    "documented: Delta may be the step between positions, and AX1 and AX3 "
-                    "are across the axis"
+                    "documented: Delta may be the step between positions, and AX1 and AX3 may be "
+                    "measured across the axis"
                 ),
                 file=file,
                 place=f"line {number}",

@@ -260,7 +260,8 @@ def _wide_factor(target: str, comments: Comments, faults: FaultList) -> float:
     )
     if not unit:
         faults.add(
-            "key 'unit' is missing: the wide form needs the unit of its deviations",
+            "key 'unit' is missing: a table with a column for each traverse (+1, -1, ...) needs "
+            "the unit of its deviations",
             expected=wanted,
             hint="add the line `# unit: um` (or mm, arcsec, deg) above the header row",
         )

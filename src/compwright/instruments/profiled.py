@@ -362,7 +362,7 @@ def _by_order(rows: _ProfiledRows, faults: FaultList) -> Iterator[Direction | No
             faults.add(
                 "the order of the rows does not show the directions",
                 place=f"line {rows.lines[part.start]}" if part.stop > part.start else "",
-                expected="targets that rise and fall in turn, the outermost ones in two rows each",
+                expected="targets that rise, then fall, and so on, each end target twice in a row",
                 found=f"targets {', '.join(map(as_text, targets[:6].tolist()))}",
                 hint="name a column with the direction in the profile (`direction_from`)",
             )
@@ -394,7 +394,7 @@ def _runs(
                 place=f"line {line}, column '{profile.run}'",
                 expected="1, 2, 3, ..",
                 found=shown(text),
-                hint="name another column as `run` in the profile, or leave it empty",
+                hint="name another column as `run` in the profile, or leave `run` empty there",
             )
     if profile.run_counts == "runs":
         return runs

@@ -39,7 +39,8 @@ def _diagnosed(test: CircularTest) -> Diagnosis:
     raise InputError(
         Fault(
             message="the samples cannot separate the causes of deviation: the arc is too short, "
-            "or the samples have no noise, as smoothed or calculated ones",
-            hint="measure a full circle in both directions, and give its unfiltered samples",
+            "or the samples were smoothed or calculated, so that they have no noise",
+            hint="measure a full circle in both directions, and export the samples without "
+            "smoothing",
         )
     )

@@ -75,14 +75,14 @@ def unknown_motions(job: Job, states: Mapping[str, ControlState]) -> Iterator[Fa
             if state.facts_of(entry.axis.address).rapid_more is None:
                 yield Fault(
                     message=(
-                        f"axis {name}: one test was taken at cutting feed, another at rapid "
+                        f"axis {name}: one test was measured at cutting feed, another at rapid "
                         "traverse, and no given file shows whether the control uses "
                         "a different backlash compensation at rapid traverse"
                     ),
                     file=job.file,
                     place=f"axes.{name}.before, test {request.name}, motion",
                     expected="the control's whole parameter file, or all tests at the same feed",
-                    found=request.motion,
+                    found=f"motion: {request.motion} of test {request.name}",
                     hint=(
                         "add the control's whole parameter file to its files (`states` or "
                         "`--state`), or keep only the tests at cutting feed or only those at "

@@ -284,7 +284,8 @@ def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> N
             file=file,
             place=f"axes.{axis.name}.travel",
             expected=(
-                f"the travel that was measured, or targets over at least half of {travel:g} {unit}"
+                f"targets over at least half of {travel:g} {unit}, or a `travel` of which at least "
+                "half was measured"
             ),
             found=(
                 f"targets from {targets[0]:g} to {targets[-1]:g} {unit}, travel {low:g} to {high:g}"

@@ -186,7 +186,7 @@ def _other_lengths(file: str, block: ProgramBlock, *, inch: bool) -> Iterator[Fa
                 file=file,
                 place=f"line {line}",
                 expected=_EXPORT,
-                found="inch" if inches else "mm",
+                found=f"a program in {'inch' if inches else 'mm'}",
                 hint=(
                     "export the compensation data from the control, then give that "
                     "file instead of the program"
@@ -215,8 +215,8 @@ def _question(file: str, first: Doubt, calls: ProgramCalls) -> Fault:
     program = f"the file of {first.call} too, where it is a program, or " if unknown else ""
     return Fault(
         message=(
-            "the control may not have executed the assignments of this program: this line can "
-            "skip them, or shows that another program has to call this one"
+            "the control may not have executed the assignments of this program: this line can jump "
+            "over them, or means that only another program starts this one"
         ),
         file=file,
         place=f"line {first.line}",

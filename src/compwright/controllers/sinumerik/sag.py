@@ -114,8 +114,8 @@ class Sag:
             raise UsageError(
                 Fault(
                     message=(
-                        f"the effect of the CEC tables of axis {axis} over its own position "
-                        f"is unknown: {self.odd[axis]}"
+                        f"axis {axis} is corrected by CEC tables over its own position, and "
+                        f"their effect is unknown: {self.odd[axis]}"
                     ),
                     hint="export the CEC tables again, or leave the axis out of the job",
                 )

@@ -87,7 +87,7 @@ class Activity:
                 Fault(
                     message=(
                         f"{label}: its table is not zero, and the control's files "
-                        f"{ends}: it is unknown whether the table was active during the test"
+                        f"{ends}, so it is unknown whether the table was active during the test"
                     ),
                     file=place.occurrence.file if place is not None else "",
                     place=place.occurrence.place if place is not None else "",

@@ -35,8 +35,8 @@ def normal_text(definition: Definition, address: str) -> str:
                 expected=expected,
                 found=repr(address)[:40],
                 hint=(
-                    "set `address` of the axis in the job as the control names the axis, or "
-                    "give `--option address=...` (`decode`: `--axis ...`)"
+                    "set `address` of the axis in the job as the control names the axis; without a "
+                    "job give `--option address=...`, with `compwright decode` give `--axis ...`"
                 ),
             )
         )

@@ -111,9 +111,9 @@ def _twice(targets: Mapping[Path, bytes]) -> Iterator[Fault]:
     for path, content in targets.items():
         if seen.setdefault(identity(path) or _place(path), content) != content:
             yield Fault(
-                message="two different files would get this name",
+                message="two different output files would get this name",
                 file=str(path),
-                hint="give another name",
+                hint="give one of them another name",
             )
 
 

@@ -148,9 +148,9 @@ def _twice_named(files: Mapping[Path, bytes], others: Mapping[Path, bytes]) -> I
     for path, content in others.items():
         if files.get(path, content) != content:
             yield Fault(
-                message="two different files would get this name",
+                message="two different output files would get this name",
                 file=str(path),
-                hint="give another name",
+                hint="give one of them another name",
             )
 
 
@@ -215,8 +215,8 @@ def _in_the_way(
             )
             yield Fault(
                 message=(
-                    "this folder may contain only the files of this command, because all of them "
-                    "are loaded or passed on; this file is not one of them"
+                    "this folder may contain only the files of this command, because the folder is "
+                    "used as a whole; this file is not one of them"
                 ),
                 file=str(path),
                 hint=hint,

@@ -247,7 +247,7 @@ def _proposed(content: bytes, file: str) -> tuple[Profile, bool]:
                 "columns is uncertain",
                 file=file,
                 expected="a mapping profile that states the columns",
-                found="no certain "
+                found="uncertain: "
                 + ", ".join(dict.fromkeys(one.partition(":")[0] for one in proposed.open)),
                 hint=f"describe its columns with {by_profile(file)}",
             )

@@ -98,9 +98,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E012.period": "{period:.5g} {unit} ({percent:.0f} %)",
     "CW-E012.possible": (
-        "The error may repeat every {periods}, but these targets do not show it clearly. Estimate"
-        " and prediction weight each of these periods by its probability. Measure at more targets"
-        " with random offsets to decide"
+        "The error may repeat every {periods:join| or }, but these targets do not show it clearly."
+        " Estimate and prediction weight a possible period by its probability. Measure at more"
+        " targets with random offsets to decide"
     ),
     "CW-E013": (
         "The error repeats, but at these targets several periods look the same:"
@@ -169,11 +169,11 @@ SENTENCES: Final[dict[str, str]] = {
         " reference runs and the mounting of the instrument between runs"
     ),
     "CW-E022.seldom": (
-        "{pattern:choose|traverses=Single runs deviate from the others|runs=Single runs, out"
-        " and back together, deviate from the others|walk=The zero point jumps now and then, and"
-        " stays there,} by {size} (standard deviation; {odds}){where:if|, {where:and}}. Check"
-        " warm-up, clamping, reference runs and the mounting of the instrument between runs. The"
-        " prediction assumes that such shifts are as rare in the next test"
+        "{pattern:choose|traverses=Single runs deviate from the others|runs=Single runs, out and"
+        " back together, deviate from the others|walk=Now and then the zero point jumps to a new"
+        " place,} by {size} (standard deviation; {odds}){where:if|, {where:and}}. Check warm-up,"
+        " clamping, reference runs and the mounting of the instrument between runs. The prediction"
+        " assumes that such shifts are as rare in the next test"
     ),
     "CW-E023": (
         "The scale changes from run to run: the deviations at the ends of the travel shift by"

@@ -129,7 +129,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.likely": "{verdict} {percent:.0f} %",
     "loading.as_before": (
-        "The test differs by {left} from a test with the control as it was before loading."
+        "The test differs by {left} from what it would show if the control were still as before"
+        " loading."
     ),
     "loading.as_predicted": "The test differs by {left} from the prediction.",
     "loading.backlash": (
@@ -152,9 +153,9 @@ SENTENCES: Final[dict[str, str]] = {
         " with --loaded}."
     ),
     "loading.evidence": (
-        "The measured deviations differ from the predicted ones by {off}, at worst by {worst}. They"
-        " differ by {left} from those that the fault in the verdict would give; the noise of a"
-        " reading is {noise}.{effect:if| Measured: {effect}.}"
+        "The measured deviations differ from the predicted ones by {off}, at worst by {worst}."
+        " They differ by {left} from those that the fault named in the verdict would give; the"
+        " noise of a reading is {noise}.{effect:if| Measured: {effect}.}"
     ),
     "loading.factor": (
         "{factor:choose|2=twice: radius and diameter mixed up, or loaded on top of itself|0.5=half:"
@@ -210,9 +211,9 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.other_axis": "matched by {by:choose|position=position|number=point number}",
     "loading.part": (
         "{first:if|up to|from} point {number} ({position:g}){first:if|| on},"
-        " {beyond:choose|nothing=no correction beyond|last=the last value beyond|old=the old values"
-        " beyond|old_steps=the old increments beyond|no_backlash=no correction and no backlash"
-        " beyond|before=all as before beyond}"
+        " {beyond:choose|nothing=no correction elsewhere|last=the last value elsewhere|old=the old"
+        " values elsewhere|old_steps=the old increments elsewhere|no_backlash=no correction and no"
+        " backlash elsewhere|before=all as before elsewhere}"
     ),
     "loading.rms": "{rms} rms",
     "loading.slope": (
@@ -267,7 +268,7 @@ SENTENCES: Final[dict[str, str]] = {
         "the correction of {output} over {input} was estimated again from the circles after loading"
     ),
     "next.between_kept": "the correction of {output} over {input} stays as it is in the control",
-    "next.cannot_be_made": "the next round cannot be made: {reason}",
+    "next.cannot_be_made": "the tables of the next correction round cannot be made: {reason}",
     "next.circles_only": (
         "the table of this axis was calculated from circular tests only. Without a positioning test"
         " it is not proven that the table is active. The axis keeps what is in the control"
@@ -305,12 +306,11 @@ SENTENCES: Final[dict[str, str]] = {
         " first, then run a new job"
     ),
     "next.squareness_alone": (
-        "no axis gets a new table, and no test shows that the squareness was loaded."
-        " {measured:if|After loading, measure at least one axis that has a table, and give its"
-        " test with --after together with the circles|To correct the remaining squareness, make a"
-        " new"
-        " job: give the files that were read back as as_found, and the circles that were measured"
-        " after loading}"
+        "no axis gets a new table, and therefore the squareness is not corrected further either."
+        " {measured:if|To correct it further, measure at least one axis that has a table after"
+        " loading, and give its test with --after together with the circles|To correct it further,"
+        " make a new job: give the files that were read back as as_found, and the circles that"
+        " were measured after loading}"
     ),
     "next.stop": (
         "stop here: the gain of another correction round for {axes} would be too small to show"
@@ -363,8 +363,8 @@ SENTENCES: Final[dict[str, str]] = {
         "only {loaded:and} was loaded: load {missing:and} too, before the axis moves; {why}"
     ),
     "read_back.shifted": (
-        "the table is {points} {points:plural|point|points} too far to {towards}{apart:if|, and the"
-        " values of each direction differ by a constant too: the reference point has a different"
-        " number or position|}"
+        "the table is {points} {points:plural|point|points} too far to {towards}{apart:if|, and"
+        " the values of each direction also differ from the plan by a constant: the reference"
+        " point has a different number or position|}"
     ),
 }

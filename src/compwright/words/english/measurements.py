@@ -186,7 +186,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-R060": "How the file was read{by:if| (by {by})}: {readings:join|; }.",
     "CW-R061.sheets": "Sheets that were left out: {sheets}{more:if|, ..}.",
     "CW-R061.tests": (
-        "Tests in the same file without an axis were left out: {tests}. Only {used} is used."
+        "Tests in the same file that do not name their axis were left out: {tests}. Only {used} is"
+        " used."
     ),
     "CW-R062": (
         "The file is not UTF-8 and was read as {code_page}. Line {line} then reads {text}. Only"

@@ -20,15 +20,15 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.compared": "Comparison",
     "circle.comparison": (
         'Comparison with the software of the instrument, whose model is not published. "Agrees":'
-        ' the two values differ by at most two standard errors of our value. "Differs": by more; a'
-        " plain regression of the same readings (harmonics and steps) shows our value without"
-        ' reversal spikes. "Not valid", value in brackets: that software itself reports its value'
-        " as not valid."
+        ' the two values differ by at most two standard errors of our value. "Differs": by more.'
+        " Our value without reversal spikes is then given too, from a plain regression of the same"
+        ' readings (harmonics and steps). "Not valid", value in brackets: that software itself'
+        " reports its value as not valid."
     ),
     "circle.detail": "– {part}",
     "circle.difference": (
         "differs. Without reversal spikes our value is {plain} {unit}{spikes:if|: the spikes make"
-        " {share:.0f} % of the difference|, so that they are not the reason}"
+        " {share:.0f} % of the difference|: the spikes are not the reason}"
     ),
     "circle.effect": "Effect on the radius",
     "circle.effects": "Effect, peak to peak, in µm; whiskers 95 %",
@@ -96,7 +96,7 @@ SENTENCES: Final[dict[str, str]] = {
         " {axis} guideway.|master_slave=Servo: check the interpolation parameters of {first} and"
         " {second}.}"
     ),
-    "circle.sums": "Values that sum up causes",
+    "circle.sums": "Values that combine several causes",
     "circle.symbol": (
         "{letter}{sense:if| {sense:choose|ccw=ccw|cw=cw|bidirectional=both}|}{centre:if|,"
         " {centre:choose|G=least-squares circle|F=least-squares centre}|}"
@@ -202,10 +202,11 @@ SENTENCES: Final[dict[str, str]] = {
     "period.described": "likelihood of each period",
     "period.least": "smallest amplitude that this test shows, by period",
     "period.least_caption": (
-        "For each period: the smallest amplitude ({unit}) of a wave that this test shows in 95 %"
-        " of all cases, at three standard errors. In the gaps the test shows no wave below 10"
-        " {unit}. If the job does not give the period, a wave is mostly found from about 1.5"
-        " times this amplitude on. More targets, at random offsets, show smaller waves."
+        "For each period: the smallest amplitude ({unit}) of a wave that this test shows. Shown"
+        " means: in 95 % of such tests the estimated amplitude exceeds three standard errors. In"
+        " the gaps the test shows no wave below 10 {unit}. If the job does not give the period, a"
+        " wave is mostly found from about 1.5 times this amplitude on. More targets, at random"
+        " offsets, show smaller waves."
     ),
     "period.none": "No period is known, and none was found.",
     "period.over": "period / {unit}",
@@ -381,7 +382,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "verify.equivalent": "cannot be distinguished from",
     "verify.factor": "factor",
-    "verify.further_table": "table for the next round",
+    "verify.further_table": "table for the next correction round",
     "verify.in_english": (
         "Texts from the job, from the files and from the control's definition are printed as given."
         " Reasons why a file of the control is refused are in English."
@@ -392,7 +393,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "verify.look_at": "Look at:",
     "verify.next_round": "{written:if|Next round|No next round}",
-    "verify.no_further_table": "no new table for the next round",
+    "verify.no_further_table": "no new table for the next correction round",
     "verify.outside": "outside",
     "verify.shift": "shift in points",
     "verify.table_of": "table of axis",

@@ -7,7 +7,8 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "as_written": "{text}",
     "backlash_compensation_larger": (
-        "{finding} The backlash compensation in the control's files is larger than the lost motion."
+        "{finding} The control's files explain it: their backlash compensation is larger than the"
+        " lost motion of the axis."
     ),
     "better_targets": "targets that would show this error: {targets:g} {unit}",
     "between.deviation": "the measured deviation of {output} over {input} ({slope:+.1f} µm/m)",
@@ -19,8 +20,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "doubts.acknowledged": "Acknowledged in the job: {reason}. {message}",
     "doubts.compare": (
-        "The control may hold other values. Read its files back again, completely, and repeat"
-        " compwright compare"
+        "What is in the control may differ from the files that were compared. Read its files back"
+        " again, completely, and repeat compwright compare"
     ),
     "doubts.first": "Check first: the result depends on these findings",
     "doubts.step": (
@@ -32,7 +33,7 @@ SENTENCES: Final[dict[str, str]] = {
     "increments": "{symmetric:if|±{largest}|{least} to {largest}}",
     "listed": "{items:join|; }{more:if|; and {more} more}",
     "listed_places": "{items}{more:if| and {more} more}",
-    "odds.1_to": "{odds:2sig} times as likely not to exist as to exist",
+    "odds.1_to": "odds {odds:2sig} to 1 against it",
     "odds.above_1000": "more than 1000 times as likely as not",
     "odds.over_1000": "more than 1000 times as likely as not",
     "odds.to_1": "{odds:2sig} times as likely as not",
@@ -89,7 +90,7 @@ SENTENCES: Final[dict[str, str]] = {
         "the samples after the reversal are too few to tell a spike from lost motion: sample faster"
         " or lower the feed"
     ),
-    "undetermined.square": "an arc does not show all errors that the positional tolerance contains",
+    "undetermined.square": "an arc does not show all errors that count in the positional tolerance",
     "undetermined.value": (
         "{value:+.1f} ± {error:.1f} µm/m is too uncertain: the uncertainty (k = 2) must be"
         " below half of the value and below {most:g} µm/m. Measure full circles in both directions,"

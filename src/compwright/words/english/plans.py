@@ -96,17 +96,18 @@ SENTENCES: Final[dict[str, str]] = {
         " the correction: {why}."
     ),
     "CW-P113.sheet": (
-        "The parameters that correct {what} are in no file for the control. Type them in from"
-        " {sheet}, which is next to the card. All of them are unconfirmed."
+        "The parameters that correct {what} are in no file for the control. Type them in from the"
+        " entry sheet {sheet}, which is in the folder of the commissioning card. All of them are"
+        " unconfirmed."
     ),
     "CW-P113.straightness": (
         "{what} is corrected in the files by straightness compensation: {values}."
     ),
     "CW-P113.typed": (
         "{what} is corrected by values that are in no file for the control ({why}). Type them into"
-        " {where}, {rows}. The card and the entry sheet next to it describe how. The values are"
-        " {values:choose|correction=corrections|error=errors}; their sign is unconfirmed: check it"
-        " by a measurement before production."
+        " {where}, {rows}. The commissioning card and the entry sheet in its folder describe how."
+        " The values are {values:choose|correction=corrections|error=errors}; their sign is"
+        " unconfirmed: check it by a measurement before production."
     ),
     "CW-P114": (
         "{axis}: laser and circle disagree about the lost motion. It is {laser} according to"
@@ -152,8 +153,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P119.two_feeds": "circular tests {slow} and {fast} at two feeds, extrapolated to feed zero",
     "CW-P120": (
-        "{scale}. The table corrects it. This scale includes the temperature of bar and scale"
-        " during the test: 1 K changes steel by 11 µm/m."
+        "{scale}. The table corrects this scale error. It includes the effect of the temperatures"
+        " of the bar and of the machine's scale during the test: 1 K changes steel by 11 µm/m."
     ),
     "CW-P130.no_circle": (
         "{axis}: the job requests the lost motion from circles, but no circle was measured with"
@@ -253,7 +254,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P150": (
         "Axis {axis}: a table will not help here. {parameter} at new targets, between the measured"
         " ones, is {now}{with_table:if| without a table and {with_table} with one}. The largest"
-        " cause is {cause} ({value:.2f} {unit}, {share:.0%}): {advice}"
+        " cause of this value is {cause} ({value:.2f} {unit}, {share:.0%}): {advice}"
     ),
     "CW-P151.cause": (
         "Axis {axis}: {parameter} at new targets, between the measured ones, is {now} now, and the"
@@ -305,9 +306,8 @@ SENTENCES: Final[dict[str, str]] = {
         " and run again"
     ),
     "CW-P160": (
-        "The readings of test {test} do not fit its file and the control's contents as stated in"
-        " the job. They are {ways:join|, or }. A table made from such readings would be wrong."
-        " {checks:join| }"
+        "The readings of test {test} contradict what its file or the job states about them. They"
+        " are {ways:join|, or }. A table made from such readings would be wrong. {checks:join| }"
     ),
     "CW-P160.check": (
         "{way:choose|off=Was compensation active, and the axis referenced, during this test? If"
@@ -370,14 +370,14 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P165.no_rest": "If the readings scatter around one value",
     "CW-P165.other_drift": "If each test has its own drift of this size",
-    "CW-P165.other_scatter": "If each test has the scatter of one of these runs",
+    "CW-P165.other_scatter": "If all runs of a test scatter as one of these runs does",
     "CW-P165.rest": (
         "the readings at a target may lie between two limits, as if the axis stopped at either of"
         " two positions ({probability:.0%})"
     ),
     "CW-P165.scatter": (
         "the scatter of one reading is {least} to {most}, depending on the run, and the prediction"
-        " assumes that the next test has as many runs of each scatter"
+        " assumes runs with small and with large scatter in the same proportion in the next test"
     ),
     "CW-P166": (
         "{plane:if|The squareness of plane {plane}|The scale of axis {axis}} is corrected, but is"

@@ -147,9 +147,9 @@ SENTENCES: Final[dict[str, str]] = {
         " the option output: ramp"
     ),
     "CW-S041": (
-        "{label}: on a full turn {own} is {first}, that is {zero} + 1, where the manual has"
-        " {own} = {zero}. The points {first} to {last} are read as its sections; point"
-        " {reference} stays reserved for the axis"
+        "{label}: on a full turn the manual gives {own} the same number as {zero}, but in the"
+        " files {own} is {first}, one more than {zero}. The points {first} to {last} are read as"
+        " the sections of the turn; point {reference} stays reserved for the axis"
     ),
     "CW-S042": (
         "axis {axis} has unusual settings and is not changed; neither are its compensation"
@@ -160,10 +160,10 @@ SENTENCES: Final[dict[str, str]] = {
         " Check 1013 on the control's display before you load"
     ),
     "CW-S044": (
-        "{label}: the axis returns to its reference position in the direction {files} according"
-        " to 1006#5, but {job} according to the job. The job is used: with one table for both"
-        " directions only the zero point shifts, by the backlash. With two tables such a"
-        " contradiction is refused"
+        "{label}: the axis returns to its reference position in the direction {files} according to"
+        " 1006#5, but {job} according to the job. The job is used. If it is wrong, only the zero"
+        " point is shifted, by the backlash, because there is one table for both directions. With"
+        " two tables such a contradiction is refused"
     ),
     "CW-S045": (
         "{label}: the travel of the job goes {outside:g} {unit} beyond the axis limits of the"
@@ -208,7 +208,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-S051": (
         "The tables that correct one axis over another ({pairs}) are left as they are and not"
         " shown, because the sign of CEC values on this control is unknown. Check the sign as the"
-        " card describes, then give the option cec_sign"
+        " commissioning card describes, then give the option cec_sign"
     ),
     "CW-S052": (
         "axis {axis}: the job names measuring system {number}, but in the files compensation is"
@@ -225,8 +225,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S055": (
         "The values of CEC tables are shown as if a positive value moved the axis in +. According"
-        " to Siemens' manual (Extended Functions 03/2009, page 372) a positive value moves the axis"
-        " in −, the opposite. Check the sign as the card describes, then give the option cec_sign"
+        " to Siemens' manual (Extended Functions 03/2009, page 372) a positive value moves the"
+        " axis in −, the opposite. Check the sign as the commissioning card describes, then give"
+        " the option cec_sign"
     ),
     "CW-S056": (
         "axis {axis}: {period:if|the existing table repeats every {period:g}, but the job gives no"
@@ -237,8 +238,8 @@ SENTENCES: Final[dict[str, str]] = {
         "{format}: the meaning of the parameters {parameters} on this series is unknown ({place});"
         " on other series they are units, paths or further compensation. They stay unchanged, and"
         " are not compared with the job. Look them up in the control's own manual. If one of them"
-        " is a compensation, do not move the points of the table: at other points the new table"
-        " does not allow for it"
+        " is a compensation, keep the points of the existing table: a new table with other points"
+        " does not take this compensation into account"
     ),
     "CW-F011.feed": (
         "at {feed:g} {unit}/min ({of:choose|option=option max_feed|rapid=rapid traverse,"
@@ -249,9 +250,9 @@ SENTENCES: Final[dict[str, str]] = {
         "The table was read back from its files, but not independently checked: only your own"
         " definition of {definition} says what these files do. A wrong sign or unit in the"
         " definition makes every result here wrong. Check the correction on the machine, at one"
-        " position and from both sides, before the whole table is active{expectation:if|. The"
-        " corrections calculated by hand, with which a definition is checked, are those of"
-        " {expectation}; {definition} has none of its own}"
+        " position and from both sides, before the whole table is active{expectation:if|. A"
+        " definition is checked with corrections that were calculated by hand. {definition} has"
+        " none of its own, so those of {expectation} were used}"
     ),
     "CW-S061": (
         "{what}. The definition of {carried} in the plan is used instead. To use another"
@@ -286,7 +287,9 @@ SENTENCES: Final[dict[str, str]] = {
         "{files}: compwright reads such files with two independent readers. Only one of them"
         " could read these corrections; the other one reports: {why}"
     ),
-    "CW-S082": "{files}: these files contain no data of the control and are not compared: {idle}",
+    "CW-S082": (
+        "{files}: some of these files contain no data of the control and are not compared: {idle}"
+    ),
     "CW-S083.new": (
         "What was read back contains {new} {new:plural|compensation value|compensation values}"
         " that no file of the plan contains. {new:plural|It was|They were} not compared"

@@ -140,11 +140,13 @@ SENTENCES: Final[dict[str, str]] = {
         " larger by about 0.92 D, and R hardly changes."
     ),
     "CW-T010": (
-        "Readings are missing: {where:join|; } have fewer readings than the others. Each target"
-        " is evaluated with the readings that it has."
+        "Readings are missing: {where:join|; }. Each target is evaluated with the readings that it"
+        " has."
     ),
-    "CW-T010.direction": "approached in {direction}, {fewer} of {targets} targets ({at}{more:if|"
-    " ...})",
+    "CW-T010.direction": (
+        "in direction {direction}, {fewer} of {targets} targets {fewer:plural|has|have} fewer"
+        " readings than the others ({at}{more:if| ...})"
+    ),
     "CW-T011.rows": (
         "In traverse {traverses}{more:if| and {more} more}, up to {targets} neighbouring targets"
         " are exactly zero, while the other readings scatter. Probably they were not measured and"

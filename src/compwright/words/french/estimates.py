@@ -95,8 +95,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E012.period": "{period:.5g} {unit} ({percent:.0f} %)",
     "CW-E012.possible": (
-        "L'erreur peut se répéter tous les {periods}, mais ces points visés ne le montrent pas"
-        " clairement. Estimation et prévision pondèrent chacune de ces périodes par sa"
+        "L'erreur peut se répéter tous les {periods:join| ou }, mais ces points visés ne le"
+        " montrent pas clairement. Estimation et prévision pondèrent une période possible par sa"
         " probabilité. Pour trancher, mesurer à plus de points visés à décalages aléatoires"
     ),
     "CW-E013": (
@@ -172,10 +172,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E022.seldom": (
         "{pattern:choose|traverses=Quelques parcours s'écartent des autres|runs=Quelques"
-        " allers-retours s'écartent en bloc des autres|walk=Le zéro saute de temps en temps et"
-        " reste là,} de {size} (écart-type ; {odds}){where:if|, {where:and}}. Vérifier la mise en"
-        " température, le bridage, les prises de référence et la fixation de l'instrument entre"
-        " les parcours. La prévision suppose des décalages de cette taille dans le prochain"
+        " allers-retours s'écartent en bloc des autres|walk=Le zéro saute de temps en temps à une"
+        " nouvelle place,} de {size} (écart-type ; {odds}){where:if|, {where:and}}. Vérifier la"
+        " mise en température, le bridage, les prises de référence et la fixation de l'instrument"
+        " entre les parcours. La prévision suppose des décalages de cette taille dans le prochain"
         " essai, aussi rares"
     ),
     "CW-E023": (

@@ -133,7 +133,8 @@ SENTENCES: Final[dict[str, str]] = {
         "Non décidé : les essais ne montrent pas si la table est active ou les limites respectées"
     ),
     "loading.as_before": (
-        "L'essai diffère de {left} d'un essai avec la commande dans l'état d'avant le chargement."
+        "L'essai diffère de {left} de ce qu'il montrerait si la commande était encore comme avant"
+        " le chargement."
     ),
     "loading.as_predicted": "L'essai diffère de {left} de la prévision.",
     "loading.backlash": (
@@ -219,9 +220,10 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.other_axis": "associée par {by:choose|position=position|number=numéro de point}",
     "loading.part": (
         "{first:if|jusqu'au|à partir du} point {number} ({position:g}),"
-        " {beyond:choose|nothing=au-delà aucune correction|last=au-delà la dernière"
-        " valeur|old=au-delà les anciennes valeurs|old_steps=au-delà les anciens"
-        " incréments|no_backlash=au-delà ni correction ni jeu|before=au-delà tout est comme avant}"
+        " {beyond:choose|nothing=ailleurs aucune correction|last=ailleurs la dernière"
+        " valeur|old=ailleurs les anciennes valeurs|old_steps=ailleurs les anciens"
+        " incréments|no_backlash=ailleurs ni correction ni jeu|before=ailleurs tout est comme"
+        " avant}"
     ),
     "loading.rms": "{rms} (valeur efficace)",
     "loading.slope": (
@@ -280,7 +282,9 @@ SENTENCES: Final[dict[str, str]] = {
     "next.between_kept": (
         "la correction de {output} selon {input} reste telle qu'elle est dans la commande"
     ),
-    "next.cannot_be_made": "le prochain tour ne peut pas être fait : {reason}",
+    "next.cannot_be_made": (
+        "les tables du prochain tour de correction ne peuvent pas être faites : {reason}"
+    ),
     "next.circles_only": (
         "la table de cet axe a été calculée seulement à partir d'essais circulaires. Sans essai de"
         " positionnement, il n'est pas prouvé que la table est active. L'axe garde ce qui est dans"
@@ -323,11 +327,11 @@ SENTENCES: Final[dict[str, str]] = {
         " Vérifier d'abord ces changements, puis lancer un nouveau dossier de travail"
     ),
     "next.squareness_alone": (
-        "aucun axe ne reçoit de nouvelle table, et la perpendicularité après chargement n'est pas"
-        " prouvée non plus. {measured:if|Mesurer après chargement au moins un axe qui a une table,"
-        " et donner son essai par --after avec les cercles|Pour corriger la perpendicularité"
-        " restante, créer un nouveau dossier de travail : donner les fichiers relus comme as_found,"
-        " et les cercles mesurés après chargement}"
+        "aucun axe ne reçoit de nouvelle table, donc la perpendicularité n'est pas corrigée"
+        " davantage non plus. {measured:if|Pour la corriger davantage, mesurer après chargement au"
+        " moins un axe qui a une table, et donner son essai par --after avec les cercles|Pour la"
+        " corriger davantage, créer un nouveau dossier de travail : donner les fichiers relus"
+        " comme as_found, et les cercles mesurés après chargement}"
     ),
     "next.stop": (
         "arrêter ici : le gain d'une autre table pour {axes} serait trop petit pour se voir dans"
@@ -383,8 +387,8 @@ SENTENCES: Final[dict[str, str]] = {
         " déplace ; {why}"
     ),
     "read_back.shifted": (
-        "la table est décalée de {points} {points:plural|point|points} vers {towards}{apart:if|, et"
-        " les valeurs de chaque sens diffèrent en plus d'une constante : le point de référence a un"
-        " autre numéro ou une autre position|}"
+        "la table est décalée de {points} {points:plural|point|points} vers {towards}{apart:if|,"
+        " et les valeurs de chaque sens diffèrent en plus du plan d'une constante : le point de"
+        " référence a un autre numéro ou une autre position|}"
     ),
 }

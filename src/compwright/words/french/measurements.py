@@ -194,7 +194,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-R060": "Lu{by:if| par {by}} : {readings:join|; }.",
     "CW-R061.sheets": "Feuilles omises : {sheets}{more:if|, ..}.",
     "CW-R061.tests": (
-        "Les essais du même fichier sans axe sont omis : {tests}. Seul {used} est utilisé."
+        "Les essais du même fichier qui n'indiquent pas leur axe sont omis : {tests}. Seul {used}"
+        " est utilisé."
     ),
     "CW-R062": (
         "Le fichier n'est pas en UTF-8 et a été lu comme {code_page}. La ligne {line} se lit"

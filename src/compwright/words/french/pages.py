@@ -19,16 +19,16 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "circle.compared": "Comparaison",
     "circle.comparison": (
-        "Comparaison avec le logiciel de l'instrument, dont le modèle n'est pas publié."
-        " « Concorde » : les deux valeurs diffèrent d'au plus deux erreurs types de notre valeur."
-        " « Diffère » : de plus ; une régression simple des mêmes lectures (harmoniques et sauts)"
-        " donne notre valeur sans pics d'inversion. « Non valable », valeur entre parenthèses : ce"
-        " logiciel déclare lui-même sa valeur non valable."
+        "Comparaison avec le logiciel de l'instrument, dont le modèle n'est pas publié. « Concorde"
+        " » : les deux valeurs diffèrent d'au plus deux erreurs types de notre valeur. « Diffère »"
+        " : de plus. Notre valeur sans pics d'inversion est alors donnée aussi, d'après une"
+        " régression simple des mêmes lectures (harmoniques et sauts). « Non valable », valeur"
+        " entre parenthèses : ce logiciel déclare lui-même sa valeur non valable."
     ),
     "circle.detail": "– {part}",
     "circle.difference": (
         "diffère. Sans pics d'inversion notre valeur est {plain} {unit}{spikes:if| : les pics font"
-        " {share:.0f} % de l'écart|, ils n'en sont donc pas la raison}"
+        " {share:.0f} % de l'écart| : les pics n'en sont pas la raison}"
     ),
     "circle.effect": "Effet sur le rayon",
     "circle.effects": "Effet, crête à crête, en µm ; traits : 95 %",
@@ -98,7 +98,7 @@ SENTENCES: Final[dict[str, str]] = {
         " du guidage {axis}.|master_slave=Asservissement : vérifier les paramètres d'interpolation"
         " de {first} et {second}.}"
     ),
-    "circle.sums": "Valeurs qui résument des causes",
+    "circle.sums": "Valeurs qui réunissent plusieurs causes",
     "circle.symbol": (
         "{letter}{sense:if| {sense:choose|ccw=↺|cw=↻|bidirectional=les deux}|}{centre:if|,"
         " {centre:choose|G=cercle des moindres carrés|F=centre des moindres carrés}|}"
@@ -216,11 +216,12 @@ SENTENCES: Final[dict[str, str]] = {
     "period.described": "rapport de vraisemblance de chaque période",
     "period.least": "plus petite amplitude que cet essai montre, par période",
     "period.least_caption": (
-        "Pour chaque période : la plus petite amplitude ({unit}) d'une onde que cet essai montre"
-        " dans 95 % des cas, à trois erreurs types. Dans les lacunes, l'essai ne montre aucune"
-        " onde de moins de 10 {unit}. Si le dossier de travail ne donne pas la période, une onde"
-        " est le plus souvent trouvée à partir d'environ 1,5 fois cette amplitude. Plus de points"
-        " visés, à décalages aléatoires, montrent des ondes plus petites."
+        "Pour chaque période : la plus petite amplitude ({unit}) d'une onde que cet essai montre."
+        " Cela veut dire : dans 95 % de tels essais, l'amplitude estimée dépasse trois erreurs"
+        " types. Dans les lacunes, l'essai ne montre aucune onde de moins de 10 {unit}. Si le"
+        " dossier de travail ne donne pas la période, une onde est le plus souvent trouvée à"
+        " partir d'environ 1,5 fois cette amplitude. Plus de points visés, à décalages aléatoires,"
+        " montrent des ondes plus petites."
     ),
     "period.none": "Aucune période n'est connue, et aucune n'a été trouvée.",
     "period.over": "période / {unit}",
@@ -410,7 +411,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "verify.equivalent": "impossible à distinguer de",
     "verify.factor": "facteur",
-    "verify.further_table": "table pour la prochain tour",
+    "verify.further_table": "table pour le prochain tour de correction",
     "verify.in_english": (
         "Les textes du dossier de travail, des fichiers et de la définition de la commande sont"
         " tels qu'ils ont été donnés. Les raisons du refus d'un fichier de la commande sont en"
@@ -422,7 +423,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "verify.look_at": "À vérifier :",
     "verify.next_round": "{written:if|Tour suivant|Pas de tour suivant}",
-    "verify.no_further_table": "pas de nouvelle table pour le prochain tour",
+    "verify.no_further_table": "pas de nouvelle table pour le prochain tour de correction",
     "verify.outside": "hors",
     "verify.shift": "décalage en points",
     "verify.table_of": "table de l'axe",

@@ -7,8 +7,8 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "as_written": "{text}",
     "backlash_compensation_larger": (
-        "{finding} La compensation de jeu dans les fichiers de la commande est plus grande que le"
-        " jeu à l'inversion."
+        "{finding} Les fichiers de la commande l'expliquent : leur compensation de jeu est plus"
+        " grande que le jeu à l'inversion de l'axe."
     ),
     "better_targets": "points visés qui montreraient cette erreur : {targets:g} {unit}",
     "between.deviation": "l'écart mesuré de {output} sur {input} ({slope:+.1f} µm/m)",
@@ -19,8 +19,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "doubts.acknowledged": "Confirmé dans le dossier de travail : {reason}. {message}",
     "doubts.compare": (
-        "La commande peut contenir d'autres valeurs. Relire ses fichiers en entier et répéter"
-        " compwright compare"
+        "Le contenu de la commande peut différer des fichiers comparés. Relire ses fichiers en"
+        " entier et répéter compwright compare"
     ),
     "doubts.first": "Constats à vérifier d'abord : le résultat en dépend",
     "doubts.step": (
@@ -94,7 +94,7 @@ SENTENCES: Final[dict[str, str]] = {
         " échantillonner plus vite ou réduire l'avance"
     ),
     "undetermined.square": (
-        "un arc ne montre pas toutes les erreurs que contient la tolérance de position"
+        "un arc ne montre pas toutes les erreurs qui comptent dans la tolérance de position"
     ),
     "undetermined.value": (
         "{value:+.1f} ± {error:.1f} µm/m n'est pas assez bien connu : l'incertitude (k = 2) doit"

@@ -97,16 +97,18 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P113.sheet": (
         "{what} : les paramètres de correction ne sont dans aucun fichier pour la commande. Les"
-        " saisir d'après {sheet}, à côté de la fiche. Aucun n'est confirmé."
+        " saisir d'après la feuille de saisie {sheet}, dans le dossier de la fiche de mise en"
+        " service. Aucun n'est confirmé."
     ),
     "CW-P113.straightness": (
         "{what} : corrigé dans les fichiers par compensation de rectitude : {values}."
     ),
     "CW-P113.typed": (
         "{what} : les valeurs de correction ne sont dans aucun fichier pour la commande ({why})."
-        " Les saisir dans {where}, {rows}. La fiche et la feuille de saisie à côté d'elle le"
-        " décrivent. Les valeurs sont des {values:choose|correction=corrections|error=erreurs} ;"
-        " leur signe n'est pas confirmé : le vérifier par une mesure avant la production."
+        " Les saisir dans {where}, {rows}. La fiche de mise en service et la feuille de saisie du"
+        " même dossier le décrivent. Les valeurs sont des"
+        " {values:choose|correction=corrections|error=erreurs} ; leur signe n'est pas confirmé :"
+        " le vérifier par une mesure avant la production."
     ),
     "CW-P114": (
         "{axis} : laser et cercle ne concordent pas sur le jeu. Il est de {laser} d'après le"
@@ -148,8 +150,8 @@ SENTENCES: Final[dict[str, str]] = {
         " mesurer l'axe au laser, ou répéter le cercle à faible avance."
     ),
     "CW-P120": (
-        "{scale}. La table la corrige. Elle contient la température de l'instrument et de la"
-        " règle pendant l'essai : 1 K change l'acier de 11 µm/m."
+        "{scale}. La table la corrige. Elle comprend l'effet des températures de l'instrument et"
+        " de la règle pendant l'essai : 1 K change l'acier de 11 µm/m."
     ),
     "CW-P130.no_circle": (
         "{axis} : le dossier de travail demande le jeu d'après les cercles, mais aucun cercle n'a"
@@ -308,8 +310,8 @@ SENTENCES: Final[dict[str, str]] = {
         " au moins, et refaire le calcul"
     ),
     "CW-P160": (
-        "Les mesures de l'essai {test} ne vont pas avec son fichier et l'état indiqué de la"
-        " commande. Elles sont {ways:join|, ou }. Une table tirée de telles mesures serait"
+        "Les mesures de l'essai {test} contredisent les indications de son fichier ou du dossier"
+        " de travail. Elles sont {ways:join|, ou }. Une table tirée de telles mesures serait"
         " fausse. {checks:join| }"
     ),
     "CW-P160.check": (
@@ -375,14 +377,17 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P165.no_rest": "Si les mesures se dispersent autour d'une seule valeur",
     "CW-P165.other_drift": "Si chaque essai a sa propre dérive de cette taille",
-    "CW-P165.other_scatter": "Si chaque essai a la dispersion d'un de ces parcours",
+    "CW-P165.other_scatter": (
+        "Si tous les parcours d'un essai ont la dispersion d'un de ces parcours"
+    ),
     "CW-P165.rest": (
         "les mesures d'un point visé se trouvent peut-être entre deux limites, comme si l'axe"
         " s'arrêtait à l'une de deux positions ({probability:.0%})"
     ),
     "CW-P165.scatter": (
         "la dispersion d'une mesure est de {least} à {most} selon le parcours, et la prévision"
-        " suppose que le prochain essai a autant de parcours de chaque dispersion"
+        " suppose que le prochain essai a la même proportion de parcours à petite et à grande"
+        " dispersion"
     ),
     "CW-P166": (
         "{plane:if|La perpendicularité du plan {plane}|L'échelle de l'axe {axis}} est corrigée,"

@@ -161,9 +161,9 @@ SENTENCES: Final[dict[str, str]] = {
         " interpolée : dans ce cas, donner l'option output: ramp"
     ),
     "CW-S041": (
-        "{label} : {own} = {first} est {zero} + 1 sur un tour complet, là où le manuel a {own} ="
-        " {zero} : les numéros {first} à {last} sont lus comme ses sections, et le numéro"
-        " {reference} est gardé pour l'axe aussi"
+        "{label} : sur un tour complet, le manuel donne à {own} le même numéro qu'à {zero}, mais"
+        " dans les fichiers {own} est {first}, un de plus que {zero}. Les numéros {first} à {last}"
+        " sont lus comme les sections du tour ; le numéro {reference} reste réservé à l'axe"
     ),
     "CW-S042": (
         "l'axe {axis} a des réglages inhabituels et n'est pas modifié, ses points de compensation"
@@ -175,9 +175,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S044": (
         "{label} : l'axe revient à sa position de référence dans la direction {files} d'après"
-        " 1006#5, mais {job} d'après le dossier de travail. Le dossier de travail est suivi :"
-        " avec une seule table pour les deux directions, seul le zéro se déplace, du jeu. Avec"
-        " deux tables, cette contradiction est refusée"
+        " 1006#5, mais {job} d'après le dossier de travail. Le dossier de travail est suivi. S'il"
+        " est faux, seul le zéro est déplacé, du jeu, car il y a une seule table pour les deux"
+        " directions. Avec deux tables, cette contradiction est refusée"
     ),
     "CW-S045": (
         "{label} : la course du dossier de travail dépasse de {outside:g} {unit} les limites de"
@@ -221,8 +221,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S051": (
         "Les tables qui corrigent un axe selon un autre ({pairs}) restent telles quelles et ne"
-        " sont pas montrées, car le signe des valeurs CEC sur cette commande est inconnu."
-        " Vérifier le signe d'après la fiche, puis donner l'option cec_sign"
+        " sont pas montrées, car le signe des valeurs CEC sur cette commande est inconnu. Vérifier"
+        " le signe d'après la fiche de mise en service, puis donner l'option cec_sign"
     ),
     "CW-S052": (
         "axe {axis} : le dossier de travail nomme le système de mesure {number}, mais dans les"
@@ -241,8 +241,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-S055": (
         "Les valeurs des tables CEC sont montrées comme si une valeur positive déplaçait l'axe en"
         " +. D'après le manuel de Siemens (Fonctions d'extension 03/2009, page 372), une valeur"
-        " positive déplace l'axe en −, donc l'inverse. Vérifier le signe d'après la fiche, puis"
-        " donner l'option cec_sign"
+        " positive déplace l'axe en −, donc l'inverse. Vérifier le signe d'après la fiche de mise"
+        " en service, puis donner l'option cec_sign"
     ),
     "CW-S056": (
         "axe {axis} : {period:if|la table existante se répète tous les {period:g}, mais le dossier"
@@ -254,16 +254,17 @@ SENTENCES: Final[dict[str, str]] = {
         "{format} : le sens des paramètres {parameters} sur cette série est inconnu ({place}) ;"
         " sur d'autres séries, ce sont des unités, des chemins ou une autre compensation. Ils"
         " restent tels quels et ne sont pas comparés au dossier de travail. Les chercher dans le"
-        " manuel de la commande. Si l'un d'eux est une compensation, ne pas déplacer les points de"
-        " la table : à d'autres points, la nouvelle table n'en tient pas compte"
+        " manuel de la commande. Si l'un d'eux est une compensation, garder les points de la table"
+        " existante : une nouvelle table avec d'autres points ne tient pas compte de cette"
+        " compensation"
     ),
     "CW-S060": (
         "La table a été relue de ses fichiers, mais pas vérifiée indépendamment : seule votre"
         " propre définition de {definition} dit ce que font ces fichiers. Un signe ou une unité"
         " faux dans la définition rend faux tous les résultats ici. Vérifier la correction sur la"
         " machine, à une position et des deux côtés, avant que toute la table soit"
-        " active{expectation:if|. Les corrections calculées à la main, avec lesquelles une"
-        " définition est vérifiée, sont celles de {expectation} ; {definition} n'en a pas}"
+        " active{expectation:if|. Une définition est vérifiée avec des corrections calculées à la"
+        " main. {definition} n'en a pas, donc celles de {expectation} ont été utilisées}"
     ),
     "CW-S061": (
         "{what}. La définition de {carried} contenue dans le plan est utilisée à la place. Pour une"
@@ -299,8 +300,8 @@ SENTENCES: Final[dict[str, str]] = {
         " lire ces corrections ; l'autre signale : {why}"
     ),
     "CW-S082": (
-        "{files} : ces fichiers ne contiennent pas de données de la commande et ne sont pas"
-        " comparés : {idle}"
+        "{files} : certains de ces fichiers ne contiennent pas de données de la commande et ne"
+        " sont pas comparés : {idle}"
     ),
     "CW-S083.new": (
         "Ce qui a été relu contient {new} {new:plural|valeur|valeurs} de compensation absentes"

@@ -145,11 +145,12 @@ SENTENCES: Final[dict[str, str]] = {
         " augmentent d'environ 0,92 D, et R ne change presque pas."
     ),
     "CW-T010": (
-        "Des mesures manquent : {where:join|; } ont moins de mesures que les autres. Chaque point"
-        " visé est évalué avec les mesures qu'il a."
+        "Des mesures manquent : {where:join|; }. Chaque point visé est évalué avec les mesures"
+        " qu'il a."
     ),
     "CW-T010.direction": (
-        "dans le sens {direction}, {fewer} des {targets} points visés ({at}{more:if| ...})"
+        "dans le sens {direction}, {fewer} des {targets} points visés {fewer:plural|a|ont} moins"
+        " de mesures que les autres ({at}{more:if| ...})"
     ),
     "CW-T011.rows": (
         "Dans le parcours {traverses}{more:if| et {more} autres}, jusqu'à {targets} points visés"

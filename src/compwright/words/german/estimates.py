@@ -98,8 +98,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E012.period": "{period:.5g} {unit} ({percent:.0f} %)",
     "CW-E012.possible": (
-        "Der Fehler kann sich alle {periods} wiederholen, aber diese Zielpositionen zeigen es"
-        " nicht klar. Schätzung und Vorhersage gewichten jede dieser Perioden mit ihrer"
+        "Der Fehler kann sich alle {periods:join| oder } wiederholen, aber diese Zielpositionen"
+        " zeigen es nicht klar. Schätzung und Vorhersage gewichten eine mögliche Periode mit ihrer"
         " Wahrscheinlichkeit. Zur Entscheidung an mehr Zielpositionen mit zufälligen Versätzen"
         " messen"
     ),
@@ -174,11 +174,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-E022.seldom": (
         "{pattern:choose|traverses=Einzelne Läufe weichen von den anderen ab,|runs=Einzelne Läufe"
-        " weichen samt Rückweg von den anderen ab,|walk=Der Nullpunkt springt ab und zu und"
-        " bleibt dort,} um {size} (Standardabweichung; {odds}){where:if|, {where:and}}."
-        " Warmlaufen, Klemmung, Referenzfahrten und Befestigung des Messgeräts zwischen den"
-        " Läufen prüfen. Die Vorhersage nimmt Verschiebungen dieser Größe in der nächsten Prüfung"
-        " an, ebenso selten"
+        " weichen samt Rückweg von den anderen ab,|walk=Der Nullpunkt springt ab und zu an eine"
+        " neue Stelle,} um {size} (Standardabweichung; {odds}){where:if|, {where:and}}."
+        " Warmlaufen, Klemmung, Referenzfahrten und Befestigung des Messgeräts zwischen den Läufen"
+        " prüfen. Die Vorhersage nimmt Verschiebungen dieser Größe in der nächsten Prüfung an,"
+        " ebenso selten"
     ),
     "CW-E023": (
         "Der Maßstab ändert sich von Lauf zu Lauf: Die Abweichungen an den Enden des Verfahrwegs"

@@ -134,8 +134,8 @@ SENTENCES: Final[dict[str, str]] = {
         " eingehalten sind"
     ),
     "loading.as_before": (
-        "Die Prüfung weicht um {left} von einer Prüfung mit der Steuerung im Zustand vor dem Laden"
-        " ab."
+        "Die Prüfung weicht um {left} von dem ab, was sie zeigen würde, wenn die Steuerung noch"
+        " wie vor dem Laden wäre."
     ),
     "loading.as_predicted": "Die Prüfung weicht um {left} von der Vorhersage ab.",
     "loading.backlash": (
@@ -284,7 +284,9 @@ SENTENCES: Final[dict[str, str]] = {
     "next.between_kept": (
         "die Korrektur von {output} über {input} bleibt, wie sie in der Steuerung ist"
     ),
-    "next.cannot_be_made": "die nächste Runde kann nicht gemacht werden: {reason}",
+    "next.cannot_be_made": (
+        "die Tabellen der nächsten Korrekturrunde können nicht gemacht werden: {reason}"
+    ),
     "next.circles_only": (
         "die Tabelle dieser Achse wurde nur aus Kreisformprüfungen berechnet. Ohne"
         " Positionierprüfung ist nicht bewiesen, dass sie aktiv ist. Die Achse behält, was in der"
@@ -328,11 +330,11 @@ SENTENCES: Final[dict[str, str]] = {
         " diese Änderungen prüfen, dann einen neuen Auftrag ausführen"
     ),
     "next.squareness_alone": (
-        "keine Achse bekommt eine neue Tabelle, und die Rechtwinkligkeit nach dem Laden ist auch"
-        " nicht nachgewiesen. {measured:if|Mindestens eine Achse mit Tabelle nach dem Laden messen"
-        " und ihre Prüfung zusammen mit den Kreisen mit --after angeben|Für die restliche"
-        " Rechtwinkligkeit einen neuen Auftrag anlegen: die zurückgelesenen Dateien als as_found"
-        " und die nach dem Laden gemessenen Kreise angeben}"
+        "keine Achse bekommt eine neue Tabelle, und deshalb wird auch die Rechtwinkligkeit nicht"
+        " weiter korrigiert. {measured:if|Für eine weitere Korrektur mindestens eine Achse mit"
+        " Tabelle nach dem Laden messen und ihre Prüfung zusammen mit den Kreisen mit --after"
+        " angeben|Für eine weitere Korrektur einen neuen Auftrag anlegen: die zurückgelesenen"
+        " Dateien als as_found und die nach dem Laden gemessenen Kreise angeben}"
     ),
     "next.stop": (
         "hier aufhören: Der Gewinn einer weiteren Tabelle für {axes} wäre zu klein, um sich in"
@@ -388,7 +390,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "read_back.shifted": (
         "die Tabelle liegt {points} {points:plural|Punkt|Punkte} zu weit in {towards}{apart:if|,"
-        " und die Werte jeder Richtung weichen außerdem um eine Konstante ab: Der Referenzpunkt hat"
-        " eine andere Nummer oder Position|}"
+        " und die Werte jeder Richtung weichen außerdem um eine Konstante vom Plan ab: Der"
+        " Referenzpunkt hat eine andere Nummer oder Position|}"
     ),
 }

@@ -196,7 +196,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-R060": "Gelesen{by:if| von {by}}: {readings:join|; }.",
     "CW-R061.sheets": "Weggelassene Blätter: {sheets}{more:if|, ..}.",
     "CW-R061.tests": (
-        "Prüfungen derselben Datei ohne Achse sind weggelassen: {tests}. Nur {used} wird verwendet."
+        "Prüfungen derselben Datei, die ihre Achse nicht nennen, sind weggelassen: {tests}. Nur"
+        " {used} wird verwendet."
     ),
     "CW-R062": (
         "Die Datei ist nicht UTF-8 und wurde als {code_page} gelesen. Zeile {line} lautet dann"

@@ -21,14 +21,14 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.comparison": (
         "Vergleich mit der Software des Messgeräts, deren Modell nicht veröffentlicht ist. „Stimmt"
         " überein“: Die Werte unterscheiden sich um höchstens zwei Standardfehler unseres Werts."
-        " „Weicht ab“: um mehr; eine einfache Regression derselben Messwerte (Harmonische und"
-        " Stufen) ergibt unseren Wert ohne Umkehrspitzen. „Nicht gültig“, Wert in Klammern: Diese"
-        " Software selbst meldet ihren Wert als nicht gültig."
+        " „Weicht ab“: um mehr. Dann ist auch unser Wert ohne Umkehrspitzen angegeben, aus einer"
+        " einfachen Regression derselben Messwerte (Harmonische und Stufen). „Nicht gültig“, Wert"
+        " in Klammern: Diese Software selbst meldet ihren Wert als nicht gültig."
     ),
     "circle.detail": "– {part}",
     "circle.difference": (
-        "weicht ab. Ohne Umkehrspitzen ist unser Wert {plain} {unit}{spikes:if|: Die Spitzen machen"
-        " {share:.0f} % der Abweichung aus|, sie sind also nicht der Grund}"
+        "weicht ab. Ohne Umkehrspitzen ist unser Wert {plain} {unit}{spikes:if|: Die Spitzen"
+        " machen {share:.0f} % der Abweichung aus|: Die Spitzen sind nicht der Grund}"
     ),
     "circle.effect": "Wirkung auf den Radius",
     "circle.effects": "Wirkung, Spitze zu Spitze, in µm; Striche: 95 %",
@@ -100,7 +100,7 @@ SENTENCES: Final[dict[str, str]] = {
         " Abstreifer und Vorspannung der Führung {axis} prüfen.|master_slave=Regelung:"
         " Interpolationsparameter von {first} und {second} prüfen.}"
     ),
-    "circle.sums": "Werte, die Ursachen zusammenfassen",
+    "circle.sums": "Werte, die mehrere Ursachen zusammenfassen",
     "circle.symbol": (
         "{letter}{sense:if| {sense:choose|ccw=↺|cw=↻|bidirectional=beide}|}{centre:if|,"
         " {centre:choose|G=Ausgleichskreis|F=Ausgleichsmittelpunkt}|}"
@@ -209,11 +209,11 @@ SENTENCES: Final[dict[str, str]] = {
     "period.described": "Wahrscheinlichkeitsverhältnis jeder Periode",
     "period.least": "kleinste Amplitude, die diese Prüfung zeigt, je Periode",
     "period.least_caption": (
-        "Für jede Periode: die kleinste Amplitude ({unit}) einer Welle, die diese Prüfung in 95 %"
-        " aller Fälle zeigt, bei drei Standardfehlern. In den Lücken zeigt die Prüfung keine"
-        " Welle unter 10 {unit}. Nennt der Auftrag die Periode nicht, wird eine Welle meist ab"
-        " etwa dem 1,5-Fachen dieser Amplitude gefunden. Mehr Zielpositionen mit zufälligen"
-        " Versätzen zeigen kleinere Wellen."
+        "Für jede Periode: die kleinste Amplitude ({unit}) einer Welle, die diese Prüfung zeigt."
+        " Das heißt: In 95 % solcher Prüfungen ist die geschätzte Amplitude größer als drei"
+        " Standardfehler. In den Lücken zeigt die Prüfung keine Welle unter 10 {unit}. Nennt der"
+        " Auftrag die Periode nicht, wird eine Welle meist ab etwa dem 1,5-Fachen dieser Amplitude"
+        " gefunden. Mehr Zielpositionen mit zufälligen Versätzen zeigen kleinere Wellen."
     ),
     "period.none": "Es ist keine Periode bekannt, und es wurde keine gefunden.",
     "period.over": "Periode / {unit}",
@@ -405,7 +405,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "verify.equivalent": "nicht zu unterscheiden von",
     "verify.factor": "Faktor",
-    "verify.further_table": "Tabelle für die nächste Runde",
+    "verify.further_table": "Tabelle für die nächste Korrekturrunde",
     "verify.in_english": (
         "Texte des Auftrags, der Dateien und der Definition der Steuerung sind, wie sie gegeben"
         " wurden. Die Gründe, aus denen eine Datei der Steuerung abgelehnt wird, sind auf Englisch."
@@ -417,7 +417,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "verify.look_at": "Zu prüfen:",
     "verify.next_round": "{written:if|Nächste Runde|Keine nächste Runde}",
-    "verify.no_further_table": "keine neue Tabelle für die nächste Runde",
+    "verify.no_further_table": "keine neue Tabelle für die nächste Korrekturrunde",
     "verify.outside": "außerhalb",
     "verify.shift": "Verschiebung in Tabellenpunkten",
     "verify.table_of": "Tabelle der Achse",

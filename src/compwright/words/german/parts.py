@@ -7,8 +7,8 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "as_written": "{text}",
     "backlash_compensation_larger": (
-        "{finding} Die Losekompensation in den Dateien der Steuerung ist größer als das"
-        " Umkehrspiel."
+        "{finding} Die Dateien der Steuerung erklären das: Ihre Losekompensation ist größer als"
+        " das Umkehrspiel der Achse."
     ),
     "better_targets": "Zielpositionen, die diesen Fehler zeigen würden: {targets:g} {unit}",
     "between.deviation": "die gemessene Abweichung von {output} über {input} ({slope:+.1f} µm/m)",
@@ -19,8 +19,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "doubts.acknowledged": "Im Auftrag bestätigt: {reason}. {message}",
     "doubts.compare": (
-        "Die Steuerung kann andere Werte enthalten. Ihre Dateien noch einmal vollständig auslesen"
-        " und compwright compare wiederholen"
+        "Der Inhalt der Steuerung kann von den verglichenen Dateien abweichen. Ihre Dateien noch"
+        " einmal vollständig auslesen und compwright compare wiederholen"
     ),
     "doubts.first": "Diese Befunde zuerst prüfen: Das Ergebnis hängt davon ab",
     "doubts.step": (

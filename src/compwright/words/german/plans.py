@@ -106,17 +106,17 @@ SENTENCES: Final[dict[str, str]] = {
         " die Korrektur nicht aufnehmen: {why}."
     ),
     "CW-P113.sheet": (
-        "Die Parameter, die {what} korrigieren, sind in keiner Datei für die Steuerung. Aus {sheet}"
-        " neben der Karte eintippen. Alle sind unbestätigt."
+        "Die Parameter, die {what} korrigieren, sind in keiner Datei für die Steuerung. Aus dem"
+        " Eingabeblatt {sheet} im Ordner der Inbetriebnahmekarte eintippen. Alle sind unbestätigt."
     ),
     "CW-P113.straightness": (
         "{what} wird in den Dateien durch Geradheitskompensation korrigiert: {values}."
     ),
     "CW-P113.typed": (
         "Die Werte, die {what} korrigieren, sind in keiner Datei für die Steuerung ({why}). In"
-        " {where} eintippen, {rows}. Die Karte und das Eingabeblatt neben ihr beschreiben es. Die"
-        " Werte sind {values:choose|correction=Korrekturen|error=Fehler}; ihr Vorzeichen ist"
-        " unbestätigt: vor der Fertigung durch eine Messung prüfen."
+        " {where} eintippen, {rows}. Die Inbetriebnahmekarte und das Eingabeblatt in ihrem Ordner"
+        " beschreiben es. Die Werte sind {values:choose|correction=Korrekturen|error=Fehler}; ihr"
+        " Vorzeichen ist unbestätigt: vor der Fertigung durch eine Messung prüfen."
     ),
     "CW-P114": (
         "{axis}: Laser und Kreis stimmen beim Umkehrspiel nicht überein. Es ist {laser} nach dem"
@@ -162,8 +162,8 @@ SENTENCES: Final[dict[str, str]] = {
         " Achse mit einem Laser messen oder den Kreis bei kleinem Vorschub wiederholen."
     ),
     "CW-P120": (
-        "{scale}. Die Tabelle korrigiert ihn. Er enthält die Temperatur von Messgerät und Maßstab"
-        " bei der Prüfung: 1 K ändert Stahl um 11 µm/m."
+        "{scale}. Die Tabelle korrigiert ihn. Er enthält die Wirkung der Temperaturen von"
+        " Messgerät und Maßstab bei der Prüfung: 1 K ändert Stahl um 11 µm/m."
     ),
     "CW-P130.no_circle": (
         "{axis}: Der Auftrag verlangt das Umkehrspiel aus Kreisen, aber mit dieser Achse wurde"
@@ -323,9 +323,9 @@ SENTENCES: Final[dict[str, str]] = {
         " mindestens das {high:3sig}-Fache und neu rechnen"
     ),
     "CW-P160": (
-        "Die Messwerte der Prüfung {test} passen nicht zu ihrer Datei und zum Inhalt der"
-        " Steuerung laut Auftrag. Sie sind {ways:join|, oder }. Eine Tabelle aus solchen"
-        " Messwerten wäre falsch. {checks:join| }"
+        "Die Messwerte der Prüfung {test} widersprechen den Angaben in ihrer Datei oder im"
+        " Auftrag. Sie sind {ways:join|, oder }. Eine Tabelle aus solchen Messwerten wäre falsch."
+        " {checks:join| }"
     ),
     "CW-P160.check": (
         "{way:choose|off=War in dieser Prüfung die Kompensation aktiv und die Achse referenziert?"
@@ -393,14 +393,15 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P165.no_rest": "Streuen die Messwerte um einen Wert",
     "CW-P165.other_drift": "Hat jede Prüfung eine eigene Drift dieser Größe",
-    "CW-P165.other_scatter": "Hat jede Prüfung die Streuung eines dieser Läufe",
+    "CW-P165.other_scatter": "Streuen alle Läufe einer Prüfung wie einer dieser Läufe",
     "CW-P165.rest": (
         "Die Messwerte einer Zielposition liegen vielleicht zwischen zwei Grenzen, als hielte die"
         " Achse an einer von zwei Stellen ({probability:.0%})"
     ),
     "CW-P165.scatter": (
         "Die Streuung eines Messwerts ist je nach Lauf {least} bis {most}, und die Vorhersage"
-        " nimmt an, dass die nächste Prüfung gleich viele Läufe jeder Streuung hat"
+        " nimmt an, dass in der nächsten Prüfung der Anteil der Läufe mit kleiner und mit großer"
+        " Streuung gleich bleibt"
     ),
     "CW-P166": (
         "{plane:if|Die Rechtwinkligkeit der Ebene {plane}|Der Maßstab der Achse {axis}} wird"

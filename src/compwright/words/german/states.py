@@ -163,9 +163,10 @@ SENTENCES: Final[dict[str, str]] = {
         " Kompensation bedeuten: dann die Option output: ramp angeben"
     ),
     "CW-S041": (
-        "{label}: {own} = {first} ist {zero} + 1 bei einer vollen Umdrehung, wo das Handbuch {own}"
-        " = {zero} hat: Die Nummern {first} bis {last} werden als ihre Abschnitte gelesen, und"
-        " Nummer {reference} bleibt auch der Achse"
+        "{label}: Bei einer vollen Umdrehung hat im Handbuch {own} die gleiche Nummer wie {zero},"
+        " in den Dateien aber ist {own} = {first}, eins mehr als {zero}. Die Nummern {first} bis"
+        " {last} werden als Abschnitte der Umdrehung gelesen; Nummer {reference} bleibt für die"
+        " Achse reserviert"
     ),
     "CW-S042": (
         "Achse {axis} hat ungewöhnliche Einstellungen und bleibt mit allen ihren"
@@ -177,9 +178,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-S044": (
         "{label}: Die Achse fährt nach 1006#5 in Richtung {files} zur Referenzposition, nach dem"
-        " Auftrag aber in Richtung {job}. Es gilt der Auftrag: Mit einer Tabelle für beide"
-        " Richtungen verschiebt sich nur der Nullpunkt, und zwar um die Lose. Mit zwei Tabellen"
-        " wird dieser Widerspruch abgelehnt"
+        " Auftrag aber in Richtung {job}. Es gilt der Auftrag. Ist er falsch, ist nur der"
+        " Nullpunkt um die Lose verschoben, denn es gibt eine Tabelle für beide Richtungen. Mit"
+        " zwei Tabellen wird dieser Widerspruch abgelehnt"
     ),
     "CW-S045": (
         "{label}: Der Verfahrweg des Auftrags reicht {outside:g} {unit} über die Grenzen der"
@@ -224,7 +225,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-S051": (
         "Die Tabellen, die eine Achse über eine andere korrigieren ({pairs}), bleiben, wie sie"
         " sind, und werden nicht gezeigt, denn das Vorzeichen der CEC-Werte an dieser Steuerung"
-        " ist unbekannt. Das Vorzeichen nach der Karte prüfen, dann die Option cec_sign angeben"
+        " ist unbekannt. Das Vorzeichen nach der Inbetriebnahmekarte prüfen, dann die Option"
+        " cec_sign angeben"
     ),
     "CW-S052": (
         "Achse {axis}: Der Auftrag nennt Messsystem {number}, aber in den Dateien ist die"
@@ -241,10 +243,10 @@ SENTENCES: Final[dict[str, str]] = {
         " ihre Werte sind 0, sie korrigieren also nichts"
     ),
     "CW-S055": (
-        "Die Werte der CEC-Tabellen sind so gezeigt, als bewege ein positiver Wert die Achse in"
-        " +. Nach dem Handbuch von Siemens (Erweiterungsfunktionen 03/2009, Seite 372) bewegt ein"
-        " positiver Wert die Achse in −, also umgekehrt. Das Vorzeichen nach der Karte prüfen,"
-        " dann die Option cec_sign angeben"
+        "Die Werte der CEC-Tabellen sind so gezeigt, als bewege ein positiver Wert die Achse in +."
+        " Nach dem Handbuch von Siemens (Erweiterungsfunktionen 03/2009, Seite 372) bewegt ein"
+        " positiver Wert die Achse in −, also umgekehrt. Das Vorzeichen nach der"
+        " Inbetriebnahmekarte prüfen, dann die Option cec_sign angeben"
     ),
     "CW-S056": (
         "Achse {axis}: {period:if|Die vorhandene Tabelle wiederholt sich alle {period:g}, aber der"
@@ -256,16 +258,18 @@ SENTENCES: Final[dict[str, str]] = {
         "{format}: Die Bedeutung der Parameter {parameters} bei dieser Baureihe ist unbekannt"
         " ({place}); bei anderen Baureihen sind es Einheiten, Pfade oder weitere Kompensation. Sie"
         " bleiben, wie sie sind, und werden nicht mit dem Auftrag verglichen. Im Handbuch der"
-        " Steuerung nachsehen. Ist einer davon eine Kompensation, die Tabellenpunkte nicht"
-        " verschieben: An anderen Punkten berücksichtigt die neue Tabelle sie nicht"
+        " Steuerung nachsehen. Ist einer davon eine Kompensation, die Punkte der vorhandenen"
+        " Tabelle behalten: Eine neue Tabelle mit anderen Punkten berücksichtigt diese"
+        " Kompensation nicht"
     ),
     "CW-S060": (
-        "Die Tabelle wurde aus ihren Dateien zurückgelesen, aber nicht unabhängig geprüft: Nur Ihre"
-        " eigene Definition von {definition} sagt, was diese Dateien tun. Ein falsches Vorzeichen"
-        " oder eine falsche Einheit in der Definition macht jedes Ergebnis hier falsch. Die"
-        " Korrektur an der Maschine prüfen, an einer Position und von beiden Seiten, bevor die"
-        " ganze Tabelle aktiv ist{expectation:if|. Die von Hand gerechneten Korrekturen, mit denen"
-        " eine Definition geprüft wird, sind die von {expectation}; {definition} hat keine eigenen}"
+        "Die Tabelle wurde aus ihren Dateien zurückgelesen, aber nicht unabhängig geprüft: Nur"
+        " Ihre eigene Definition von {definition} sagt, was diese Dateien tun. Ein falsches"
+        " Vorzeichen oder eine falsche Einheit in der Definition macht jedes Ergebnis hier falsch."
+        " Die Korrektur an der Maschine prüfen, an einer Position und von beiden Seiten, bevor die"
+        " ganze Tabelle aktiv ist{expectation:if|. Eine Definition wird mit von Hand gerechneten"
+        " Korrekturen geprüft. {definition} hat keine eigenen, deshalb wurden die von"
+        " {expectation} verwendet}"
     ),
     "CW-S061": (
         "{what}. Stattdessen wird die Definition von {carried} im Plan verwendet. Für eine andere"
@@ -301,8 +305,8 @@ SENTENCES: Final[dict[str, str]] = {
         " konnte diese Korrekturen lesen; die andere meldet: {why}"
     ),
     "CW-S082": (
-        "{files}: Diese Dateien enthalten keine Daten der Steuerung und werden nicht verglichen:"
-        " {idle}"
+        "{files}: Einige dieser Dateien enthalten keine Daten der Steuerung und werden nicht"
+        " verglichen: {idle}"
     ),
     "CW-S083.new": (
         "{new:plural|{new} Kompensationswert, der zurückgelesen wurde, ist|{new}"

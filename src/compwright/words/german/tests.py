@@ -145,10 +145,13 @@ SENTENCES: Final[dict[str, str]] = {
         " solchen Prüfung um D, werden E und M um etwa 0,92 D größer, und R ändert sich kaum."
     ),
     "CW-T010": (
-        "Messwerte fehlen: {where:join|; } haben weniger Messwerte als die anderen. Jede"
-        " Zielposition wird mit den Messwerten ausgewertet, die sie hat."
+        "Messwerte fehlen: {where:join|; }. Jede Zielposition wird mit den Messwerten ausgewertet,"
+        " die sie hat."
     ),
-    "CW-T010.direction": "in {direction} {fewer} von {targets} Zielpositionen ({at}{more:if| ...})",
+    "CW-T010.direction": (
+        "in Richtung {direction} {fewer:plural|hat|haben} {fewer} von {targets} Zielpositionen"
+        " weniger Messwerte als die anderen ({at}{more:if| ...})"
+    ),
     "CW-T011.rows": (
         "In Lauf {traverses}{more:if| und {more} weiteren} sind bis zu {targets} benachbarte"
         " Zielpositionen genau null, während die anderen Messwerte streuen. Wahrscheinlich wurden"

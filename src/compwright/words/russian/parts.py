@@ -7,7 +7,7 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "as_written": "{text}",
     "backlash_compensation_larger": (
-        "{finding} Компенсация люфта в файлах УЧПУ больше мёртвого хода."
+        "{finding} Это объясняют файлы УЧПУ: компенсация люфта в них больше мёртвого хода оси."
     ),
     "better_targets": "заданные позиции, которые показали бы эту погрешность: {targets:g} {unit}",
     "between.deviation": "измеренное отклонение {output} по {input} ({slope:+.1f} мкм/м)",
@@ -18,8 +18,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "doubts.acknowledged": "Подтверждено в задании: {reason}. {message}",
     "doubts.compare": (
-        "В УЧПУ могут быть другие значения. Считайте его файлы ещё раз целиком и повторите"
-        " compwright compare"
+        "Содержимое УЧПУ может отличаться от сравнённых файлов. Считайте его файлы ещё раз целиком"
+        " и повторите compwright compare"
     ),
     "doubts.first": "Сначала проверьте эти пункты: от них зависит результат",
     "doubts.step": (

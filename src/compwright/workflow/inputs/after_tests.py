@@ -130,13 +130,13 @@ def _refuse_files_apart(
         raise InputError(
             Fault(
                 message=(
-                    f"the file contradicts {parts[0].sources[0].file}: the files of one "
-                    f"axis count as one test, but their means differ by {words}"
+                    f"the file contradicts {parts[0].sources[0].file}: several files of one axis "
+                    f"are read as parts of one test, but their means differ by {words}"
                 ),
                 file=part.sources[0].file,
                 place=f"--after, test {request.name}",
-                expected="files of one set-up, or only the test of the axis as it is now",
-                hint="give only the test of the axis as it is now",
+                expected="files of one test, with one set-up and the same control contents",
+                hint="give only the files that were measured with what is in the control now",
             )
         )
 
@@ -344,11 +344,12 @@ def _axis_of_name(
             return axis
     raise UsageError(
         Fault(
-            message=f"the file belongs to a test {name}, which several axes have",
+            message=f"several axes of the job have a test with the name {name}, and the file does "
+            "not name one of these axes",
             file=path,
             place="key axis",
             expected=" or ".join(axes),
             found=measured,
-            hint="add the line `# axis: NAME` to the file",
+            hint="add the line `# axis: NAME` with one of these axes to the file",
         )
     )

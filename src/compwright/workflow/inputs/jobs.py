@@ -133,8 +133,8 @@ def _with_environment(session: Session, job: Job, folder: Path) -> Job:
                 "the readings",
                 file=", ".join(request.files),
                 place="environment",
-                hint="add `thermal: {alpha_m: 11.5}` with the coefficient of the scale, or columns"
-                f" {', '.join(AIR)}",
+                hint="add `thermal: {alpha_m: 11.5}` with the coefficient of the scale to the job, "
+                f"or the columns {', '.join(AIR)} to the environment record",
             )
         )
     if any(thermal is not None and math.isnan(thermal.T_m) for thermal in every):

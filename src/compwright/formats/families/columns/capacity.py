@@ -110,8 +110,8 @@ def _impossible(
     if axis.modulo is not None and options.get("spacing_rule") == "power_of_two":
         yield Fault(
             message=(
-                "no spacing of 0.0001 degrees times a power of two divides a turn into 256 points "
-                "or fewer"
+                "a spacing of 0.0001 degrees times a power of two (`spacing_rule: power_of_two`) "
+                "cannot divide one turn into 256 points or fewer"
             ),
             place="spacing_rule",
             expected="spacing_rule: free, or a table that is typed in by hand",

@@ -136,7 +136,7 @@ def _number_faults(axes: Sequence[Axis], mentioned: Sequence[str]) -> Iterator[F
                 message=f"the files use axis number {usual}, which no axis of the job has",
                 place=place,
                 expected=f"{usual} for {letter} (default: X is 1, Y 2, .. C 6)",
-                found=found,
+                found=f"axis_number: {found}",
                 hint=f"remove `axis_number: {found}` if the control's list of axes shows "
                 f"{letter} as number {usual}; otherwise add `address: {other_letter}` to "
                 f"{axis.name}, with the letter that the control gives to number {found}",

@@ -111,13 +111,13 @@ def _check_count(sheet: EntrySheet, found: int, faults: list[Fault]) -> None:
         place = f"line {sheet.lines.get('points', 1)}"
         faults.append(
             Fault(
-                message="the entry sheet states a wrong number of points, so it "
+                message="the entry sheet contains fewer or more points than it states, so it "
                 "may have been cut off",
                 file=sheet.name,
                 place=place,
-                expected=text[:60],
+                expected=f"{text[:60]} points",
                 found=str(found),
-                hint="give the whole sheet; if no point is missing, correct this line",
+                hint="give the whole sheet; if no point is missing, correct the number here",
             )
         )
 

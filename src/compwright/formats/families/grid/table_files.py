@@ -106,8 +106,8 @@ class TableFiles:
             self.notes.faults.append(
                 Fault(
                     message=(
-                        f"axis {address}: the table file contains no rows, so it cannot be "
-                        "read as an empty table either"
+                        f"axis {address}: the table file contains no rows, and such a file does "
+                        "not count as an empty table"
                     ),
                     file=matching[0].file,
                     hint="export the table from the control again, or give the file that "

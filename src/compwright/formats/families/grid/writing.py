@@ -114,7 +114,8 @@ class NewFile:
                 expected=f"at most {longest} characters",
                 found=str(worst),
                 hint=(
-                    "give a wider `table: {spacing: ...}`, or load the values by hand from the card"
+                    "give a wider `table: {spacing: ...}`, or type in the values of the "
+                    "commissioning card at the control"
                 ),
             )
             faults.append(fault)
@@ -223,7 +224,6 @@ class GridWriter:
                         "that is active there is unknown"
                     ),
                     expected=expected,
-                    found="in no file",
                     hint=(
                         "add the file that contains it to the control's files (`states` or"
                         " `--state`)"
@@ -406,7 +406,7 @@ def _first_few(faults: list[Fault], address: str) -> list[Fault]:
     """
     rest = len(faults) - 3
     more = Fault(
-        message=f"axis {address} has {rest} more values with the same fault",
+        message=f"axis {address} has {rest} more values with the fault of the lines above",
         hint="correct them in the same way",
     )
     return faults if rest <= 0 else [*faults[:3], more]

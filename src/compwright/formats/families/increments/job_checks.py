@@ -96,8 +96,8 @@ def points_question(axis: Axis, answer: object) -> Iterator[Fault]:
             "its points"
         ),
         place="points_from",
-        expected="points_from: reference, if a test with one value confirms it",
-        found=str(answer) if wrong else "nothing",
+        expected="points_from: reference, if a test at the machine confirms it",
+        found=f"points_from: {answer}" if wrong else "nothing",
         hint=(
             "write one test value into the point next to the reference position; if the axis "
             "moves by this value there, set `points_from: reference` in the options (without a "
@@ -173,7 +173,7 @@ def check_diameter(values: IncrementAxisValues, kind: AxisKind) -> None:
                 "diameter (1006#3)",
                 place="programmed",
                 expected=expected,
-                found="diameter",
+                found="programmed: diameter in the job",
                 hint=(
                     "add the parameter file with 1006 to the control's files (`states` or "
                     "`--state`), or set `programmed: radius` for the axis in the job"

@@ -18,7 +18,8 @@ def parameter_lines(file: ControlFile, format_id: str, faults: list[Fault]) -> b
     sheet = read_sheet(file, faults)
     if sheet is None:
         return b""
-    if sheet.comments.get("value") != "correction":
+    value = sheet.comments.get("value")
+    if value != "correction":
         faults.append(
             Fault(
                 message="the entry sheet must give its values as corrections, because the "
@@ -26,7 +27,7 @@ def parameter_lines(file: ControlFile, format_id: str, faults: list[Fault]) -> b
                 file=file.name,
                 place=f"line {sheet.lines.get('value', 1)}",
                 expected="# value: correction",
-                found=f"# value: {sheet.comments.get('value')}",
+                found=f"# value: {value}" if value else "no such line",
                 hint=(
                     "enter the values as corrections, then change this line to `# value: "
                     "correction`"

@@ -346,13 +346,14 @@ def increment_sheets(family: Family, own: Sequence[AxisTable]) -> tuple[ControlF
         raise UsageError(
             Fault(
                 message=(
-                    "the program cannot be written for an inch machine (1001#0): it cannot state "
-                    "its unit, and the intervals in mm are not whole numbers in inch"
+                    "the program cannot be written for an inch machine (1001#0): a program cannot "
+                    "state its unit, and the intervals in mm are not whole numbers in inch"
                 ),
                 place="program",
-                expected="no option `program`: load the files or type in the sheet",
+                expected="no option `program`",
                 found="program: g10",
-                hint="leave the option `program` out; the card contains the values to enter",
+                hint="leave the option `program` out, and type in the values of the commissioning "
+                "card at the control",
             )
         )
     return (*sheets, *write_programs(definition, entries))

@@ -276,17 +276,17 @@ class TableLines(SingleValues):
             Fault(
                 message=(
                     f"{owner}: `active: yes` does not show which of two tables was active "
-                    f"during the test. This table is {off if word == 'no' else unsaid} "
-                    f"({_SWITCHES}); the leadscrew table is {leadscrew} (MD32700 "
+                    f"during the test. The CEC table is {off if word == 'no' else unsaid} "
+                    f"({_SWITCHES}), the leadscrew table of the same axis is {leadscrew} (MD32700 "
                     "$MA_ENC_COMP_ENABLE)"
                 ),
                 file=place.occurrence.file if place is not None else "",
                 place=place.occurrence.place if place is not None else "",
-                expected="the switch of the active table as 1 in one of the files",
+                expected="a file that states 1 for the switch of the active table",
                 found="active: yes",
                 hint=(
-                    "delete `active: yes`, and add the file in which the switch of the active "
-                    "table is 1"
+                    "delete `active: yes`, and add the file in which the switch of the table that "
+                    "was active is 1"
                 ),
             )
         )

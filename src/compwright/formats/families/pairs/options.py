@@ -170,7 +170,7 @@ def unit_unknown(
             place="option cec",
             expected=f"`cec: absent`, or {SAYING_METRIC}",
             found="`cec: available`",
-            hint=f"set `cec: absent` in the options, and no CEC table is written{known}",
+            hint=f"set `cec: absent` in the options, so that no CEC table is written{known}",
         )
 
 

@@ -199,9 +199,9 @@ class CecWriter:
                 faults.append(
                     Fault(
                         message=f"CEC table {index} needs more points than a table can have",
-                        expected=f"{fixed} points",
+                        expected=f"at most {fixed} points",
                         found=f"{count} points",
-                        hint=f"give `table: {{spacing: ...}}` that leads to {fixed} points",
+                        hint="give a larger `table: {spacing: ...}`",
                     )
                 )
             return

@@ -94,14 +94,14 @@ def wrong_counts(counts: Counts, defined: float, place: CouplingStatement) -> It
     ratios = (defined / counts.per_unit / unit for unit in (1.0, MILLIMETRES_PER_INCH))
     if all(abs(ratio - 1.0) > _SAME_COUNTS for ratio in ratios):
         yield Fault(
-            message=f"{COUNTS} contradicts the definition of the axis",
+            message=f"the option {COUNTS} contradicts the axis definition in this line",
             file=place.file,
             place=f"line {place.line}",
             expected=f"{defined:g} ({defined / MILLIMETRES_PER_INCH:g} if the axis is in inches)",
             found=f"{counts.per_unit:g} ({place.words} in the script)",
             hint=(
                 f"correct `{COUNTS}`: counts per mm or deg, negative where the motor counts against"
-                " the axis; if this line of the script counts per another unit, leave it out"
+                " the axis; if this line counts in another unit, remove the line from the script"
             ),
         )
 
@@ -112,10 +112,11 @@ def counts_question(name: str, given: object) -> Fault:
     """
     return Fault(
         message=f"axis {name}: the counts per mm or deg of its motor are not given, and the "
-        "scripts do not contain them reliably",
+        "scripts do not state them with certainty",
         place=COUNTS,
         expected=(
-            f"counts per mm or deg, such as --option {COUNTS}=1000; negative against the axis"
+            f"counts per mm or deg, such as --option {COUNTS}=1000; negative where the motor "
+            "counts against the axis"
         ),
         found="nothing" if given is None else f"{given}",
         hint=(

@@ -165,8 +165,8 @@ class WrappedStateReader:
             Fault(
                 message=(
                     "this conditional block contains compensation, and may not have been "
-                    f"sent to the control. Line {word.line} depends on it"
-                    f"{f', and {more} more' if more else ''}"
+                    f"sent to the control: line {word.line}"
+                    f"{f' and {more} more' if more else ''}"
                 ),
                 file=word.file,
                 place=f"line {block.line}",

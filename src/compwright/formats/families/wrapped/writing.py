@@ -303,10 +303,10 @@ def _read_otherwise(before: Script, after: Script, tables: Sequence[MotorTable])
         help_ = "the tables of these motors defined once, deletions before definitions"
         return [
             Fault(
-                message=f"the script has no place for the new table: {fault.message}",
+                message=f"the new table cannot be written into the script: {fault.message}",
                 file=fault.file,
                 expected=help_,
-                hint="correct this place in the script of the control, then give it again",
+                hint="correct this line in the script of the control, then give the script again",
             )
             for fault in after.faults[:1]
         ]
