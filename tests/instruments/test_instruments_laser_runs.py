@@ -185,7 +185,7 @@ def test_a_file_that_was_cut() -> None:
         ("   1     6     5.1", "   1     6     nan", "is not a finite number"),
         ("Owner      : Linear", "Units : inch", "states a unit"),
         ("RUNS::", "HEADER::", "section HEADER:: is given twice"),
-        ("EOF::", "EOF::\r\nHEADER::", "contains more after EOF::"),
+        ("EOF::", "EOF::\r\nHEADER::", "contains lines after the end mark EOF::"),
         ("File type  : rtl", "", "no line 'File type'"),
     ],
 )

@@ -493,7 +493,10 @@ def test_a_missing_column(missing: str) -> None:
             "# unit: um\ntarget_mm,+1,-1\n0,1,1\n0.0,2,2\n",
             "line 4, column target_mm: a target is given twice",
         ),
-        ("# unit: um\ntarget_mm,+1,direction\n0,1,+\n", "mixes the long and the wide form"),
+        (
+            "# unit: um\ntarget_mm,+1,direction\n0,1,+\n",
+            "mixes two forms of table.*expected either direction, run",
+        ),
         (
             LONG + "0,*,1,1\n",
             "line 2, column direction: direction is neither + nor -; expected + or -, found '*'",

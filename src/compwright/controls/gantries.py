@@ -81,10 +81,10 @@ def partner_questions(
             faults.append(
                 Fault(
                     message=(
-                        f"`table: change` keeps the difference between the compensation of "
-                        f"{axis.address} and {axis.gantry}, but this difference has changed since"
-                        f" the first test, which was measured in the state `{measured_in[0]}`; the"
-                        f" control is now in the state `{AS_FOUND}`"
+                        f"`table: change` keeps the difference between the compensations of the "
+                        f"gantry axes {axis.address} and {axis.gantry}. This difference is not the "
+                        f"same in `{measured_in[0]}`, the state of the first test, as in "
+                        f"`{AS_FOUND}`, the state of the control now"
                     ),
                     file=job.file,
                     place=place,

@@ -91,8 +91,9 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
                 expected="time_min (minutes from the first reading) and deviation_um",
                 found=f"columns {', '.join(names[:8])}",
                 hint=(
-                    "for a drift test, name the columns so (of a rotary axis: deviation_arcsec);"
-                    f" describe any other table with {by_profile(file)}"
+                    "for a drift test, rename the columns to time_min and deviation_um (of a "
+                    "rotary axis: deviation_arcsec); describe any other table with "
+                    f"{by_profile(file)}"
                 ),
             )
         )

@@ -85,7 +85,7 @@ def read_csv(table: CsvTable, comments: Comments, faults: FaultList) -> CsvReadi
     sign = sign_of(comments, faults)
     if traverses and long:
         faults.add(
-            "the header row mixes the long and the wide form",
+            "the header row mixes two forms of table",
             place=f"line {table.line}",
             expected="either direction, run and a value, or one column per traverse (+1, -1, ...)",
             found=_listed([*long, *traverses]),

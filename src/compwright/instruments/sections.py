@@ -143,7 +143,7 @@ def sections_of(text: Sequence[str], faults: FaultList) -> FileSections:
         name = match[1].upper() if match else ""
         if found.ended:
             faults.add(
-                "contains more after EOF::",
+                "contains lines after the end mark EOF::",
                 place=f"line {number}",
                 expected="one test per file",
                 found=shown(line),

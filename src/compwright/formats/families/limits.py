@@ -194,8 +194,8 @@ def ends(definition: Definition, compensation: AxisCompensation, label: str) -> 
                         f"{label}: the correction {side} the {end} point is not the same in the "
                         "control and in the plan"
                     ),
-                    expected=_OUTSIDE[made],
-                    found=_OUTSIDE[meant],
+                    expected=f"{_OUTSIDE[made]}, as in the control",
+                    found=f"{_OUTSIDE[meant]} in the plan",
                     hint="make the table cover the whole travel: `table: {start, end}` in the job",
                 )
             )

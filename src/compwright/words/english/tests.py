@@ -77,7 +77,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T002.rotary": (
         "{targets} targets over {length:.10g}° are too few. For this travel the standard asks for"
-        " at least {needed} (table of target positions)."
+        " at least {needed} (its table of target positions)."
     ),
     "CW-T003": (
         "Only approaches in direction {direction} were measured, so there are no parameters of"

@@ -276,10 +276,10 @@ def _runs(session: Session, paths: Iterable[Path], folder: str, copies: _Copies)
     if sorted(map(sorted, senses)) != [["ccw"], ["cw"]]:
         raise InputError(
             Fault(
-                message="the files of one circle do not contain one direction each, so the next "
-                "job cannot name them",
+                message="the job of the next correction round needs one file with both directions "
+                "of a circle, or one file for each direction; these files are neither",
                 file=", ".join(map(str, files)),
-                expected="one file with both directions, or a ccw file and a cw file",
+                expected="one file with ccw and cw, or a ccw file and a cw file",
                 hint="give the circle in such files with `--after`, or leave `--update` out",
             )
         )

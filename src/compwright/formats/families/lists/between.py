@@ -103,8 +103,9 @@ def _write(
     if rivals != {added.input}:
         faults.append(
             Fault(
-                message=f"only one axis can correct axis {added.output} in this control",
-                expected="one axis",
+                message=f"this control can correct axis {added.output} over the position of only "
+                "one other axis",
+                expected="one other axis",
                 found=", ".join(sorted(rivals)),
                 hint="remove the other corrections from the control's lists and run again",
             )
