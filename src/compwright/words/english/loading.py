@@ -7,7 +7,8 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "CW-V001": "{verdict}",
     "CW-V010": (
-        "Axis {axis}: the table that was read back from the control is the table of the plan."
+        "Axis {axis}: the table that was read back from the control agrees with the table of the"
+        " plan."
     ),
     "CW-V011": (
         "Axis {axis}: the table that was read back from the control differs from the plan by up"

@@ -299,8 +299,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {missing:plural|was|were} not read back, and so not compared"
     ),
     "CW-S084": (
-        "{files}: left out, because these files of the folder contain no line that {format}"
-        " understands"
+        "{files}: left out, because these files of the folder contain no line in the format"
+        " {format}"
     ),
     "CW-S085": (
         "{path} was written by compwright run; it was not read back from the control. It does not"

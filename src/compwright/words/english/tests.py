@@ -51,8 +51,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-C011": (
         "The circle lies {offset} from the set-up centre. The angles were taken as commanded; if"
-        " they were measured from the set-up centre, the radii are wrong by up to {effect}. Centre"
-        " better and measure again."
+        " they were measured from the set-up centre, the radii are wrong by up to {effect}. Bring"
+        " the set-up centre closer to the centre of the circle and measure again."
     ),
     "CW-C012": (
         "The two ends of {run} are at the same place but differ by {step}. Either the machine"
@@ -163,10 +163,13 @@ SENTENCES: Final[dict[str, str]] = {
         " order in {chance:.1f} % of all tests. Warm the axis up and measure again, because the"
         " drift makes R and A larger."
     ),
-    "CW-T012.ends": "{lower} and {upper} in {direction}",
+    "CW-T012.ends": (
+        "{lower} at the lower end and {upper} at the upper end of the travel in direction"
+        " {direction}"
+    ),
     "CW-T012.growing": (
-        "at the lower and the upper end of the travel, {drifts:join|; } from the first run to the"
-        " last (the drift grows along the travel, as thermal expansion does)"
+        "{drifts:join|; } from the first run to the last (the drift grows along the travel, as"
+        " thermal expansion does)"
     ),
     "CW-T012.mean": "{drifts:and} from the first run to the last (mean over the targets)",
     "CW-T013.more": (

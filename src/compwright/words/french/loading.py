@@ -6,7 +6,7 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-V001": "{verdict}",
-    "CW-V010": "Axe {axis} : la table relue de la commande est celle du plan.",
+    "CW-V010": "Axe {axis} : la table relue de la commande concorde avec celle du plan.",
     "CW-V011": (
         "Axe {axis} : la table relue de la commande diffère du plan de {difference:.2f} {unit} au"
         " plus. compwright compare montre où."

@@ -313,8 +313,7 @@ SENTENCES: Final[dict[str, str]] = {
         " donc pas comparées}"
     ),
     "CW-S084": (
-        "{files} : omis, car ces fichiers du dossier ne contiennent aucune ligne que {format}"
-        " comprend"
+        "{files} : omis, car ces fichiers du dossier ne contiennent aucune ligne au format {format}"
     ),
     "CW-S085": (
         "{path} a été écrit par compwright run, pas relu de la commande. Cela ne montre pas ce"

@@ -168,10 +168,13 @@ SENTENCES: Final[dict[str, str]] = {
         " tel ordre dans {chance:.1f} % des essais. Mettre l'axe en température et mesurer de"
         " nouveau, car la dérive agrandit R et A."
     ),
-    "CW-T012.ends": "{lower} et {upper} dans le sens {direction}",
+    "CW-T012.ends": (
+        "{lower} à l'extrémité inférieure et {upper} à l'extrémité supérieure de la course dans le"
+        " sens {direction}"
+    ),
     "CW-T012.growing": (
-        "aux extrémités inférieure et supérieure de la course, {drifts:join|; } du premier au"
-        " dernier parcours (la dérive croît le long de la course, comme une dilatation thermique)"
+        "{drifts:join|; } du premier au dernier parcours (la dérive croît le long de la course,"
+        " comme une dilatation thermique)"
     ),
     "CW-T012.mean": "{drifts:and} du premier au dernier parcours (moyenne sur les points visés)",
     "CW-T013.more": (

@@ -6,7 +6,10 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-V001": "{verdict}",
-    "CW-V010": "Achse {axis}: Die aus der Steuerung zurückgelesene Tabelle ist die geplante.",
+    "CW-V010": (
+        "Achse {axis}: Die aus der Steuerung zurückgelesene Tabelle stimmt mit der geplanten"
+        " überein."
+    ),
     "CW-V011": (
         "Achse {axis}: Die aus der Steuerung zurückgelesene Tabelle weicht um bis zu"
         " {difference:.2f} {unit} vom Plan ab. Wo, zeigt compwright compare."

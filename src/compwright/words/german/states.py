@@ -318,8 +318,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {missing:plural|wurde|wurden} nicht zurückgelesen und deshalb nicht verglichen"
     ),
     "CW-S084": (
-        "{files}: weggelassen, denn diese Dateien des Ordners enthalten keine Zeile, die {format}"
-        " versteht"
+        "{files}: weggelassen, denn diese Dateien des Ordners enthalten keine Zeile im Format"
+        " {format}"
     ),
     "CW-S085": (
         "{path} wurde von compwright run geschrieben, nicht aus der Steuerung zurückgelesen. Das"

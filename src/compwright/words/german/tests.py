@@ -168,10 +168,13 @@ SENTENCES: Final[dict[str, str]] = {
         " {chance:.1f} % aller Prüfungen so ordnen. Die Achse warmlaufen lassen und neu messen,"
         " denn die Drift vergrößert R und A."
     ),
-    "CW-T012.ends": "{lower} und {upper} in {direction}",
+    "CW-T012.ends": (
+        "in Richtung {direction} um {lower} am unteren und um {upper} am oberen Ende des"
+        " Verfahrwegs"
+    ),
     "CW-T012.growing": (
-        "am unteren und am oberen Ende des Verfahrwegs {drifts:join|; } vom ersten zum letzten"
-        " Lauf (die Drift wächst entlang des Verfahrwegs wie bei Wärmeausdehnung)"
+        "{drifts:join|; } vom ersten zum letzten Lauf (die Drift wächst entlang des Verfahrwegs"
+        " wie bei Wärmeausdehnung)"
     ),
     "CW-T012.mean": "{drifts:and} vom ersten zum letzten Lauf (Mittel über die Zielpositionen)",
     "CW-T013.more": (

@@ -151,7 +151,7 @@ def broken_limits(
     if compensation.interpolation != "linear" or compensation.others:
         yield Fault(
             message=f"{label}: the control has only one table, with straight lines between its "
-            "points",
+            "points, and the planned compensation needs more",
             hint="set `table: {mode: single}` for this axis",
         )
     yield from _line_faults(label, axis, compensation, capacity)

@@ -214,9 +214,8 @@ def _beyond_shape(compensation: AxisCompensation, label: str) -> list[Fault]:
         return []
     return [
         Fault(
-            message=f"{label}: the control has one table for each direction, with straight lines "
-            "between its points",
-            expected="such tables only",
+            message=f"{label}: the control has only a table for each direction, with straight "
+            "lines between its points, and the planned compensation needs more",
             hint="make the plan again with `compwright run`: one table for each direction, "
             "without a line or a backlash value",
         )
