@@ -359,7 +359,7 @@ def test_squareness_alone_is_answered_in_words(pair: Pair) -> None:
     circles: Any = {"xy": None}
     bare = {name: replace(axis, fitted=None) for name, axis in pair.found.plan.axes.items()}
     for axes, said in (
-        (pair.found.plan.axes, "After loading, measure at least one axis that has a table"),
+        (pair.found.plan.axes, "measure at least one axis that has a table after loading"),
         (bare, "make a new job: give the files that were read back as as_found"),
     ):
         plan = replace(pair.found.plan, axes=axes)

@@ -63,7 +63,7 @@ def test_what_is_not_settled_is_one_finding() -> None:
         AxisPeriod(6.0, 0.07, "found"),
     )
     assert "every 12 mm (probability 60 %" in first.message
-    assert "10 mm (20 %), 8 mm (22 %), but these" in second.message
+    assert "10 mm (20 %) or 8 mm (22 %), but these" in second.message
     assert {first.code, second.code} == {"CW-E012"}
 
 

@@ -108,14 +108,14 @@ def test_a_goal_that_gains_is_told_with_both_numbers() -> None:
     """Two nodes under a bent error: E with the goal, and in brackets with the usual table."""
     work = fitted("E", 1000.0)
     (message,) = parameters(work)
-    assert "made for the least E" in message
+    assert "made for the smallest E" in message
     mine, usual = (float(part.strip("(),")) for part in message.split("E ")[-1].split()[:2])
     assert mine < 0.97 * usual
 
 
 def test_a_goal_that_gains_nothing_says_so() -> None:
     (message,) = parameters(fitted("A", 25.0))
-    if "also gives the least A" not in message:  # or it is nearly the same
+    if "also gives the smallest A" not in message:  # or it is nearly the same
         values = [part.strip("(),") for part in message.split("A ")[-1].split()[:2]]
         assert float(values[0]) == pytest.approx(float(values[1]), rel=0.01)
 
@@ -219,4 +219,4 @@ def test_a_table_that_fresh_tests_do_not_bear_out_is_not_taken(
     assert work.planned.wanted.scenarios is None
     (message,) = parameters(work)
     assert "the table with the least expected squared error is used" in message
-    assert "in brackets: with the table made for the least E" in message
+    assert "in brackets: with the table made for the smallest E" in message

@@ -267,14 +267,14 @@ SENTENCES: Final[dict[str, str]] = {
         " readings, which no table reduces"
     ),
     "CW-P152": (
-        "Axis {axis}: {tables:choose|left=the table with the least expected squared error is used;"
-        " it was not made for the least {goal}|same=the table with the least expected squared error"
-        " also gives the least {goal}|taken=the table was made for the least {goal}|no_gain=a table"
-        " made for the least {goal} shows no smaller {goal} in new simulated tests, so the table"
-        " with the least expected squared error is used}. Expected values at new"
-        " targets{tables:choose|left=|same=|taken= (in brackets: with the table that has the least"
-        " expected squared error)|no_gain= (in brackets: with the table made for the least"
-        " {goal})}: {parameters} {unit}"
+        "Axis {axis}: {tables:choose|left=the table with the least expected squared error is used,"
+        " not a table made for the smallest {goal}|same=the table with the least expected squared"
+        " error also gives the smallest {goal}|taken=the table was made for the smallest"
+        " {goal}|no_gain=a table made for the smallest {goal} shows no smaller {goal} in new"
+        " simulated tests, so the table with the least expected squared error is used}. Expected"
+        " values at new targets{tables:choose|left=|same=|taken= (in brackets: with the table that"
+        " has the least expected squared error)|no_gain= (in brackets: with the table made for the"
+        " smallest {goal})}: {parameters} {unit}"
     ),
     "CW-P152.parameter": "{parameter} {value:.2f}{other:if| ({other:.2f})}",
     "CW-P153": (

@@ -68,7 +68,7 @@ SENTENCES: Final[dict[str, str]] = {
         " the error is left"
     ),
     "CW-F010": (
-        "The job asks for a table with the least {goal}. The table with the least expected"
+        "The job asks for a table with the smallest {goal}. The table with the least expected"
         " squared error is used instead: {why:choose|slope=this control has one slope and no"
         " table|increments=this control stores whole increments only|no_gain=rounded to whole"
         " increments, the table for {goal} shows no gain in simulated tests}"

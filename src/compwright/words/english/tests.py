@@ -347,10 +347,10 @@ SENTENCES: Final[dict[str, str]] = {
         " machine works with, and look for windup and friction."
     ),
     "CW-T041": (
-        "The lost motion of {file} shows no dependence on the {over:choose|distance=distance|"
-        "speed=speed} beyond its scatter: one constant value, {constant}, leaves up to"
-        " ±{left}.{few:if| So few readings cannot show a dependence: measure at eight values or"
-        " more, or repeat each.|}"
+        "The lost motion in {file} does not visibly depend on the"
+        " {over:choose|distance=distance|speed=speed}: one constant value, {constant}, leaves up"
+        " to ±{left}.{few:if| So few readings cannot show whether it does: measure at eight values"
+        " or more, or repeat each.|}"
     ),
     "reason.cannot_be_formed": "cannot be calculated from these readings",
     "reason.no_common_angle": "the two directions have no angle in common",

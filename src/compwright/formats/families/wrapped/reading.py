@@ -164,9 +164,9 @@ class WrappedStateReader:
         self.notes.ask(
             Fault(
                 message=(
-                    "this conditional block contains compensation, and may not have been "
-                    f"sent to the control: line {word.line}"
-                    f"{f' and {more} more' if more else ''}"
+                    f"this conditional block contains compensation (line {word.line}"
+                    f"{f' and {more} more' if more else ''}), and may not have been sent to the "
+                    "control"
                 ),
                 file=word.file,
                 place=f"line {block.line}",
