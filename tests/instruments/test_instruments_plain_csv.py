@@ -495,7 +495,7 @@ def test_a_missing_column(missing: str) -> None:
         ),
         (
             "# unit: um\ntarget_mm,+1,direction\n0,1,+\n",
-            "mixes two forms of table.*expected either direction, run",
+            "mixes two forms of table; expected either direction, run",
         ),
         (
             LONG + "0,*,1,1\n",

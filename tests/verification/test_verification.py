@@ -344,8 +344,8 @@ def test_rotary_axes_speak_of_arcseconds() -> None:
         " approached in +)" in verdict.message
     )
     assert (
-        "from the control as it was before by 4.1 arcsec rms, at worst by 6.5 arcsec (270 deg"
-        " approached in +)" in verdict.message
+        "differs by 4.1 arcsec rms, at worst by 6.5 arcsec (270 deg approached in +), from what it"
+        " would show with the control as it was before" in verdict.message
     )
 
 

@@ -38,7 +38,7 @@ from compwright.cli.words import PATH, Invocation, compwright, exiting, force_op
     "--index",
     type=PATH,
     metavar="FILE.sqlite",
-    help="Index of what was read, kept for the next call, which then reads changed folders only.",
+    help="File that stores what was read, so that the next call reads changed folders only.",
 )
 @json_option
 @force_option

@@ -74,8 +74,8 @@ def refuse_reduced(test: PositioningTest) -> None:
         raise InputError(
             Fault(
                 message=(
-                    "the instrument already compensated for thermal expansion; "
-                    "removing it again would count it twice"
+                    "the instrument already compensated for thermal expansion, "
+                    "so it would be removed twice"
                 ),
                 file=test.sources[0].file if test.sources else test.name,
                 place="compensated_for",

@@ -148,10 +148,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.effect": "{part:.2f} ± {error:.2f} of the planned effect",
     "loading.equivalent": (
-        "These faults would give the same test: {names}. No measurement of this axis can tell them"
-        " apart. {read_back:if|The values that were read back from the control decide this: they"
-        " equal the planned values (--loaded)|Read the values back from the control and give them"
-        " with --loaded}."
+        "These faults would give the same readings: {names}. No measurement of this axis can tell"
+        " them apart. {read_back:if|The values that were read back from the control decide this:"
+        " they equal the planned values (--loaded)|Read the values back from the control and give"
+        " them with --loaded}."
     ),
     "loading.evidence": (
         "The measured deviations differ from the predicted ones by {off}, at worst by {worst}."
@@ -190,10 +190,10 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.neither": (
         "The test after loading fits neither the loaded table, nor the control as it was before,"
         " nor a known fault of loading.{loaded:if| It differs from the prediction by {loaded}, at"
-        " worst by {loaded_worst}.}{inactive:if| It differs from the control as it was before by"
-        " {inactive}, at worst by {inactive_worst}.}{offset:if| Compared with the prediction, the"
-        " approaches in + lie on average {offset} {above:if|above|below} those in −.}{effect:if|"
-        " Measured: {effect}.}"
+        " worst by {loaded_worst}.}{inactive:if| It differs by {inactive}, at worst by"
+        " {inactive_worst}, from what it would show with the control as it was before.}{offset:if|"
+        " Compared with the prediction, the approaches in + lie on average {offset}"
+        " {above:if|above|below} those in −.}{effect:if| Measured: {effect}.}"
     ),
     "loading.no_table": "The plan contains no table for this axis: nothing was to be loaded.",
     "loading.of_axis": "of axis {axis}",

@@ -151,10 +151,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.effect": "{part:.2f} ± {error:.2f} de l'effet prévu",
     "loading.equivalent": (
-        "Ces défauts donneraient le même essai : {names}. Aucune mesure de cet axe ne peut les"
+        "Ces défauts donneraient les mêmes mesures : {names}. Aucune mesure de cet axe ne peut les"
         " distinguer. {read_back:if|Les valeurs relues de la commande en décident : elles sont"
-        " égales aux valeurs prévues (--loaded)|Relire les valeurs de la commande et les donner par"
-        " --loaded}."
+        " égales aux valeurs prévues (--loaded)|Relire les valeurs de la commande et les donner"
+        " par --loaded}."
     ),
     "loading.evidence": (
         "Les écarts mesurés diffèrent des écarts prévus de {off}, au pire de {worst}. Ils diffèrent"
@@ -195,11 +195,11 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.neither": (
         "L'essai après chargement ne correspond ni à la table chargée, ni à la commande telle"
         " qu'elle était avant, ni à un défaut de chargement connu.{loaded:if| Il diffère de la"
-        " prévision de {loaded}, au pire de {loaded_worst}.}{inactive:if| Il diffère de la"
-        " commande telle qu'elle était avant de {inactive}, au pire de"
-        " {inactive_worst}.}{offset:if| Par rapport à la prévision, les approches en + sont en"
-        " moyenne de {offset} {above:if|au-dessus|en dessous} de celles en −.}{effect:if| Mesuré"
-        " : {effect}.}"
+        " prévision de {loaded}, au pire de {loaded_worst}.}{inactive:if| Il diffère de"
+        " {inactive}, au pire de {inactive_worst}, de ce qu'il montrerait avec la commande telle"
+        " qu'elle était avant.}{offset:if| Par rapport à la prévision, les approches en + sont en"
+        " moyenne de {offset} {above:if|au-dessus|en dessous} de celles en −.}{effect:if| Mesuré :"
+        " {effect}.}"
     ),
     "loading.no_table": "Le plan n'a pas de table pour cet axe : il n'y avait rien à charger.",
     "loading.of_axis": "de l'axe {axis}",

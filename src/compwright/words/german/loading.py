@@ -155,10 +155,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.effect": "{part:.2f} ± {error:.2f} der geplanten Wirkung",
     "loading.equivalent": (
-        "Diese Fehler ergäben dieselbe Prüfung: {names}. Keine Messung dieser Achse kann sie"
-        " unterscheiden. {read_back:if|Die aus der Steuerung zurückgelesenen Werte entscheiden das:"
-        " Sie sind gleich den geplanten Werten (--loaded)|Die Werte aus der Steuerung zurücklesen"
-        " und mit --loaded angeben}."
+        "Diese Fehler ergäben dieselben Messwerte: {names}. Keine Messung dieser Achse kann sie"
+        " unterscheiden. {read_back:if|Die aus der Steuerung zurückgelesenen Werte entscheiden"
+        " das: Sie sind gleich den geplanten Werten (--loaded)|Die Werte aus der Steuerung"
+        " zurücklesen und mit --loaded angeben}."
     ),
     "loading.evidence": (
         "Die gemessenen Abweichungen unterscheiden sich um {off} von den vorhergesagten, höchstens"
@@ -201,10 +201,11 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.neither": (
         "Die Prüfung nach dem Laden passt weder zur geladenen Tabelle noch zur Steuerung, wie sie"
         " vorher war, noch zu einem bekannten Fehler beim Laden.{loaded:if| Von der Vorhersage"
-        " weicht sie um {loaded} ab, höchstens um {loaded_worst}.}{inactive:if| Von der"
-        " Steuerung, wie sie vorher war, weicht sie um {inactive} ab, höchstens um"
-        " {inactive_worst}.}{offset:if| Verglichen mit der Vorhersage liegen die Anfahrten in +"
-        " im Mittel {offset} {above:if|über|unter} denen in −.}{effect:if| Gemessen: {effect}.}"
+        " weicht sie um {loaded} ab, höchstens um {loaded_worst}.}{inactive:if| Von dem, was sie"
+        " mit der Steuerung, wie sie vorher war, zeigen würde, weicht sie um {inactive} ab,"
+        " höchstens um {inactive_worst}.}{offset:if| Verglichen mit der Vorhersage liegen die"
+        " Anfahrten in + im Mittel {offset} {above:if|über|unter} denen in −.}{effect:if|"
+        " Gemessen: {effect}.}"
     ),
     "loading.no_table": "Der Plan enthält keine Tabelle für diese Achse: Es war nichts zu laden.",
     "loading.of_axis": "der Achse {axis}",

@@ -94,7 +94,7 @@ def wrong_counts(counts: Counts, defined: float, place: CouplingStatement) -> It
     ratios = (defined / counts.per_unit / unit for unit in (1.0, MILLIMETRES_PER_INCH))
     if all(abs(ratio - 1.0) > _SAME_COUNTS for ratio in ratios):
         yield Fault(
-            message=f"the option {COUNTS} contradicts the axis definition in this line",
+            message=f"{COUNTS} contradicts the axis definition in this line of the script",
             file=place.file,
             place=f"line {place.line}",
             expected=f"{defined:g} ({defined / MILLIMETRES_PER_INCH:g} if the axis is in inches)",
