@@ -173,7 +173,10 @@ def test_what_is_left_does_not_count_the_datum(datum: float) -> None:
     loaded = LOADED, LOADED + 6 * UM
     verdict = judged(INACTIVE + datum, INACTIVE - 3 * UM + datum, loaded)
     assert verdict.verdict == "not_active"
-    assert "differs by 0.00 µm rms from a test with the control as it was before" in verdict.message
+    assert (
+        "differs by 0.00 µm rms from what it would show if the control were still as before"
+        in verdict.message
+    )
     verdict = judged(loaded[0] + datum, loaded[1] + datum, loaded)
     assert verdict.verdict == "loaded"
     assert "differs by 0.00 µm rms from the prediction" in verdict.message
