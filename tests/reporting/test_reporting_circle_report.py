@@ -308,3 +308,39 @@ def test_the_largest_causes_have_a_step_or_a_reason() -> None:
     assert "Straightness Z" in steps[1]
     assert "No action is proposed for Lateral play X (30 % of all effects)" in steps[2]
     assert "Spiral" not in steps[2]
+
+
+def test_an_end_whose_axis_has_no_value_is_a_cause_with_a_step() -> None:
+    """An arc with one reversal point of an axis: its spike must be printed."""
+    whole = {**entry(0.0, 1.0, 9.0, 0.0), "value": None}
+    end = entry(9.1, 1.7, 9.1, 0.9)
+    result = {
+        **RESULT,
+        "diagnosis": {
+            "reversal_spike_second": whole,
+            "reversal_spike_second_at_positive": end,
+            "reversal_spike_second_at_positive_ccw": end,
+        },
+    }
+    (cause,) = ranked_causes(result)
+    assert str(cause.words) == "Reversal spike X at X+"
+    assert "friction compensation of X" in str(steps_for([cause], AXES)[0])
+
+
+def test_the_step_for_a_vibration_names_its_frequency() -> None:
+    found = {**entry(1.0, 0.1, 2.0, 1.0), "frequency": 56.09}
+    causes = ranked_causes({**RESULT, "diagnosis": {"vibration": found}})
+    assert "by its frequency (56.1 Hz): pump" in str(steps_for(causes, AXES)[0])
+
+
+@needs_shared
+@pytest.mark.parametrize("name", ["ballbar_demo_100mm_XY", "ballbar_qc20w_150mm_XY"])
+def test_the_effect_of_a_spike_is_no_larger_than_the_spike(name: str, tmp_path: Path) -> None:
+    """What takes up lost motion gradually is an effect of the lost motion."""
+    answer = tmp_path / "answer.json"
+    assert compwright(["evaluate", str(BALLBARS / f"{name}.b5r"), "--json", str(answer)]) == 0
+    causes = json.loads(answer.read_text("utf-8"))["results"][0]["diagnosis"]
+    ends = {key: each for key, each in causes.items() if "spike" in key and "_at_" in key}
+    assert len(ends) >= 4
+    for each in ends.values():
+        assert each["effect"] <= abs(each["value"]) + 1e-3

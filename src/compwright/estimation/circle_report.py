@@ -90,8 +90,8 @@ def report_effects(
     missing effects (from ``undetermined``, by cause), and the findings.
 
     Some effects are details of another cause: each end of a lost motion or spike, scale errors,
-    lobes. They are left out of the sum of the causes. The share of an effect is relative to this
-    sum. It is 0 if the effect is missing. ``low`` is the lower end of a one-sided 95 % interval.
+    lobes. The sum of the causes contains none of them but an end whose axis has no value. A share
+    is relative to this sum, and 0 if the effect is missing. ``low``: end of a one-sided 95 % range.
     """
     samples = solution.problem.samples
     causes = tuple(_causes(test, solution))
@@ -101,15 +101,15 @@ def report_effects(
         if (reason := undetermined.get(cause.name) or cause.reason or _prior_reason(cause, samples))
     }
     drawn = np.array([cause.drawn for cause in causes])
-    covariance = np.atleast_2d(np.cov(drawn, bias=True)) + np.diag(
-        [cause.variance for cause in causes]
-    )
+    covariance = np.atleast_2d(np.cov(drawn, bias=True))
+    covariance += np.diag([cause.variance for cause in causes])
     shrink = shrink_uncertainty(samples) / samples.radius * 1e6
     scales = np.array([1.0 if cause.name.startswith("scale_error") else 0.0 for cause in causes])
     covariance += shrink**2 * np.outer(scales, scales)
     errors = np.sqrt(np.maximum(np.diag(covariance), 1e-24))
     ranges = radial_ranges(samples.theta, np.array([cause.curve for cause in causes])) / UM
-    counted = [not cause.detail and cause.name not in reasons for cause in causes]
+    ends = {f"{name}_at_{end}" for name in reasons for end in ("positive", "negative")}
+    counted = [c.name not in reasons and (c.name in ends or not c.detail) for c in causes]
     total = float(np.sum(ranges[counted]))
     effects = {
         cause.name: CircularEffect(
@@ -359,12 +359,14 @@ def _spike(
         "raw_peak": raw_peak(solution, axis, end, None if index is None else (1.0, -1.0)[index]),
     }
     here = [float(each is spike) for each in solution.draws.spikes]
-    sizes = np.outer(here, np.mean(spike.curve[pick], axis=0))
+    curve = solution.problem.spike_curve(np.outer(here, np.mean(spike.curve[pick], axis=0)))
+    # The part of the shape that takes up lost motion gradually is no effect of the spike.
+    curve = curve * min(1.0, abs(value) * UM / max(float(np.ptp(curve)), 1e-12))
     return _ReportedCause(
         name=f"reversal_spike_{axis}_at_{end}{suffix}",
         value=value,
         drawn=heights,
-        curve=solution.problem.spike_curve(sizes),
+        curve=curve,
         detail=True,
         positive=value >= 0.0,
         variance=variance,

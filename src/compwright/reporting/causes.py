@@ -57,9 +57,9 @@ class CircleCause:
 
     ``parts``: its details, such as each end of a lost motion, or the scale errors of a mismatch;
     the effect of the cause includes them. ``plain``, ``printed``: the same quantity by simple
-    regression and by the instrument's software; None if there is none. ``correction``: what `run`
-    does about a squareness. ``doubtful``: the instrument's software itself states that its value is
-    not valid.
+    regression and by the instrument's software; None if there is none. ``frequency``, Hz: that of a
+    vibration. ``correction``: what `run` does about a squareness. ``doubtful``: the instrument's
+    software itself states that its value is not valid.
     """
 
     name: str
@@ -70,6 +70,7 @@ class CircleCause:
     effect: float
     share: float
     low: float | None = None
+    frequency: float | None = None
     plain: float | None = None
     printed: float | None = None
     doubtful: bool = False
@@ -151,9 +152,14 @@ def ranked_causes(result: Mapping[str, Any]) -> list[CircleCause]:
     ``result``: an entry of the evaluation document. A cause without a value is left out;
     ``not_applicable`` gives the reason.
     """
-    entries = _given(result)
+    entries, axes = _given(result), result.get("axes") or ("first", "second")
     causes = [
-        _cause(name, result) for name in entries if _whole(name) == name and name not in _SUMMARIES
+        replace(_cause(name, result), words=full_cause_words(name, axes))
+        for name in entries
+        if name not in _SUMMARIES
+        # One end of an axis is its own cause if the other end is unknown.
+        and (whole_cause(name) == name or whole_cause(name) not in entries)
+        and not name.endswith(("_ccw", "_cw"))
     ]
     return sorted(
         causes, key=lambda cause: -cause.effect
@@ -172,7 +178,7 @@ def _given(result: Mapping[str, Any]) -> Mapping[str, Any]:
     return {name: entry for name, entry in entries.items() if entry["value"] is not None}
 
 
-def _whole(name: str) -> str:
+def whole_cause(name: str) -> str:
     """Return the JSON name of the cause to which the part ``name`` belongs. The name of a whole
     cause is returned unchanged.
     """
@@ -194,6 +200,7 @@ def _cause(name: str, result: Mapping[str, Any]) -> CircleCause:
         effect=_finite(entry.get("effect")),
         share=_finite(entry.get("share")),
         low=entry.get("low"),
+        frequency=entry.get("frequency"),
         plain=(result.get("plain") or {}).get(name),
         printed=printed,
         doubtful=doubtful,
@@ -201,7 +208,7 @@ def _cause(name: str, result: Mapping[str, Any]) -> CircleCause:
         parts=tuple(
             _cause(other, result)
             for other in _given(result)
-            if other != name and _whole(other) == name
+            if other != name and whole_cause(other) == name
         ),
     )
 

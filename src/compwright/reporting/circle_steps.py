@@ -11,7 +11,7 @@ import re
 from collections.abc import Container, Mapping, Sequence
 from typing import Any, Final
 
-from compwright.reporting.causes import CircleCause
+from compwright.reporting.causes import CircleCause, whole_cause
 from compwright.words.sentences import Sentence, say
 
 #: So many of the largest causes get a next step, and all with this share of the effects or more.
@@ -47,7 +47,7 @@ def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Senten
         *(
             say("circle.to_do", cause=cause.words, share=100.0 * cause.share, step=step)
             for cause in significant
-            if (step := next_step(_mended(cause), axes))
+            if (step := next_step(whole_cause(_mended(cause)), axes, cause.frequency))
         ),
         *([say("circle.open_causes", causes=open_causes)] if open_causes else []),
     ]
@@ -68,13 +68,17 @@ def significant_causes(causes: Sequence[CircleCause]) -> list[CircleCause]:
     return found[:_MOST] + [cause for cause in found[_MOST:] if cause.share >= _LARGE]
 
 
-def next_step(cause: str, axes: Sequence[str]) -> Sentence | None:
-    """Return the next step for a cause of a circular test, or None for an unknown cause."""
+def next_step(cause: str, axes: Sequence[str], frequency: float | None = None) -> Sentence | None:
+    """Return the next step for a cause of a circular test, or None for an unknown cause.
+
+    ``frequency``: that of a vibration, Hz.
+    """
     first, second = axes
     for ending, axis in (("_first", first), ("_second", second), ("", "")):
         kind = cause.removesuffix(ending)
         if cause.endswith(ending) and kind in _STEPS:
-            return say("circle.step", kind=kind, axis=axis, first=first, second=second)
+            names = {"axis": axis, "first": first, "second": second}
+            return say("circle.step", kind=kind, frequency=frequency, **names)
     return None
 
 
