@@ -268,6 +268,46 @@ def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(
     assert "contain no data of axis Y" in capsys.readouterr().err
 
 
+def itnc(folder: Path) -> Path:
+    """An iTNC 530 whose table of X has a column of Y (values are errors), both switched on."""
+    tables = folder / "control"
+    tables.mkdir()
+    columns = {"X": ("1=F()     2=F()", 0, 9, 2), "Y": ("2=F()", -500, 6, 1)}
+    for name, (head, datum, rows, values) in columns.items():
+        lines = "".join(f"{row:<5}" + "+0.0000   " * values + "\n" for row in range(rows))
+        (tables / f"{name}.COM").write_text(
+            f"BEGIN {name} .COM MM DATUM:{datum} DIST:100\nNR   {head}\n{lines}END {name} .COM\n"
+        )
+    (tables / "CONFIG.CMA").write_text(
+        "BEGIN CONFIG .CMA MM\nNR   1         2\n0    X         Y\nEND CONFIG .CMA\n"
+    )
+    (tables / "MP.TXT").write_text(
+        "".join(f"MP710.{i} : 0.0\nMP720.{i} : 0.0\n" for i in (0, 1)) + "MP730 : %00011\n"
+    )
+    return tables
+
+
+def test_a_switch_that_was_not_read_back_leaves_a_good_circle_undecided(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """MP730 is in the plan's files, and in none of those read back."""
+    control = "heidenhain-itnc530"
+    loaded = itnc(folder)
+    assert run(folder, control, states="[control]") == 0
+    shutil.copytree(folder / "job" / "tables" / control, loaded, dirs_exist_ok=True)
+    write_circle(folder / "after.csv", replace(Bent(), squareness=0.0).circle(8))
+    words = ["verify", str(folder / "job.yaml"), "--after", str(folder / "after.csv"), "--force"]
+    capsys.readouterr()
+    assert compwright([*words, "--loaded", str(loaded)]) == 0
+    switch = loaded / "MP.TXT"
+    switch.write_text(switch.read_text().replace("MP730 : %00011\n", ""))
+    capsys.readouterr()
+    assert compwright([*words, "--loaded", str(loaded)]) == 1
+    shown = codes(capsys)
+    assert "Verdict: undecided" in shown
+    assert "CW-S087" in shown
+
+
 @pytest.mark.parametrize("control", ["heidenhain-nck", "heidenhain-itnc530"])
 def test_squareness_alone_comes_with_a_card_where_it_is_typed_in(
     folder: Path, control: str, capsys: pytest.CaptureFixture[str]

@@ -147,16 +147,18 @@ def read_back_differences(
         (
             *pairs_not_read_back(planned, whole, found).values(),
             *newly_coupled(planned, expected, found).values(),
-            *(_assumed_instead(expected, found) if lost else ()),
+            *assumed_instead(whole, expected, found),
         ),
     )
 
 
-def _assumed_instead(expected: ComparedSide, found: ComparedSide) -> Iterator[Finding]:
-    """Yield a warning for each fact that the plan's files state and those read back leave to an
-    assumption, such as a switch.
+def assumed_instead(
+    whole: Differences, expected: ComparedSide, found: ComparedSide
+) -> Iterator[Finding]:
+    """Yield a warning for each fact, such as a switch, that the plan's files state and the files
+    read back leave to an assumption. ``whole``: the differences between both.
     """
-    if expected.state is None or found.state is None:
+    if expected.state is None or found.state is None or not _not_read(whole):
         return
     known = {one.fact for one in expected.state.assumed}
     for one in found.state.assumed:

@@ -16,7 +16,12 @@ from compwright.controls.control_files import read_control
 from compwright.controls.decoded_state import DecodedState, SingleReader
 from compwright.controls.differences import compared_side, differences
 from compwright.controls.job_completion import completed_by_files, named_axes, with_counted_turns
-from compwright.controls.read_back import newly_coupled, not_read_back, pairs_not_read_back
+from compwright.controls.read_back import (
+    assumed_instead,
+    newly_coupled,
+    not_read_back,
+    pairs_not_read_back,
+)
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import read_plan
 from compwright.documents.record import RECORD
@@ -270,8 +275,10 @@ def _between(
         compared_side(control, files, "the plan", read_back.files),
         compared_side(control, read_back.files, "read back", files),
     )
-    missing = pairs_not_read_back(planned, differences(control, *sides), sides[1])
+    whole = differences(control, *sides)
+    missing = pairs_not_read_back(planned, whole, sides[1])
     yield from newly_coupled(planned, *sides).values()
+    yield from assumed_instead(whole, *sides)
     for entry in planned:
         if entry.addresses in missing and entry.addresses not in back.state.pairs:
             yield missing[entry.addresses]
