@@ -97,3 +97,17 @@ def test_the_report_shows_them() -> None:
     assert "cannot be distinguished: 50, 12.5 mm" in text
     assert "<polyline" in part
     assert page.count("periods of the error") == 1
+
+
+def test_periods_that_the_search_leaves_out_are_gaps() -> None:
+    """A period that looks like the smooth error at the targets has no odds: it is no low value."""
+    search = {**SEARCH, "log_odds": [-1.0, 0.0, -10.0, -10.0]}
+    view = run_view()
+    view["prediction"]["axes"]["X"].update(periods=[], period_search=search)
+    block = periods_block({"periods": [], "period_search": search}, "um")
+    assert block is not None
+    assert [len(line.split()) for line in block["odds"]["lines"]] == [2]
+    page = " ".join(run_report(view).decode().split())
+    assert "the search cannot find it" in page
+    assert "but not in the gaps of the figure above" in page
+    assert "Smallest amplitude that this test shows, in µm" in page

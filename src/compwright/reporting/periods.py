@@ -18,12 +18,14 @@ Document = Mapping[str, Any]
 _WIDTH: Final = 620.0
 _HEIGHT: Final = 150.0
 _LEFT: Final = 64.0
-_TOP: Final = 16.0
+_TOP: Final = 36.0
 _TICKS: Final = (0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500)
 #: Odds that are drawn at least: a thousand to one either way.
 _LEAST_ODDS: Final = 3.0
 #: Below this the curve is cut off: how clearly a period is not there is no news.
 _LOWEST: Final = -2.0
+#: Log odds of a period that the search leaves out: at the targets it looks like the smooth error.
+_LEFT_OUT: Final = -10.0
 #: Larger amplitudes, µm or arcsec, are not drawn.
 _LARGEST: Final = 10.0
 #: Zeros of a number that is written out, at most.
@@ -76,12 +78,17 @@ def _odds_picture(search: Document, periods: Sequence[Document]) -> dict[str, An
     marked.
     """
     sizes = search["periods"]
-    odds = [max(float(each) / math.log(10.0), _LOWEST) for each in search["log_odds"]]
-    top = max(_LEAST_ODDS, 1.08 * max(odds))
+    odds = [
+        max(float(each) / math.log(10.0), _LOWEST) if each > _LEFT_OUT else None
+        for each in search["log_odds"]
+    ]
+    top = 1.08 * max((each for each in odds if each is not None), default=0.0)
+    top = max(_LEAST_ODDS, top)
     step = max(1, math.ceil(top / 5.0))
     field = _Field(sizes, _LOWEST, top)
     return {
         **field.picture(odds),
+        "gaps": None in odds,
         "levels": [
             {"y": field.up(level), "text": _power(level)} for level in range(0, int(top) + 1, step)
         ],
@@ -139,7 +146,7 @@ class _Field:
                 lines[-1].append(f"{self.across(period)},{self.up(value)}")
         return {
             "width": _LEFT + _WIDTH + 12.0,
-            "height": _TOP + _HEIGHT + 34.0,
+            "height": _TOP + _HEIGHT + 38.0,
             "left": _LEFT,
             "right": _LEFT + _WIDTH,
             "top": _TOP,

@@ -213,10 +213,10 @@ def _after_figure(
 
 def _loading(loading: Document) -> dict[str, Any]:
     verdict = loading.get("verdict", "undecided")
-    facts: list[tuple[Sentence, str]] = []
-    if loading.get("equivalent"):
-        names = ", ".join(str(name).replace("_", " ") for name in loading["equivalent"])
-        facts.append((say("verify.equivalent"), names))
+    facts: list[tuple[Sentence, str | Sentence]] = [
+        (say("verify.equivalent"), say("loading.name", name=name, detail=None))
+        for name in loading.get("equivalent", ())
+    ]
     for name, key, words in (
         ("scaled", "factor", say("verify.factor")),
         ("shifted", "shift_nodes", say("verify.shift")),

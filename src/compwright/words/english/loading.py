@@ -325,7 +325,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "next.verdict": (
         'the verdict is "{verdict:choose|not_active=not active|inverted=inverted|scaled=scaled|'
-        "shifted=shifted|mirrored=mirrored|wrong_axis=wrong axis|on_top=added to the old table|"
+        "shifted=shifted|mirrored=mirrored|wrong_axis=wrong axis|increment=only the change loaded|"
+        "on_top=added to the existing table|state=existing table not active in the first test|"
         "one_direction=one direction|partial=partial|thermal=thermal|undecided=undecided|"
         '={name}}{of:if| ({of})}", not "loaded"'
     ),

@@ -198,19 +198,20 @@ SENTENCES: Final[dict[str, str]] = {
     "period.caption": (
         "For each period: how much more likely the readings are with an error of this period than"
         " without it. How usual such a period is on machines is not yet included. Dashed: periods"
-        " that are used in the estimate."
+        " that are used in the estimate.{gaps:if| In the gaps, an error of this period looks like"
+        " the smooth error at these targets: the search cannot find it.}"
     ),
-    "period.described": "likelihood of each period",
-    "period.least": "smallest amplitude that this test shows, by period",
+    "period.described": "Likelihood ratio of each period",
+    "period.least": "Smallest amplitude that this test shows, in {unit}",
     "period.least_caption": (
         "For each period: the smallest amplitude ({unit}) of a wave that this test shows. Shown"
         " means: in 95 % of such tests the estimated amplitude exceeds three standard errors. In"
         " the gaps the test shows no wave below 10 {unit}. If the job does not give the period, a"
-        " wave is mostly found from about 1.5 times this amplitude on. More targets, at random"
-        " offsets, show smaller waves."
+        " wave is mostly found from about 1.5 times this amplitude on{gaps:if|, but not in the gaps"
+        " of the figure above}. More targets, at random offsets, show smaller waves."
     ),
     "period.none": "No period is known, and none was found.",
-    "period.over": "period / {unit}",
+    "period.over": "Period in {unit}",
     "period.source": (
         "{source:choose|job=given by the job|found=found in the readings|files=given by the"
         " control's files|={source}}"

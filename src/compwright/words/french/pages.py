@@ -210,22 +210,25 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "period.alike": "Ces points visés ne distinguent pas : {periods} {unit}.",
     "period.caption": (
-        "Pour chaque période : combien de fois les mesures sont plus vraisemblables avec une"
-        " erreur de cette période que sans elle. La fréquence d'une telle période sur les"
-        " machines n'est pas encore comprise. Tirets : périodes utilisées dans l'estimation."
+        "Pour chaque période : combien de fois les mesures sont plus vraisemblables avec une erreur"
+        " de cette période que sans elle. La fréquence d'une telle période sur les machines n'est"
+        " pas encore comprise. Tirets : périodes utilisées dans l'estimation.{gaps:if| Dans les"
+        " lacunes, une erreur de cette période ressemble à l'erreur lisse à ces points visés : la"
+        " recherche ne peut pas la trouver.}"
     ),
-    "period.described": "rapport de vraisemblance de chaque période",
-    "period.least": "plus petite amplitude que cet essai montre, par période",
+    "period.described": "Rapport de vraisemblance de chaque période",
+    "period.least": "Plus petite amplitude que cet essai montre, en {unit}",
     "period.least_caption": (
         "Pour chaque période : la plus petite amplitude ({unit}) d'une onde que cet essai montre."
         " Cela veut dire : dans 95 % de tels essais, l'amplitude estimée dépasse trois erreurs"
         " types. Dans les lacunes, l'essai ne montre aucune onde de moins de 10 {unit}. Si le"
-        " dossier de travail ne donne pas la période, une onde est le plus souvent trouvée à"
-        " partir d'environ 1,5 fois cette amplitude. Plus de points visés, à décalages aléatoires,"
-        " montrent des ondes plus petites."
+        " dossier de travail ne donne pas la période, une onde est le plus souvent trouvée à partir"
+        " d'environ 1,5 fois cette amplitude{gaps:if|, mais pas dans les lacunes de la figure"
+        " ci-dessus}. Plus de points visés, à décalages aléatoires, montrent des ondes plus"
+        " petites."
     ),
     "period.none": "Aucune période n'est connue, et aucune n'a été trouvée.",
-    "period.over": "période / {unit}",
+    "period.over": "Période en {unit}",
     "period.source": (
         "{source:choose|job=donnée par le dossier de travail|found=trouvée dans les"
         " mesures|files=donnée par les fichiers de la commande|={source}}"

@@ -203,21 +203,24 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "period.alike": "Diese Zielpositionen unterscheiden nicht: {periods} {unit}.",
     "period.caption": (
-        "Für jede Periode: wie viel wahrscheinlicher die Messwerte mit einem Fehler dieser"
-        " Periode sind als ohne ihn. Wie üblich die Periode an Maschinen ist, ist noch nicht"
-        " enthalten. Gestrichelt: Perioden, die in der Schätzung verwendet werden."
+        "Für jede Periode: wie viel wahrscheinlicher die Messwerte mit einem Fehler dieser Periode"
+        " sind als ohne ihn. Wie üblich die Periode an Maschinen ist, ist noch nicht enthalten."
+        " Gestrichelt: Perioden, die in der Schätzung verwendet werden.{gaps:if| In den Lücken"
+        " sieht ein Fehler dieser Periode an diesen Zielpositionen wie der glatte Fehler aus: Die"
+        " Suche kann ihn nicht finden.}"
     ),
     "period.described": "Wahrscheinlichkeitsverhältnis jeder Periode",
-    "period.least": "kleinste Amplitude, die diese Prüfung zeigt, je Periode",
+    "period.least": "Kleinste Amplitude, die diese Prüfung zeigt, in {unit}",
     "period.least_caption": (
         "Für jede Periode: die kleinste Amplitude ({unit}) einer Welle, die diese Prüfung zeigt."
         " Das heißt: In 95 % solcher Prüfungen ist die geschätzte Amplitude größer als drei"
         " Standardfehler. In den Lücken zeigt die Prüfung keine Welle unter 10 {unit}. Nennt der"
         " Auftrag die Periode nicht, wird eine Welle meist ab etwa dem 1,5-Fachen dieser Amplitude"
-        " gefunden. Mehr Zielpositionen mit zufälligen Versätzen zeigen kleinere Wellen."
+        " gefunden{gaps:if|, aber nicht in den Lücken des Bildes darüber}. Mehr Zielpositionen mit"
+        " zufälligen Versätzen zeigen kleinere Wellen."
     ),
     "period.none": "Es ist keine Periode bekannt, und es wurde keine gefunden.",
-    "period.over": "Periode / {unit}",
+    "period.over": "Periode in {unit}",
     "period.source": (
         "{source:choose|job=im Auftrag angegeben|found=in den Messwerten gefunden|files=in den"
         " Dateien der Steuerung angegeben|={source}}"
