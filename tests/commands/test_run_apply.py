@@ -294,6 +294,10 @@ def test_a_switch_that_was_not_read_back_leaves_a_good_circle_undecided(
     control = "heidenhain-itnc530"
     loaded = itnc(folder)
     assert run(folder, control, states="[control]") == 0
+    changed = (folder / "job" / "card" / "changes.csv").read_text().splitlines()[1:]
+    assert [line.partition(",")[0] for line in changed] == [
+        f"X.COM row {row} 2=F()" for row in range(1, 9)
+    ]
     shutil.copytree(folder / "job" / "tables" / control, loaded, dirs_exist_ok=True)
     write_circle(folder / "after.csv", replace(Bent(), squareness=0.0).circle(8))
     words = ["verify", str(folder / "job.yaml"), "--after", str(folder / "after.csv"), "--force"]

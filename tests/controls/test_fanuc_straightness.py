@@ -109,6 +109,10 @@ def test_squareness_alone_leaves_the_pitch_data_next_to_the_parameters(tmp_path:
     job = tmp_path / "job.yaml"
     job.write_text(re.sub(r"before: \[\w+\.csv\]", "before: []", job.read_text()))
     assert compwright(["run", str(job), "--out", str(tmp_path / "job"), "--force"]) == 0
+    changed = (tmp_path / "job" / "card" / "changes.csv").read_text().splitlines()[1:]
+    numbers = {line.partition("Q")[0] for line in changed}
+    assert {"N05711", "N05721"} <= numbers <= {f"N0{number}" for number in range(5711, 5765)}
+    assert len(numbers) == len(changed) >= 5
     assert {file.name for file in (tmp_path / "job" / "tables" / "fanuc-30i").iterdir()} == {
         "CNC-PARA.TXT",
         "PITCH.TXT",

@@ -21,7 +21,10 @@ from compwright.formats.card import (
     typed_backlash,
 )
 from compwright.formats.families.card_texts import AxisCard, CardRequest, loading_order
-from compwright.formats.text.diff import compare_files
+from compwright.formats.text.container import is_container
+from compwright.formats.text.diff import EntryChange, compare_files
+from compwright.formats.text.file_values import changes
+from compwright.formats.text.texts import text_reader
 from compwright.foundations.units import outside_factor, outside_unit, shown_unit
 from compwright.planning.axis_work import AxisWork
 from compwright.planning.quick_check import check_positions, moved_by, quick_check
@@ -228,9 +231,30 @@ def changes_document(
         return None
     diff = compare_files(control.definition, old, entered)
     entries = [
-        {"entry": change.entry, "old": change.old, "new": change.new} for change in diff.changes
+        {"entry": change.entry, "old": change.old, "new": change.new}
+        for change in (*diff.changes, *_in_other_lines(control, old, entered))
     ]
     return {"entries": entries, "untouched": diff.untouched}
+
+
+def _in_other_lines(
+    control: Control, old: Sequence[ControlFile], new: Sequence[ControlFile]
+) -> Iterator[EntryChange]:
+    """Yield the changed values in lines of the new files that are no statements of the definition,
+    such as FANUC's parameters of straightness compensation.
+    """
+    reader, listing = text_reader(control.definition), control.format.listing
+    texts = ((file.name, reader.read(file, [])) for file in new if not is_container(file))
+    read = {
+        (name, place.line) for name, text in texts for place in (text.occurrences if text else ())
+    }
+    before, after = (listing.file_values(control.definition, files, old) for files in (old, new))
+    for change in changes(before, after):
+        entry = change.entry
+        if change.new is None or not entry.line or (entry.file, entry.line) in read:
+            continue
+        was = None if change.old is None else change.old.text
+        yield EntryChange(entry.name, entry.axis or None, was, change.new.text)
 
 
 def unconfirmed_diameters(control: Control, axes: Sequence[Axis]) -> list[str]:
