@@ -171,7 +171,8 @@ class Loaded:
         axes = self._decoded("--axis", self.control.addresses[name], *words)
         axis = axes[self.control.addresses[name]]
         both = [axis["correction_positive"], axis["correction_negative"]]
-        factor = 3.6 if name in self.rotary and axis["unit"] == "um" else 1.0  # 0.001 deg, not mm
+        # 0.001 deg, not mm; without a file that says so, the unit is unknown
+        factor = 3.6 if name in self.rotary and axis["unit"] != "arcsec" else 1.0
         return np.array(axis["positions"], dtype=float), factor * np.array(both, dtype=float)
 
     def nodes(self, name: str) -> tuple[Floats, Floats]:
