@@ -184,7 +184,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P133": (
         "Axis {axis}: the limit is predicted to be kept at the same targets, but not at new targets"
         " between them. There, 5 % of the tests show more than {parameters}, so the limit stays"
-        " undecided.{reasons:if| The error may repeat {reasons:join|, or }.} Measure at"
+        " undecided.{reasons:if| The error may repeat {reasons:join|, or }.} Measure a new test at"
         " {better}.{known:if|| Give the lead of the screw, if it is known (screw_pitch).}"
     ),
     "CW-P133.open": (
@@ -355,10 +355,9 @@ SENTENCES: Final[dict[str, str]] = {
         " Check that all of them belong to this test"
     ),
     "CW-P164": (
-        "Axis {axis}: the error may repeat with a period that these targets cannot show"
-        " (most likely {periods:3sig} {unit}). In the same test, measure at"
-        " {targets:.7g} {unit} too. All targets together show such an error if its amplitude is"
-        " at least {amplitude}."
+        "Axis {axis}: the error may repeat with a period that these targets cannot show (most"
+        " likely {periods:3sig} {unit}). For a test that shows it, add {targets:.7g} {unit} to"
+        " these targets: all together show such an error if its amplitude is at least {amplitude}."
     ),
     "CW-P165": (
         "Axis {axis}: {seen}: {parameter} {low:.2f} to {high:.2f} {unit} at new targets."

@@ -183,8 +183,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P133": (
         "Axe {axis} : la limite devrait être tenue aux mêmes points visés, mais pas à de nouveaux"
         " entre eux. Là, 5 % des essais montrent plus de {parameters}, donc la limite reste non"
-        " décidée.{reasons:if| L'erreur peut se répéter {reasons:join|, ou }.|} Mesurer à"
-        " {better}.{known:if|| Donner le pas de la vis s'il est connu (screw_pitch).}"
+        " décidée.{reasons:if| L'erreur peut se répéter {reasons:join|, ou }.|} Mesurer un nouvel"
+        " essai à {better}.{known:if|| Donner le pas de la vis s'il est connu (screw_pitch).}"
     ),
     "CW-P133.open": (
         "avec une période que ces points visés laissent ouverte ({probability:.0%} ; d'abord"
@@ -363,9 +363,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P164": (
         "Axe {axis} : l'erreur peut se répéter avec une période que ces points visés ne montrent"
-        " pas (d'abord {periods:3sig} {unit}). Dans le même essai, mesurer"
-        " aussi à {targets:.7g} {unit}. Tous les points visés ensemble montrent une telle erreur"
-        " à partir d'une amplitude de {amplitude}."
+        " pas (d'abord {periods:3sig} {unit}). Pour un essai qui la montre, ajouter {targets:.7g}"
+        " {unit} à ces points visés : tous ensemble montrent une telle erreur à partir d'une"
+        " amplitude de {amplitude}."
     ),
     "CW-P165": (
         "Axe {axis} : {seen} : {parameter} {low:.2f} à {high:.2f} {unit} à de nouveaux points"

@@ -195,8 +195,8 @@ SENTENCES: Final[dict[str, str]] = {
         "Achse {axis}: Der Grenzwert wird nach der Vorhersage an denselben Zielpositionen"
         " eingehalten, aber nicht an neuen dazwischen. Dort zeigen 5 % der Prüfungen mehr als"
         " {parameters}, der Grenzwert bleibt deshalb offen.{reasons:if| Der Fehler kann sich"
-        " wiederholen: {reasons:join|, oder }.|} An {better} messen.{known:if|| Die Steigung der"
-        " Spindel angeben, wenn sie bekannt ist (screw_pitch).}"
+        " wiederholen: {reasons:join|, oder }.|} Eine neue Prüfung an {better} messen.{known:if||"
+        " Die Steigung der Spindel angeben, wenn sie bekannt ist (screw_pitch).}"
     ),
     "CW-P133.open": (
         "mit einer Periode, die diese Zielpositionen offenlassen ({probability:.0%}; vor allem"
@@ -376,10 +376,10 @@ SENTENCES: Final[dict[str, str]] = {
         " {keys:join|; }. Prüfen, ob alle zu dieser Prüfung gehören"
     ),
     "CW-P164": (
-        "Achse {axis}: Der Fehler kann sich mit einer Periode wiederholen, die diese"
-        " Zielpositionen nicht zeigen (vor allem {periods:3sig} {unit}). In"
-        " derselben Prüfung auch an {targets:.7g} {unit} messen. Alle Zielpositionen zusammen"
-        " zeigen einen solchen Fehler ab einer Amplitude von {amplitude}."
+        "Achse {axis}: Der Fehler kann sich mit einer Periode wiederholen, die diese Zielpositionen"
+        " nicht zeigen (vor allem {periods:3sig} {unit}). Für eine Prüfung, die ihn zeigt,"
+        " {targets:.7g} {unit} zu diesen Zielpositionen hinzufügen: Alle zusammen zeigen einen"
+        " solchen Fehler ab einer Amplitude von {amplitude}."
     ),
     "CW-P165": (
         "Achse {axis}: {seen}: {parameter} {low:.2f} bis {high:.2f} {unit} an neuen"
