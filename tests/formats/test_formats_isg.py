@@ -160,7 +160,7 @@ def test_a_table_that_repeats_goes_on_behind_its_ends() -> None:
         ("[1].pos              0", "[1].pos 0\nkw.ssfk.table[1].pos 1", "contradicts"),
         ("bilateral                 1", "bilateral 0", "the column for - contains another value"),
         ("bilateral                 1", "bilateral 2", "not known"),
-        ("kopf.achs_nr                      1", "", "its axis is not given"),
+        ("kopf.achs_nr                      1", "", "does not state the number of its axis"),
         ("kopf.log_achs_name                X", "kopf.log_achs_nr 2", "name different axes"),
         ("kw.ssfk.modulo                    0", "kw.temp.gain 3", "kw.temp.gain"),
         ("kw.ssfk.modulo                    0", "kw.ssfk.res1 1", "kw.ssfk.res1"),

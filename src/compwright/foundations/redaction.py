@@ -186,12 +186,12 @@ def refuse_left_over(
         kinds = sorted({kind for kind, text in cuts.removed if text in left})
         raise InputError(
             Fault(
-                message="the file was not copied: a text to remove is also a keyword or a "
-                "number of the file",
+                message="the file was not copied: a name to be removed is also a keyword or a "
+                "number of the file, which would be damaged",
                 file=file,
                 place=_lines(lines),
                 expected="names that differ from keywords and numbers",
-                found=f"{len(left)} texts ({', '.join(kinds)})",
+                found=f"{len(left)} such names ({', '.join(kinds)})",
                 hint="remove the names by hand",
             )
         )

@@ -259,7 +259,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "period.usual": (
         "{once:if|look for a part that turns or repeats once in {period:.5g} {unit}: {once:join|,"
-        " or }|}{twice:if|{once:if|; or for|look for} a part that turns or repeats twice in"
-        " {double:.5g} {unit}: {twice:join|, or }|}"
+        " or }|}{twice:if|{once:if|; or for|look for} a part that turns or repeats once in"
+        " {double:.5g} {unit} and causes the error twice in it: {twice:join|, or }|}"
     ),
 }

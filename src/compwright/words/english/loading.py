@@ -56,7 +56,8 @@ SENTENCES: Final[dict[str, str]] = {
         " proven for it. Measure it again and give it as --after {circle}=FILE."
     ),
     "CW-V023.scale": (
-        "The scale of axis {axis} came from circles, and none was measured after loading, so"
+        "The scale error of axis {axis} was corrected from circular tests, and no circle was"
+        " measured after loading, so"
         " the result is not proven for it. Measure the circle {circles:if|{circles:join| or }|of"
         " this plane} again."
     ),

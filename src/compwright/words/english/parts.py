@@ -49,7 +49,7 @@ SENTENCES: Final[dict[str, str]] = {
         " only your own definition says what these files do"
     ),
     "reading_off": "{traverse} at {target} (deviates by {off})",
-    "scale_by": "{axis}: scale {scale} according to {tests:join|; }",
+    "scale_by": "{axis}: scale error {scale} according to {tests:join|; }",
     "traverse": "run {run} in {direction}",
     "undetermined.bar": (
         "the length of the bar was not calibrated: give a calibrated length, or measure the"

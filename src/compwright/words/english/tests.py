@@ -95,7 +95,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T005.repeated_missing": (
         "The axis is longer than {limit}, and this test has one approach per direction. In addition"
-        " the standard asks for a test with five approaches per direction over {limit}."
+        " the standard asks for a test with five approaches per direction over {limit} of the"
+        " normal"
+        " working area."
     ),
     "CW-T005.whole_missing": (
         "The axis is longer than {limit}. In addition the standard asks for a test of its whole"

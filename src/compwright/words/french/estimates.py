@@ -263,7 +263,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "period.usual": (
         "{once:if|chercher ce qui tourne ou se répète une fois en {period:.5g} {unit} :"
-        " {once:join|, ou }|}{twice:if|{once:if| ; ou ce|chercher ce} qui tourne ou se répète deux"
-        " fois en {double:.5g} {unit} : {twice:join|, ou }|}"
+        " {once:join|, ou }|}{twice:if|{once:if| ; ou ce|chercher ce} qui tourne ou se répète une"
+        " fois en {double:.5g} {unit} et cause alors deux fois l'erreur : {twice:join|, ou }|}"
     ),
 }

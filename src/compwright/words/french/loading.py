@@ -55,8 +55,9 @@ SENTENCES: Final[dict[str, str]] = {
         " prouvé pour lui. Le mesurer de nouveau et le donner par --after {circle}=FILE."
     ),
     "CW-V023.scale": (
-        "L'échelle de l'axe {axis} vient de cercles, et aucun n'a été mesuré après chargement, donc"
-        " rien n'est prouvé pour elle. Mesurer de nouveau le cercle {circles:if|{circles:join| ou"
+        "L'erreur d'échelle de l'axe {axis} a été corrigée d'après des essais circulaires, et aucun"
+        " cercle n'a été mesuré après chargement, donc rien n'est prouvé pour elle. Mesurer de"
+        " nouveau le cercle {circles:if|{circles:join| ou"
         " }|de ce plan}."
     ),
     "CW-V023.squareness": (

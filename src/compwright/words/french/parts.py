@@ -49,7 +49,7 @@ SENTENCES: Final[dict[str, str]] = {
         " indépendamment : seule votre propre définition dit ce que font ces fichiers"
     ),
     "reading_off": "{traverse} à {target} (écart {off})",
-    "scale_by": "{axis} : échelle {scale} d'après {tests:join|; }",
+    "scale_by": "{axis} : erreur d'échelle {scale} d'après {tests:join|; }",
     "traverse": "parcours {run} dans le sens {direction}",
     "undetermined.bar": (
         "la longueur de la barre n'a pas été étalonnée : donner une longueur étalonnée, ou"

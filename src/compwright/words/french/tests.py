@@ -100,7 +100,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T005.repeated_missing": (
         "L'axe est plus long que {limit}, et cet essai a une approche par sens. La norme demande en"
-        " plus un essai avec cinq approches par sens sur {limit}."
+        " plus un essai avec cinq approches par sens sur {limit} de la zone de travail normale."
     ),
     "CW-T005.whole_missing": (
         "L'axe est plus long que {limit}. La norme demande en plus un essai de toute sa longueur"

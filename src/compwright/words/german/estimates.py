@@ -268,6 +268,7 @@ SENTENCES: Final[dict[str, str]] = {
     "period.usual": (
         "{once:if|suchen, was sich in {period:.5g} {unit} einmal dreht oder wiederholt:"
         " {once:join|, oder }|}{twice:if|{once:if|; oder was sich|suchen, was sich} in {double:.5g}"
-        " {unit} zweimal dreht oder wiederholt: {twice:join|, oder }|}"
+        " {unit} einmal dreht oder wiederholt und dabei den Fehler zweimal macht: {twice:join|,"
+        " oder }|}"
     ),
 }

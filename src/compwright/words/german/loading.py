@@ -58,8 +58,9 @@ SENTENCES: Final[dict[str, str]] = {
         " bewiesen. Neu messen und als --after {circle}=FILE angeben."
     ),
     "CW-V023.scale": (
-        "Der Maßstab der Achse {axis} kam aus Kreisen, und keiner wurde nach dem Laden gemessen,"
-        " für sie ist nichts bewiesen. Den Kreis {circles:if|{circles:join| oder }|dieser Ebene}"
+        "Der Maßstabsfehler der Achse {axis} wurde nach Kreisprüfungen korrigiert, und kein Kreis"
+        " wurde nach dem Laden gemessen. Daher ist für sie nichts bewiesen. Den Kreis"
+        " {circles:if|{circles:join| oder }|dieser Ebene}"
         " neu messen."
     ),
     "CW-V023.squareness": (

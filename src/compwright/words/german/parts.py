@@ -48,7 +48,7 @@ SENTENCES: Final[dict[str, str]] = {
         " geprüft: Nur Ihre eigene Definition sagt, was diese Dateien tun"
     ),
     "reading_off": "{traverse} bei {target} (Abweichung {off})",
-    "scale_by": "{axis}: Maßstab {scale} nach {tests:join|; }",
+    "scale_by": "{axis}: Maßstabsfehler {scale} nach {tests:join|; }",
     "traverse": "Lauf {run} in {direction}",
     "undetermined.bar": (
         "die Länge des Kreisformmessgeräts wurde nicht kalibriert: eine kalibrierte Länge"

@@ -99,7 +99,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-T005.repeated_missing": (
         "Die Achse ist länger als {limit}, und diese Prüfung hat eine Anfahrt je Richtung. Die Norm"
-        " verlangt zusätzlich eine Prüfung mit fünf Anfahrten je Richtung über {limit}."
+        " verlangt zusätzlich eine Prüfung mit fünf Anfahrten je Richtung über {limit} des üblichen"
+        " Arbeitsbereichs."
     ),
     "CW-T005.whole_missing": (
         "Die Achse ist länger als {limit}. Die Norm verlangt zusätzlich eine Prüfung ihrer ganzen"

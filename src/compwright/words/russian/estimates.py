@@ -256,6 +256,6 @@ SENTENCES: Final[dict[str, str]] = {
     "period.usual": (
         "{once:if|ищите то, что вращается или повторяется один раз за {period:.5g} {unit}:"
         " {once:join|, или }|}{twice:if|{once:if|; или то|ищите то}, что вращается или повторяется"
-        " дважды за {double:.5g} {unit}: {twice:join|, или }|}"
+        " один раз за {double:.5g} {unit} и дважды вызывает ошибку: {twice:join|, или }|}"
     ),
 }

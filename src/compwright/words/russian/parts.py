@@ -47,7 +47,7 @@ SENTENCES: Final[dict[str, str]] = {
         " делают эти файлы, сказано только в вашем собственном определении"
     ),
     "reading_off": "{traverse} в {target} (отклонение {off})",
-    "scale_by": "{axis}: масштаб {scale} по {tests:join|; }",
+    "scale_by": "{axis}: ошибка масштаба {scale} по {tests:join|; }",
     "traverse": "проход {run} в направлении {direction}",
     "undetermined.bar": (
         "длина прибора не калибрована: задайте калиброванную длину или измерьте ось лазером"

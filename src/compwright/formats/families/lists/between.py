@@ -107,7 +107,8 @@ def _write(
                 "one other axis",
                 expected="one other axis",
                 found=", ".join(sorted(rivals)),
-                hint="remove the other corrections from the control's lists and run again",
+                hint=f"remove the corrections of axis {added.output} over other axes from the lists"
+                " of the control, and run again",
             )
         )
     if not np.allclose(added.positive, added.negative, rtol=0.0, atol=_STRAIGHT):

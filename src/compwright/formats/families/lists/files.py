@@ -199,7 +199,7 @@ class _Sorter:
                 hint=CORRECT_VALUE,
             )
         elif not numbers and own:
-            message = "its axis is not given"
+            message = "does not state the number of its axis"
             self.notes.refuse(
                 "this list",
                 message,
@@ -208,7 +208,7 @@ class _Sorter:
                 found="none",
                 hint=(
                     f"add the line `{self.lists.name(AXIS_NUMBER)} <number>` to the list; or give"
-                    " the start-up list that names it with the control's other files"
+                    " the start-up list that assigns this list to its axis"
                 ),
             )
         return str(numbers.pop()) if len(numbers) == 1 else None
