@@ -644,7 +644,9 @@ def test_a_circle_whose_file_contradicts_its_state_is_a_doubt(
 
 
 def test_circles_that_contradict_each_other_are_a_doubt(folder: Path) -> None:
-    """Lost motion of X 5 µm in one circle and 9 µm in the next: nothing is decided on X."""
+    """Lost motion of X 5 µm in one circle and 9 µm in the next: nothing is decided on X, and Y is
+    not concerned.
+    """
     lost = replace(Bent(), x=replace(AXIS_X, lost=0.009))
     write_circle(folder / "other.csv", lost.circle(8))
     path = job(folder, x=", accept: {A: 500}", y=", accept: {A: 500}")
@@ -656,7 +658,9 @@ def test_circles_that_contradict_each_other_are_a_doubt(folder: Path) -> None:
     prediction = document(folder / "job" / "prediction.json")
     (doubt,) = [one for one in prediction["doubts"] if one["code"] == "CW-P136"]
     assert "Lost motion: the circles contradict each other" in doubt["message"]
+    assert "Y" not in doubt["message"]
     assert prediction["axes"]["X"]["accept"]["A"]["decision"] == "undecided"
+    assert prediction["axes"]["Y"]["accept"]["A"]["decision"] == "accept"
     write_circle(folder / "other.csv", Bent().circle(8))
     assert compwright(["run", str(path), "--force"]) == 0
     assert document(folder / "job" / "prediction.json")["doubts"] == []

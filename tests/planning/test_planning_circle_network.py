@@ -102,21 +102,26 @@ def test_three_planes_are_one_machine() -> None:
 
 
 @pytest.mark.parametrize(
-    ("cause", "more", "kind"),
+    ("cause", "more", "kind", "axes"),
     [
-        ("backlash_first", 1.0, "lost motion"),
-        ("scale_error_first", 8.0, "scale"),
-        ("scale_mismatch", 3.0, "scale"),
-        ("servo_mismatch", 0.1, "servo mismatch"),
+        ("backlash_first", 1.0, "lost motion", "X"),
+        ("backlash_second", 1.0, "lost motion", "Y"),
+        ("scale_error_first", 8.0, "scale", "XYZ"),
+        ("scale_mismatch", 3.0, "scale", "XYZ"),
+        ("servo_mismatch", 0.1, "servo mismatch", "XYZ"),
     ],
 )
-def test_a_circle_that_contradicts_the_others_is_named(cause: str, more: float, kind: str) -> None:
-    """Every kind has more circles than unknowns here; servo mismatches close around the planes."""
+def test_a_circle_that_contradicts_the_others_is_named(
+    cause: str, more: float, kind: str, axes: str
+) -> None:
+    """Every kind has more circles than unknowns here; servo mismatches close around the planes.
+    Lost motion of one axis says nothing of the others.
+    """
     wrong = [*PLANES, circle("odd", feed=1500.0, off={cause: more})]
-    assert list(solved(wrong).contradictions) == [(kind, "")]
-    messages = [each.message for each in network_findings(wrong) if each.code == "CW-P136"]
-    assert len(messages) == 1
-    assert "odd" in messages[0]
+    assert list(solved(wrong).contradictions) == [(kind, axes if kind == "lost motion" else "")]
+    (found,) = [each for each in network_findings(wrong) if each.code == "CW-P136"]
+    assert "odd" in found.message
+    assert sorted(found.axes) == [*axes]
 
 
 def test_consistent_circles_rarely_contradict_each_other() -> None:

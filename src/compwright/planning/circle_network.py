@@ -63,10 +63,10 @@ class Observation:
 
     @property
     def group(self) -> tuple[str, str]:
-        """The kind of the measured value and, for squareness, its plane. Observations of equal kind
-        and plane are compared with each other.
+        """The kind of the measured value and, where it has a single unknown (squareness, lost
+        motion), its plane or axis. Observations of one group are compared with each other.
         """
-        return self.kind, next(iter(self.parts))[1] if self.kind == "squareness" else ""
+        return self.kind, next(iter(self.parts))[1] if len(self.parts) == 1 else ""
 
     @property
     def axes(self) -> str:
@@ -81,7 +81,8 @@ class CircleNetwork:
     which these tests contradict each other.
 
     ``values``: the machine errors, by the name of the unknown. ``contradictions``: the measured
-    values that contradict each other, by kind and, for squareness, by plane.
+    values that contradict each other, by kind and, for squareness and lost motion, by plane or
+    axis.
     """
 
     circles: tuple[str, ...]
