@@ -36,7 +36,9 @@ def test_a_found_period_says_what_to_look_for_and_its_odds() -> None:
     assert finding.code == "CW-E012"
     assert "every 10 mm (probability 97 %, 32 times as likely as not)" in finding.message
     assert "once in 10 mm: a screw lead of 10 mm" in finding.message
-    assert "twice in 20 mm: a screw lead of 20 mm" in finding.message
+    assert (
+        "once in 20 mm and causes the error twice in it: a screw lead of 20 mm" in finding.message
+    )
     (sure,) = said(AxisPeriod(10.0, 0.9947, "found"))
     assert "190 times as likely as not" in sure.message, "never exponents"
 
@@ -106,7 +108,11 @@ def test_known_periods_that_the_data_do_not_tell_are_counted() -> None:
 @pytest.mark.parametrize(
     ("period", "kind", "word"),
     [
-        (5.0, AxisKind.LINEAR, "twice in 10 mm: a screw lead of 10 mm"),
+        (
+            5.0,
+            AxisKind.LINEAR,
+            "once in 10 mm and causes the error twice in it: a screw lead of 10 mm",
+        ),
         (12.7, AxisKind.LINEAR, "0.5 inch"),
         (5.0, AxisKind.ROTARY, "72 turns for one turn of the table"),
         (17.77, AxisKind.LINEAR, "no usual screw"),
