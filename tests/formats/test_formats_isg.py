@@ -722,7 +722,7 @@ def test_a_slave_of_another_axis_is_not_changed(bent: Path, tmp_path: Path) -> N
     (tmp_path / "y.lis").write_text(SLAVE.replace("master_ax_nr 1", "master_ax_nr 3"))
     (tmp_path / "x.lis").write_text(SAMPLE)
     assert squareness(tmp_path, bent, "[x.lis, y.lis]", options="cross_values: error") == 1
-    assert "only one axis" in (tmp_path / "job" / "card" / "card.md").read_text("utf-8")
+    assert "only one other axis" in (tmp_path / "job" / "card" / "card.md").read_text("utf-8")
     assert not (tmp_path / "job" / "tables" / ISG / "y.lis").exists()
 
 

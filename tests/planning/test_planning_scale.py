@@ -68,7 +68,7 @@ def test_a_scale_at_a_low_feed_is_taken_away_about_the_reference() -> None:
     found = scaled(circle_of({"scale_error_second": (50.0, 2.0)}, feed=150.0))
     assert found.finding.code == "CW-P120"
     assert (
-        "scale +50.0 ± 4.0 µm/m according to circular test circle at a low feed"
+        "scale error +50.0 ± 4.0 µm/m according to circular test circle at a low feed"
         in found.finding.message
     )
     assert slope_of(found) == pytest.approx(-50.0 * PPM, abs=0.2 * PPM)
@@ -159,7 +159,7 @@ def test_the_mismatch_with_an_axis_under_the_laser_gives_the_other(
     circle = circle_of({"scale_mismatch": (cause, 0.2)}, axes)
     found = scaled(circle, works={"X": laser})
     assert (
-        "scale +30.0 ± 2.0 µm/m according to the scale of axis X by laser, and the scale difference of the two axes in circular test circle"
+        "scale error +30.0 ± 2.0 µm/m according to the scale of axis X by laser, and the scale difference of the two axes in circular test circle"
         in (found.finding.message)
     )
     assert slope_of(found) == pytest.approx(-30.0 * PPM, abs=0.2 * PPM)
@@ -206,7 +206,7 @@ def test_circles_at_low_feeds_are_weighted() -> None:
         circle_of({"scale_error_first": (50.0, 2.0)}, ("Y", "Z"), feed=150.0, name="b"),
     )
     assert (
-        "scale +42.0 ± 1.8 µm/m according to circular test a at a low feed; circular test b at a low feed"
+        "scale error +42.0 ± 1.8 µm/m according to circular test a at a low feed; circular test b at a low feed"
         in found.finding.message
     )
 
