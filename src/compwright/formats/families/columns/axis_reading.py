@@ -341,7 +341,7 @@ class ColumnAxisReader:
         active = self.activity.was_active(self.label, self._switch, word, place, self.notes)
         if active is None:
             evidence = f"{self._switch} is not in the files: a table that was given counts"
-            self.notes.assume(f"{self.label}: its table", "acts", evidence)
+            self.notes.assume(f"{self.label}: its table", "active", evidence)
         return active is not False
 
     def _column_elsewhere(self) -> bool:
