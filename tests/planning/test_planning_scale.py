@@ -110,9 +110,9 @@ def test_a_circle_of_another_state_is_brought_to_what_acts_now() -> None:
     states = {"as_found": NO_CORRECTIONS, "before": ActiveCorrections({"Y": by_slope(-30e-6)}, {})}
     circle = circle_of({"scale_error_second": (50.0, 2.0)}, feed=150.0, measured_in="before")
     found = scaled(circle, states=states)
-    assert "scale +80.0 ± 4.0 µm/m" in found.finding.message
+    assert "scale error +80.0 ± 4.0 µm/m" in found.finding.message
     turned = {"as_found": states["before"], "before": NO_CORRECTIONS}
-    assert "scale +20.0 ± 4.0 µm/m" in scaled(circle, states=turned).finding.message
+    assert "scale error +20.0 ± 4.0 µm/m" in scaled(circle, states=turned).finding.message
 
 
 def test_two_feeds_tell_what_the_lag_takes_away() -> None:
@@ -121,7 +121,7 @@ def test_two_feeds_tell_what_the_lag_takes_away() -> None:
     slow = circle_of({"scale_error_second": (40.0 - k, 1.0)}, feed=1000.0, name="slow")
     fast = circle_of({"scale_error_second": (40.0 - 4.0 * k, 1.0)}, feed=2000.0, name="fast")
     found = scaled(slow, fast)
-    assert "scale +40.0 ± " in found.finding.message
+    assert "scale error +40.0 ± " in found.finding.message
     assert (
         "according to circular tests slow and fast at two feeds, extrapolated to feed zero"
         in found.finding.message
@@ -139,7 +139,7 @@ def test_the_uncertainty_of_two_feeds_is_that_of_the_extrapolation() -> None:
         doubt = shrinking(circle_of({}, feed=feed)) / np.sqrt(3.0) / PPM
         error = float(np.hypot(3.0, doubt))
         circles.append(circle_of({"scale_error_second": (100.0, error)}, feed=feed))
-    assert "scale +100.0 ± 8.2 µm/m" in scaled(*circles).finding.message
+    assert "scale error +100.0 ± 8.2 µm/m" in scaled(*circles).finding.message
 
 
 def test_circles_about_two_places_are_not_one_pair_of_feeds() -> None:
