@@ -77,8 +77,14 @@ def next_step(cause: str, axes: Sequence[str], frequency: float | None = None) -
     for ending, axis in (("_first", first), ("_second", second), ("", "")):
         kind = cause.removesuffix(ending)
         if cause.endswith(ending) and kind in _STEPS:
-            names = {"axis": axis, "first": first, "second": second}
-            return say("circle.step", kind=kind, frequency=frequency, **names)
+            return say(
+                "circle.step",
+                kind=kind,
+                axis=axis,
+                first=first,
+                second=second,
+                frequency=frequency,
+            )
     return None
 
 
