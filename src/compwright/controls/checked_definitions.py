@@ -117,12 +117,12 @@ def _judged(
 
 @dataclass(frozen=True, slots=True)
 class HandWorked:
-    """The largest deviation of the corrections that one of compwright's two file readers finds from
-    the corrections worked out by hand, for one hand-worked example.
+    """The result of one hand-worked example with one of compwright's two file readers: the largest
+    difference between the corrections of the reader and those worked out by hand.
 
     ``format``: id of the definition. ``expectation``: name of the example. ``reader``: package of
     the file reader, ``formats`` or ``controllers``. ``count``: number of corrections.
-    ``difference``: the largest deviation, in ``unit``.
+    ``difference``: the largest difference, in ``unit``.
     """
 
     format: str

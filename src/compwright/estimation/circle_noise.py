@@ -66,8 +66,9 @@ class ResidualSpectrum:
 
 
 def angle_grid(samples: CircleSamples) -> AngleGrid:
-    """Return the samples of every run nearest to common, equally spaced angles. Their number is
-    that of the shortest run.
+    """Return for every run those samples that are nearest to the points of a grid of equally spaced
+    angles. The grid is the same for all runs, and has as many angles as the shortest run has
+    samples.
     """
     runs = [np.flatnonzero(samples.run == number) for number in np.unique(samples.run)]
     start, extent = samples.arc

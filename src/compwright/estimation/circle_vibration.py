@@ -97,11 +97,11 @@ def search_vibration(problem: CircleProblem, residual: FloatArray) -> Vibration:
 
 
 def _threshold(count: float, runs: int) -> float:
-    """Return the power, as a multiple of the mean power of noise, that noise exceeds at any
-    frequency with probability `_FALSE_ALARM`.
+    """Return the power, as a multiple of the mean power of noise, that noise exceeds with
+    probability `_FALSE_ALARM` at one or more of ``count`` independent frequencies.
 
-    The power at each of ``count`` independent frequencies is a sum of ``runs`` exponentially
-    distributed terms (Erlang distribution). The equation is solved by iteration.
+    The power at a frequency is a sum of ``runs`` exponentially distributed terms (Erlang
+    distribution). The equation is solved by iteration.
     """
     chance = np.log(count / _FALSE_ALARM)
     value = chance

@@ -168,8 +168,11 @@ def _windows(m: int, *, endless: bool) -> list[tuple[int, int, range]]:
 
 
 def _jump(step: FoundStep, low: float, high: float, turn: float | None, end: float | None) -> Jump:
-    """Return a found step between the targets ``low`` and ``high`` as a `Jump`. If one of these is
-    the first or last target (``end``), that target can equally be an outlier.
+    """Return a found step between the targets ``low`` and ``high`` as a `Jump`.
+
+    ``turn``: the length of one turn of a rotary axis, None for other axes. ``end``: the first or
+    last target of the test, if ``low`` or ``high`` is this target; else None. Readings at an end
+    can equally be an outlier instead of a step.
     """
     size, std, odds = round(step.size, 9), round(step.std, 9), step.odds
     if end is None:

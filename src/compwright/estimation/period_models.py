@@ -235,7 +235,9 @@ def _ladder(member: PeriodCandidate, count: int) -> FloatArray:
 
 
 def _picked(member: PeriodCandidate) -> FloatArray:
-    """Return frequencies that represent a period with aliases: its own, and some of the aliases."""
+    """Return frequencies that represent a period with aliases: its own, and about seven aliases at
+    equal steps in the list of all aliases.
+    """
     return np.append(member.aliases[:: max(1, member.aliases.size // 7)], 1.0 / member.period)
 
 

@@ -341,8 +341,8 @@ class _Mixture:
         return float(ends[0]), float(ends[1])
 
     def lines(self, random: np.random.Generator, *, grows: bool) -> tuple[FloatArray, FloatArray]:
-        """Return draws of the level and of the rate from the generator ``random``. The rate is 0
-        unless ``grows``.
+        """Return draws (n,) of the parameter's level at the last test and of its rate per year,
+        from the generator ``random``. The rate is 0 in all draws unless ``grows``.
         """
         which = random.choice(len(self.weight), size=_DRAWS, p=self.weight)
         by_rate, own = random.standard_normal((2, _DRAWS))

@@ -35,8 +35,9 @@ def display_unit(kind: AxisKind) -> tuple[float, str]:
 
 
 def reportable_costs(costs: list[tuple[str, float]], quantum: float) -> tuple[Limit, ...]:
-    """Return those ``costs`` that exceed rounding errors. A cost is the rms error (mm or deg) that
-    one cause adds, such as a limit of the control.
+    """Return those ``costs`` that are larger than the rounding of table values to the resolution
+    ``quantum`` (mm or deg) explains. A cost is the rms error (mm or deg) that one cause adds, such
+    as a limit of the control.
     """
     rounded = [(cause, rounded_number(value)) for cause, value in costs]
     return tuple(

@@ -152,7 +152,9 @@ class _Shared(Generic[T, R]):
                 self.done[place] = [self._work(self._items[place])]
 
     def work_there(self, pool: ProcessPoolExecutor) -> None:
-        """Give the first items to another process, batch by batch, until none is left."""
+        """Take items from the front of the queue, batch by batch, and let another process work on
+        them, until the queue is empty.
+        """
         while places := self._taken_there():
             batch = [self._items[place] for place in places]
             try:

@@ -20,11 +20,12 @@ _AT_ONCE: Final = 1_000_000
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FreshScatter:
-    """The scatter of simulated tests, one for each draw of the noise; mm or deg.
+    """The scatter of s simulated tests at m targets, one test for each draw of the noise; mm or
+    deg.
 
-    ``mean_*`` (s, m): the difference of the mean of the readings from the error of the axis.
-    ``s_*`` (s, m): the standard deviation of the readings. NaN if there is no mean (n = 0) or no
-    standard deviation (n < 2).
+    ``mean_positive``, ``mean_negative`` (s, m): mean of the readings minus the error of the axis;
+    NaN without readings. ``s_positive``, ``s_negative`` (s, m): standard deviation of the readings;
+    NaN for fewer than two readings.
     """
 
     mean_positive: FloatArray

@@ -43,8 +43,8 @@ def as_on_line(files: Sequence[ControlFile], own: Sequence[ControlFile]) -> tupl
 
 
 def whole(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
-    """Return the files with the characters of the serial line as part of their contents again, as
-    in the original files.
+    """Return the files as they were originally: with the characters that the serial transmission
+    added (such as ``%``, DC2, NUL), which the reader had removed from their contents.
     """
     return tuple(
         replace(file, content=file.raw, leader=b"", trailer=b"")

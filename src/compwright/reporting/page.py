@@ -62,7 +62,7 @@ def _environment(language: Language) -> Any:
 
 
 class Figure(Protocol):
-    """A figure that a page draws in its language."""
+    """A drawing in an HTML page, with labels in the language of the page."""
 
     def svg(self, language: Language) -> str:
         """Return the figure as SVG markup inside a page."""

@@ -420,8 +420,8 @@ class Definition:
         return "" if file == self.text.file else PurePath(file).name
 
     def measure(self, quantity: str) -> Measure:
-        """Return the rule of a quantity that is a length or angle. Raises KeyError if the
-        definition has no such rule.
+        """Return how the definition states a quantity that is a length or angle: its unit, scale
+        and sign. Raises KeyError if the definition does not state it.
         """
         binding = self.bindings[quantity]
         if not isinstance(binding, Measure):

@@ -98,8 +98,8 @@ def combined_answer(answers: Iterable[Between]) -> Between:
 def entry_sheet_answer(
     entry: PlannedCross, sheet: ControlFile, sentence: Sentence, text: str
 ) -> Between:
-    """Return the answer that the user has to type in the values of ``sheet`` for a correction whose
-    sign is not confirmed. ``sentence``: a warning about it; ``text``: the card's text.
+    """Return the answer for a correction that the user has to type in from ``sheet``, because its
+    sign is not confirmed. ``sentence``: a warning about the sign; ``text``: the card's text.
     """
     title = control_text("{output} over {input}: type in", output=entry.output, input=entry.input)
     return Between(

@@ -164,7 +164,9 @@ class TextRedactor:
         return new
 
     def _other(self, code: str) -> str:
-        """Return the replacement of a line that contains no known statement."""
+        """Return the redacted form of a line that contains no known statement: unchanged, with
+        names replaced, or without its text.
+        """
         bare = code.strip()
         if self._stays(bare):
             return self._literal(code)

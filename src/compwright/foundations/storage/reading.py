@@ -25,7 +25,8 @@ _NO_WAITING = (
 
 
 def read_bytes(session: Session, path: Path, kind: InputKind = ANY) -> bytes:
-    """Return the bytes of a file, or of a pending one, and record the file as an input.
+    """Return the bytes of a file, or of a file that this session will write but has not written
+    yet, and record the file as an input.
 
     Raises InputError for a file that is missing, cannot be read, or is larger than allowed for its
     ``kind``. Raises it too for a device or a pipe, because reading that might never end. A file

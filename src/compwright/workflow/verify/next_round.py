@@ -266,7 +266,9 @@ def _looped(found: Verified, well: Sequence[AfterTest], planes: Sequence[str]) -
 
 
 def _measured(found: Verified) -> dict[str, Sequence[Path]]:
-    """Return the files of the circles after loading by name, without copies of those before."""
+    """Return, by name, the files of the circular tests that were made after loading. Files that are
+    only copies of those from before loading are left out.
+    """
     return {
         name: files
         for name, files in found.circle_files.items()

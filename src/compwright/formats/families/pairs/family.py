@@ -206,8 +206,8 @@ class PairsFamily(GridFamily):
         return {self.definition.bindings[name].statement for name in quantities}
 
     def _check_form(self, own: Sequence[ControlFile]) -> None:
-        """Refuse to change those of the control's ``own`` files that the control would not load in
-        changed form.
+        """Raise UsageError if the option ``files: patched`` requires a change of the control's
+        ``own`` files in a form that the control would not load.
         """
         if self.options.get("files") != "patched":
             return

@@ -134,7 +134,9 @@ class TableLines(SingleValues):
         return self.pair[0] == self.pair[1]
 
     def on(self) -> bool:
-        """Return whether the last values in the files activate the table, without any message."""
+        """Return whether the last values in the files activate the table. Unlike the other checks,
+        this adds no message.
+        """
         ends = (
             ("cross_table_enabled", self.places),
             ("cross_axis_enabled", of_axis(self.gathered, self.pair[1])),
