@@ -268,6 +268,37 @@ def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(
     assert "contain no data of axis Y" in capsys.readouterr().err
 
 
+def test_a_plane_that_a_control_cannot_hold_hides_no_other(folder: Path) -> None:
+    """An ISG list corrects its axis over one other: Z over X and over Y is refused, Y over X is
+    written.
+    """
+    for seed, plane in ((5, "YZ"), (6, "ZX")):
+        path = folder / f"{plane.lower()}.csv"
+        write_circle(path, Bent().circle(seed))
+        path.write_text(path.read_text().replace("plane: XY", f"plane: {plane}"))
+    (folder / "job.yaml").write_text(
+        "compwright: 1\ncontroller: {format: isg-kernel, options: {cross_values: correction}}\n"
+        "states: {as_found: none}\naxes:\n"
+        '  X: {travel: [0, 800], address: "1", before: []}\n'
+        '  Y: {travel: [-500, 0], address: "2", before: []}\n'
+        '  Z: {travel: [-400, 0], address: "3", before: []}\n'
+        "circles:\n  - {file: xy.csv, centre: [400, -250, -200]}\n"
+        "  - {file: yz.csv, centre: [400, -250, -200]}\n"
+        "  - {file: zx.csv, centre: [400, -250, -200]}\n"
+        "apply: {squareness: {XY: Y, YZ: Z, ZX: Z}}\n"
+    )
+    assert compwright(["run", str(folder / "job.yaml"), "--force"]) == 1
+    (table,) = (folder / "job" / "tables" / "isg-kernel").iterdir()
+    assert re.search(r"kopf\.achs_nr\s+2\b", table.read_text())
+    assert re.search(r"crosscomp\.master_ax_nr\s+1\b", table.read_text())
+    plan = json.loads((folder / "job" / "plan.json").read_text())
+    assert [(one["output"], one["written"]) for one in plan["cross"]] == [
+        ("Y", True),
+        ("Z", False),
+        ("Z", False),
+    ]
+
+
 def itnc(folder: Path) -> Path:
     """An iTNC 530 whose table of X has a column of Y (values are errors), both switched on."""
     tables = folder / "control"

@@ -101,8 +101,9 @@ def write_planned(
     )
     if answer.files is None:
         return outcome
-    after = read(merged_files(base, answer.files), written=True)
     held = tuple(planned) if answer.held is None else answer.held
+    between = {name for entry in held for name in (entry.input, entry.output)}
+    after = read(merged_files(base, answer.files), written=True)
     raise_all(CompwrightError, _wrong(held, read(base), after, answer.quantum))
     files, totals = merged_files(tables, answer.files), _totals(held, after, axes)
     pairs = {(entry.input, entry.output) for entry in held}

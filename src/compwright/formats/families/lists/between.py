@@ -5,6 +5,7 @@ them.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -38,20 +39,31 @@ def lists_between(family: Family, request: BetweenRequest) -> Between:
     signs = {entry.output: _sign(family, request, entry) for entry in request.planned}
     before = request.read(request.base)
     writer = ListsWriter(family.definition, request.base)
-    try:
-        for entry in request.planned:
+    held: list[PlannedCross] = []
+    refused: list[Between] = []
+    for entry in request.planned:
+        try:
             _write(writer, entry, signs[entry.output], before, request.planned)
-    except CapacityError as error:
-        why = "; ".join(str(fault) for fault in error.faults)
-        return combined_answer(cannot_hold(entry, why) for entry in request.planned)
+        except CapacityError as error:
+            why = "; ".join(str(fault) for fault in error.faults)
+            refused.append(cannot_hold(entry, why))
+        else:
+            held.append(entry)
+    missing = combined_answer(refused)
+    if not held:
+        return missing
     known = {file.name: file.content for file in request.base}
-    written = writer.files_of([entry.added.output for entry in request.planned])
+    written = writer.files_of([entry.added.output for entry in held])
     changed = tuple(file for file in written if known.get(file.name) != file.content)
-    meanings = {entry.output: str(_values(family, request, entry)) for entry in request.planned}
-    steps = [
-        step for entry in request.planned for step in _steps(entry, changed, meanings[entry.output])
-    ]
-    return Between(files=changed, steps=tuple(steps), quantum=TENTH)
+    meanings = {entry.output: str(_values(family, request, entry)) for entry in held}
+    steps = [step for entry in held for step in _steps(entry, changed, meanings[entry.output])]
+    return replace(
+        missing,
+        files=changed,
+        held=tuple(held),
+        steps=(*steps, *missing.steps),
+        quantum=TENTH,
+    )
 
 
 def _values(family: Family, request: BetweenRequest, entry: PlannedCross) -> object:
