@@ -241,7 +241,7 @@ def _in_other_lines(
     control: Control, old: Sequence[ControlFile], new: Sequence[ControlFile]
 ) -> Iterator[EntryChange]:
     """Yield the changed values in lines of the new files that are no statements of the definition,
-    such as FANUC's parameters of straightness compensation.
+    such as the cells of a table with columns.
     """
     reader, listing = text_reader(control.definition), control.format.listing
     texts = ((file.name, reader.read(file, [])) for file in new if not is_container(file))
