@@ -27,8 +27,8 @@ from compwright.foundations.errors import CompwrightError
 from compwright.foundations.session import Session
 from compwright.foundations.units import outside_factor
 from compwright.workflow.inputs.jobs import read_job_file
-from compwright.workflow.run.finished import Finished
 from compwright.workflow.run.pipeline import run_stages
+from compwright.workflow.run.run_results import Finished
 
 
 def prediction(

@@ -24,7 +24,7 @@ from compwright.records.axis import AxisKind, Direction
 from compwright.records.capacity import Capacity, Lattice
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import TableRequest
+from compwright.records.fitted_table import TableRequest
 
 Array = NDArray[np.float64]
 UM = 1e-3

@@ -40,8 +40,8 @@ from compwright.foundations.session import Session
 from compwright.records.axis import Direction
 from compwright.records.correction import AxisCompensation
 from compwright.workflow.inputs.jobs import read_job_file
-from compwright.workflow.run.finished import Finished
 from compwright.workflow.run.pipeline import run_stages
+from compwright.workflow.run.run_results import Finished
 
 Values = np.ndarray[Any, np.dtype[np.float64]]
 #: How a control is named in a job; a second table of a FANUC needs a backup of its own.

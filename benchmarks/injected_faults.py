@@ -77,9 +77,9 @@ class Plan:
         """What the tables in the control before add where they are active."""
         return np.zeros((2, x.size)) if self.old is None else self.old.at(self.name, x)
 
-    def nodes(self) -> tuple[Floats, Floats]:
+    def points(self) -> tuple[Floats, Floats]:
         """Nodes of the planned table and its corrections."""
-        return self.new.nodes(self.name)
+        return self.new.points(self.name)
 
     def _within(self, x: Floats) -> Floats:
         turn = self.machine.turn
@@ -124,7 +124,7 @@ def _faults_where_stated(plan: Plan, x: Floats, slopes: Sequence[float]) -> Iter
 
 def _sizes(plan: Plan, full: Floats) -> Iterator[Fault]:
     """Inverted, scaled, another backlash."""
-    _, totals = plan.nodes()
+    _, totals = plan.points()
     reversal = float((totals[1] - totals[0]).mean())
     backlash = np.array([[0.0], [reversal]])
     for name, factor in [("inverted", -1.0), *(("scaled", factor) for factor in FACTORS)]:
@@ -139,7 +139,7 @@ def _sizes(plan: Plan, full: Floats) -> Iterator[Fault]:
 
 def _places(plan: Plan, x: Floats) -> Iterator[Fault]:
     """Shifted, mirrored, the table of another axis."""
-    nodes, _ = plan.nodes()
+    nodes, _ = plan.points()
     step = float(np.median(np.diff(nodes)))
     for k in SHIFTS:
         yield Fault("shifted", f"{k:+d}", float(k), plan.at(x - k * step))
@@ -147,7 +147,7 @@ def _places(plan: Plan, x: Floats) -> Iterator[Fault]:
     for other in plan.numbers_of:
         factor = plan.numbers_of[other]
         yield Fault("wrong_axis", f"of {other}", other, factor * plan.new.at(other, x))
-        theirs = plan.new.nodes(other)[0]
+        theirs = plan.new.points(other)[0]
         places = theirs[0] + (x - nodes[0]) / step * float(np.median(np.diff(theirs)))
         by_number = factor * plan.new.at(other, places)
         yield Fault("wrong_axis", f"of {other}, by number", other, by_number, plain=False)
@@ -157,7 +157,7 @@ def _partial(plan: Plan, x: Floats, cut: float) -> Iterator[Fault]:
     """The table up to a node or from it on; the rest holds zeros (the backlash acts everywhere, or
     only there too), the old table, or (steps) the last total.
     """
-    nodes, totals = plan.nodes()
+    nodes, totals = plan.points()
     place, plain = nodes[int(cut * nodes.size)], cut == 0.5
     nothing = np.zeros_like(totals)
     rests = [("nothing at all", nothing)]

@@ -175,7 +175,7 @@ class Loaded:
         factor = 3.6 if name in self.rotary and axis["unit"] != "arcsec" else 1.0
         return np.array(axis["positions"], dtype=float), factor * np.array(both, dtype=float)
 
-    def nodes(self, name: str) -> tuple[Floats, Floats]:
+    def points(self, name: str) -> tuple[Floats, Floats]:
         """Positions (k,) and corrections (2, k) at the nodes."""
         return self._curves(name)
 

@@ -29,7 +29,7 @@ from test_instruments_workbook import workbook
 from compwright.cli import run
 from compwright.documents.plan import read_plan
 from compwright.documents.record import read_record
-from compwright.formats.definition.extends import BASE_ENDING, found_in
+from compwright.formats.definition.inheritance import BASE_ENDING, found_in
 from compwright.formats.definitions import definition_of, load_definition
 from compwright.formats.gate import check_definition
 from compwright.foundations.errors import (

@@ -23,14 +23,14 @@ Floats = NDArray[np.float64]
 class Table:
     """Corrections at nodes; ``turn``: after which they repeat."""
 
-    nodes: Floats
+    points: Floats
     corrections: Floats
     turn: float | None = None
 
     def at(self, x: Floats) -> Floats:
         """Correction (2, len(x))."""
         return np.stack(
-            [np.interp(x, self.nodes, one, period=self.turn) for one in self.corrections]
+            [np.interp(x, self.points, one, period=self.turn) for one in self.corrections]
         )
 
 

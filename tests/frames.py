@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from compwright.reporting import circles, polar
+from compwright.reporting import circle_figures, circles
 
 FRAME = b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"></svg>'
 
@@ -20,4 +20,4 @@ def unpaint(patch: pytest.MonkeyPatch) -> None:
 
 def paint(patch: pytest.MonkeyPatch) -> None:
     """Let them be painted."""
-    patch.setattr(circles, "polar_figure", polar.polar_figure)
+    patch.setattr(circles, "polar_figure", circle_figures.polar_figure)

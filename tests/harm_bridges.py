@@ -26,7 +26,7 @@ class Column:
     backlash: int = 3
 
     @property
-    def nodes(self) -> list[float]:
+    def points(self) -> list[float]:
         return [i * self.step for i in range(len(self.corrections))]
 
 
@@ -198,7 +198,7 @@ class LinuxcncBridge(Bridge):
             half = column.backlash / 2000
             files[f"j{joint}.comp"] = "".join(
                 f"{x} {value / 1000 + half:.6f} {value / 1000 - half:.6f}\n"
-                for x, value in zip(column.nodes, column.corrections, strict=True)
+                for x, value in zip(column.points, column.corrections, strict=True)
             )
             ini += f"[JOINT_{joint}]\nTYPE = LINEAR\nMIN_LIMIT = -1\nMAX_LIMIT = 601\n"
             ini += "MAX_VELOCITY = 500\nMAX_ACCELERATION = 2000\n"

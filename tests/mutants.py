@@ -23,7 +23,7 @@ from dataclasses import replace
 from typing import Any, get_args
 
 from compwright.formats.definition import vocabulary
-from compwright.formats.definition.extends import DefinitionText, found_in, merged, texts_of
+from compwright.formats.definition.inheritance import DefinitionText, found_in, merged, texts_of
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import definition_in
 from compwright.foundations.errors import CompwrightError

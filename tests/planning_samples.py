@@ -25,7 +25,7 @@ from compwright.records.circular import (
 )
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import ErrorEstimate
-from compwright.records.fitted import TableRequest
+from compwright.records.fitted_table import TableRequest
 from compwright.records.job import Acceptance, AxisJob, Job, TestRequest
 from compwright.records.noise import normal_noise
 from compwright.records.plan import PlannedAxis, PlannedCircle, PlannedTest

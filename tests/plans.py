@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.controls.control import open_control
 from compwright.fitting.fit import fit_table
 from compwright.formats.families.shapes import control_format
@@ -22,7 +22,7 @@ from compwright.foundations.session import Session
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder
 from compwright.records.correction import AxisCompensation, ControlFile
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import TableRequest
+from compwright.records.fitted_table import TableRequest
 
 #: Formats that can write a table without files of the control: what to call the axis, and what to
 #: choose at random.

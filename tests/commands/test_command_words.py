@@ -15,8 +15,8 @@ import pytest
 from compwright import cli
 from compwright.cli import run as compwright
 from compwright.cli.words import Invocation
+from compwright.foundations.parallel_work import alone
 from compwright.foundations.session import Session
-from compwright.foundations.side_by_side import alone
 
 
 def told(words: str) -> dict[str, object]:

@@ -23,11 +23,11 @@ import pytest
 
 from compwright.cli.shell import run
 from compwright.evaluation import standards
-from compwright.foundations import side_by_side
+from compwright.foundations import parallel_work
 from compwright.foundations.errors import StorageError, UsageError
+from compwright.foundations.parallel_work import Each
 from compwright.foundations.session import Session
-from compwright.foundations.side_by_side import Each
-from compwright.reporting.shown import print_renderables
+from compwright.reporting.safe_text import print_renderables
 from compwright.workflow.commands import evaluate as command
 from compwright.workflow.commands.evaluate import (
     EvaluationRun,
@@ -35,7 +35,7 @@ from compwright.workflow.commands.evaluate import (
     many_renderables,
     write_evaluation,
 )
-from compwright.workflow.inputs import evaluated
+from compwright.workflow.inputs import file_evaluation
 from compwright.workflow.results import progress as showing
 from compwright.workflow.results.answers import to_json
 
@@ -153,7 +153,7 @@ def test_other_processes_give_the_same_bytes(
         called.append(items)
         return copying(items, ready)
 
-    monkeypatch.setattr(side_by_side, "_WORTH", 0.0)
+    monkeypatch.setattr(parallel_work, "_WORTH", 0.0)
     side = evaluate_files(Session(), [folder], crew=crew)
     assert to_json(side.document) == to_json(outcome.document)
     assert called  # it did not work in turn
@@ -318,7 +318,7 @@ def test_a_fault_of_our_own_is_named_and_the_rest_evaluated(
             raise ZeroDivisionError("by nothing")
         return evaluate(test, *words, **more)
 
-    monkeypatch.setattr(evaluated, "evaluate", failing)
+    monkeypatch.setattr(file_evaluation, "evaluate", failing)
     code = run(["evaluate", str(folder / "t04.csv"), str(folder / "t05.csv")])
     text = capsys.readouterr()
     assert code == 70
@@ -459,7 +459,7 @@ def test_more_tests_than_a_picture_holds_are_refused(
 def test_no_input_is_overwritten_whichever_process_evaluated_it(
     folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(side_by_side, "_WORTH", 0.0)
+    monkeypatch.setattr(parallel_work, "_WORTH", 0.0)
     target = folder / "t07.csv"
     before = target.read_bytes()
     for option in ("--table", "--json"):
@@ -525,8 +525,8 @@ def test_a_bar_on_a_terminal_that_is_gone_at_the_end(
 def test_items_are_taken_when_they_are_needed_and_results_come_in_their_order(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(side_by_side, "_WORTH", 0.0)
-    monkeypatch.setattr(side_by_side, "_SHORTEST", 0.1)  # ten at once
+    monkeypatch.setattr(parallel_work, "_WORTH", 0.0)
+    monkeypatch.setattr(parallel_work, "_SHORTEST", 0.1)  # ten at once
     taken: list[int] = []
 
     def items() -> Iterator[int]:
@@ -534,7 +534,7 @@ def test_items_are_taken_when_they_are_needed_and_results_come_in_their_order(
             taken.append(item)
             yield item
 
-    done = side_by_side.in_order(
+    done = parallel_work.in_order(
         abs,
         items(),
         crew=copying,
@@ -549,8 +549,8 @@ def test_items_are_taken_when_they_are_needed_and_results_come_in_their_order(
 
 
 def test_heavy_items_are_handed_on_a_few_at_a_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(side_by_side, "_WORTH", 0.0)
-    monkeypatch.setattr(side_by_side, "_WEIGHT", 30)
+    monkeypatch.setattr(parallel_work, "_WORTH", 0.0)
+    monkeypatch.setattr(parallel_work, "_WEIGHT", 30)
     sizes: list[int] = []
 
     @contextmanager
@@ -561,7 +561,7 @@ def test_heavy_items_are_handed_on_a_few_at_a_time(monkeypatch: pytest.MonkeyPat
 
         yield each
 
-    found = side_by_side.in_order(
+    found = parallel_work.in_order(
         abs,
         range(20),
         crew=crew,
@@ -577,7 +577,7 @@ def test_few_quick_items_start_no_process() -> None:
     def crew(items: int, ready: Callable[[], None]) -> Any:
         raise AssertionError((items, ready))
 
-    found = side_by_side.in_order(
+    found = parallel_work.in_order(
         abs,
         range(50),
         crew=crew,

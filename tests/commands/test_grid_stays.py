@@ -29,7 +29,7 @@ from test_every_control import (
 )
 
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.records.correction import ControlFile
 from loop import Floats, Machine, csv_of
 
@@ -97,10 +97,10 @@ class Visit:
     def written(self) -> list[ControlFile]:
         return tables_in(self.folder, self.name)
 
-    def nodes(self, files: list[ControlFile]) -> Floats:
+    def points(self, files: list[ControlFile]) -> Floats:
         options = OPTIONS.get(format_of(self.name))
         control = virtual_control(format_of(self.name), files, options=options)
-        return control.nodes(ADDRESS[format_of(self.name)])
+        return control.points(ADDRESS[format_of(self.name)])
 
     def findings(self) -> dict[str, str]:
         axis = json.loads((self.folder / "out" / "prediction.json").read_text())["axes"]["X"]
@@ -149,7 +149,7 @@ def test_no_node_moves_and_no_byte_but_values(name: str, visit: Start) -> None:
     there = visit(name)
     assert there.run() == 0
     new = there.written()
-    assert np.array_equal(there.nodes(there.files), there.nodes(new))
+    assert np.array_equal(there.points(there.files), there.points(new))
     assert new != there.files
     assert [file.name for file in new] == [file.name for file in there.files]
     for old, after in zip(there.files, new, strict=True):
@@ -164,7 +164,7 @@ def test_a_table_of_zeros_has_a_grid_all_the_same(name: str, visit: Start) -> No
     ]
     empty = Visit(name, there.folder, zeros)
     assert empty.run() == 0
-    assert np.array_equal(there.nodes(there.files), empty.nodes(empty.written()))
+    assert np.array_equal(there.points(there.files), empty.points(empty.written()))
     for old, after in zip(there.files, empty.written(), strict=True):
         assert without_values(name, after) == without_values(name, old)
 
@@ -181,7 +181,7 @@ def test_a_table_that_is_switched_off_has_a_grid_all_the_same(name: str, visit: 
     assert files != there.files
     off = Visit(name, there.folder, files)
     assert off.run(*(["active=no"] if name.startswith("siemens") else [])) == 0
-    assert np.array_equal(there.nodes(there.files), off.nodes(off.written()))
+    assert np.array_equal(there.points(there.files), off.points(off.written()))
 
 
 @pytest.mark.parametrize("name", ["isg-kernel", "heidenhain-nck", "siemens-840d-sl"])
@@ -195,14 +195,14 @@ def test_a_table_that_did_not_act_as_the_job_says_has_a_grid_all_the_same(
     ]
     off = Visit(name, there.folder, says)
     assert off.run("active=no", acting=False) == 0
-    assert np.array_equal(there.nodes(there.files), off.nodes(off.written()))
+    assert np.array_equal(there.points(there.files), off.points(off.written()))
 
 
 @pytest.mark.parametrize("name", FORMS)
 def test_auto_chooses_as_if_nothing_were_there(name: str, visit: Start) -> None:
     there = visit(name)
     assert there.run("spacing=auto") == 0
-    assert not np.array_equal(there.nodes(there.files), there.nodes(there.written()))
+    assert not np.array_equal(there.points(there.files), there.points(there.written()))
     plan = str(there.folder / "out" / "plan.json")
     assert json.loads(Path(plan).read_text())["axes"]["X"]["request"]["spacing"] == "auto"
     states = [f"--state={there.folder / 'at-0.009' / file.name}" for file in there.files]
@@ -213,14 +213,14 @@ def test_auto_chooses_as_if_nothing_were_there(name: str, visit: Start) -> None:
         for path in sorted(Path(again).rglob("*"))
         if path.name in {file.name for file in there.written()}
     ]
-    assert np.array_equal(there.nodes(there.written()), there.nodes(exported))
+    assert np.array_equal(there.points(there.written()), there.points(exported))
 
 
 @pytest.mark.parametrize("name", ["siemens-840d-sl", "heidenhain-nck", "linuxcnc", "pmac"])
 def test_a_coarse_grid_stays_and_another_one_is_offered(name: str, visit: Start) -> None:
     there = visit(name, spacing=200)
     assert there.run() == 0
-    assert np.array_equal(there.nodes(there.files), there.nodes(there.written()))
+    assert np.array_equal(there.points(there.files), there.points(there.written()))
     told = there.findings()["CW-P141"]
     assert "keeps the points of the existing table (5 points from 0 to 800 mm, every 200" in told
     before, after = (float(one) for one in re.findall(r"([.\d]+) µm at the same targets", told))
@@ -252,8 +252,8 @@ def test_an_isg_list_keeps_uneven_positions(tmp_path: Path, visit: Start) -> Non
     moved = re.sub(rb"(table\[3\].setpoint +)1500000", rb"\g<1>1333333", file.content)
     uneven = Visit("isg-kernel", tmp_path, [replace(file, content=moved)])
     assert uneven.run() == 0
-    assert uneven.nodes(uneven.written())[3] == pytest.approx(133.3333, abs=1e-9)
-    assert np.array_equal(uneven.nodes(uneven.files), uneven.nodes(uneven.written()))
+    assert uneven.points(uneven.written())[3] == pytest.approx(133.3333, abs=1e-9)
+    assert np.array_equal(uneven.points(uneven.files), uneven.points(uneven.written()))
 
 
 def test_linuxcnc_keeps_uneven_positions(tmp_path: Path, visit: Start) -> None:
@@ -263,5 +263,5 @@ def test_linuxcnc_keeps_uneven_positions(tmp_path: Path, visit: Start) -> None:
     ]
     uneven = Visit("linuxcnc", tmp_path, lines)
     assert uneven.run() == 0
-    assert uneven.nodes(uneven.written())[3] == pytest.approx(133.3, abs=1e-9)
-    assert np.array_equal(uneven.nodes(uneven.files), uneven.nodes(uneven.written()))
+    assert uneven.points(uneven.written())[3] == pytest.approx(133.3, abs=1e-9)
+    assert np.array_equal(uneven.points(uneven.files), uneven.points(uneven.written()))

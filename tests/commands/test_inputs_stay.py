@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.foundations import storage
 from compwright.foundations.errors import StorageError
 from compwright.foundations.session import Session

@@ -20,7 +20,7 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.documents.plan import read_plan
 from compwright.documents.verification import VerifiedAxis
 from compwright.foundations import storage

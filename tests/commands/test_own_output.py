@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.evaluation.rounded_copies import is_coarse, is_rounded_copy
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlFile

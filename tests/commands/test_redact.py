@@ -20,7 +20,7 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.foundations.redaction import Cuts, Names, left_over
 from compwright.instruments.redaction import measurement
 from compwright.instruments.redaction.cutting import redacted_lines

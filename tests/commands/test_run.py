@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.controls import control as control_module
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import plan_document, read_plan

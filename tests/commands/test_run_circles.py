@@ -21,7 +21,7 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import VirtualControl, virtual_control
+from compwright.controllers.virtual_control import VirtualControl, virtual_control
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import plan_document, read_plan
 from compwright.foundations.errors import InputError

@@ -285,7 +285,7 @@ def test_work_on_an_axis_loads_neither_formats_nor_commands(tmp_path: Path) -> N
     assert {"compwright.planning.axis_tasks", "compwright.reporting.axis_report"} <= own
     asked = (
         "import sys\n"
-        "from compwright.workflow.ready import ready_for_axes\n"
+        "from compwright.workflow.preloading import ready_for_axes\n"
         "ready_for_axes()\n"
         f"from importlib import import_module; [import_module(name) for name in {sorted(own)}]\n"
         "print('\\n'.join(sys.modules))"

@@ -14,7 +14,7 @@ from rich.table import Table
 
 from compwright.cli.saying import errors, print_lines, tell
 from compwright.foundations.utf8 import visible, visible_lines
-from compwright.reporting.shown import Text, print_renderables
+from compwright.reporting.safe_text import Text, print_renderables
 from source_trees import nodes_below, trees
 
 #: Clear the screen; name the window; the same with one byte (ISO 6429: C1); turn the direction of

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 
 from compwright.controllers.linuxcnc.table import load_table, three_numbers
 from compwright.controllers.sinumerik.reachable_lines import Line, conflicts
-from compwright.controllers.virtual import KNOWN, VirtualControl, virtual_control
+from compwright.controllers.virtual_control import KNOWN, VirtualControl, virtual_control
 from compwright.foundations.errors import CompwrightError, InputError, UsageError
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlFile
@@ -79,7 +79,7 @@ class TestSinumerik:
         for direction in (UP, DOWN):
             got = values(control, "AX1", [-150, -100, -75, -50, 0, 50, 75, 100, 150], direction)
             assert got == pytest.approx(wanted, abs=1e-15)  # mm; rounding of doubles
-        assert control.nodes("AX1").tolist() == [-100, -50, 0, 50, 100]
+        assert control.points("AX1").tolist() == [-100, -50, 0, 50, 100]
         assert control.addresses() == ("AX1",)
 
     def test_measured_error_written_unchanged_is_removed(self) -> None:
@@ -104,7 +104,7 @@ class TestSinumerik:
         )
         assert values(control, "AX1", [5.0], UP) == [up]
         assert values(control, "AX1", [5.0], DOWN) == [down]
-        assert control.nodes("AX1").size == 0
+        assert control.points("AX1").size == 0
 
     def test_backlash_value_of_a_machine_with_lost_motion_removes_it(self) -> None:
         # lost motion of 12 µm: arriving downward the table stands 12 µm too high, B = mean(+) -
@@ -194,7 +194,7 @@ class TestSinumerik:
     def test_points_above_max_are_ignored_and_the_last_one_inside_holds(self) -> None:
         """An older, longer table (FB2 09/2009 p362); beyond MAX the value of point k (p240)."""
         control = siemens(EEC.replace("=100.0", "=50.0"))
-        assert control.nodes("AX1").tolist() == [-100, -50, 0, 50]
+        assert control.points("AX1").tolist() == [-100, -50, 0, 50]
         assert values(control, "AX1", [-100, 0, 25, 50, 75, 500], UP) == [
             *(-0.003, 0.0, 0.001, 0.002, 0.002, 0.002)
         ]
@@ -291,7 +291,7 @@ class TestLinuxCnc:
         assert values(control, "0", [50, 0, -50], DOWN) == pytest.approx(
             [-0.020, -0.010, -0.015], abs=SINGLE
         )
-        assert control.nodes("0").tolist() == [-100, 0, 100]
+        assert control.points("0").tolist() == [-100, 0, 100]
         assert control.notes == ()
         assert values(comp("10 10.02 9.99\n"), "X", [10], UP) == pytest.approx([-0.02], abs=SINGLE)
         assert values(comp("10 10.02 9.99\n"), "X", [10], DOWN) == pytest.approx([0.01], abs=SINGLE)
@@ -355,7 +355,7 @@ class TestLinuxCnc:
         self, text: str, rows: int
     ) -> None:
         control = comp(text)
-        assert control.nodes("0").size == rows
+        assert control.points("0").size == rows
         assert (control.notes == ()) == (rows == 3), "whatever is dropped must be said"
 
     @pytest.mark.parametrize(
@@ -363,7 +363,7 @@ class TestLinuxCnc:
     )
     def test_row_that_reads_otherwise_than_it_looks_is_said(self, row: str) -> None:
         control = comp(row + "\n")
-        assert control.nodes("0").size == 1
+        assert control.points("0").size == 1
         assert any("first three numbers" in note for note in control.notes)
 
     def test_dropped_line_is_named(self) -> None:
@@ -424,7 +424,7 @@ class TestLinuxCnc:
             "b": "0 0 0\n1 1.001 1\n",
         }
         control = linuxcnc(files=files)
-        assert control.nodes("0").tolist() == [0.0, 25.4]
+        assert control.points("0").tolist() == [0.0, 25.4]
         assert values(control, "0", [25.4, 12.7], UP) == pytest.approx(
             [-0.0254, -0.0127], abs=25.4 * SINGLE
         )
@@ -465,7 +465,7 @@ class TestLinuxCnc:
         # a line without numbers
         for length, rows in ((254, 3), (255, 1)):
             first, rest = OBSERVED.split("\n", 1)
-            assert comp(first.ljust(length - 1) + "\n" + rest).nodes("0").size == rows
+            assert comp(first.ljust(length - 1) + "\n" + rest).points("0").size == rows
 
     def test_included_joint_file(self) -> None:
         part = "[JOINT_0]\nCOMP_FILE = joint_0.comp\nCOMP_FILE_TYPE = 1\nBACKLASH = 0\n"
@@ -604,8 +604,8 @@ def ask_everything(format_id: str, files: list[ControlFile]) -> None:
     for address in control.addresses():
         for direction in Direction:
             assert control.correction(address, np.linspace(-1e3, 1e3, 7), direction).shape == (7,)
-        assert np.all(np.diff(control.nodes(address)) > 0) or not np.all(
-            np.isfinite(control.nodes(address))
+        assert np.all(np.diff(control.points(address)) > 0) or not np.all(
+            np.isfinite(control.points(address))
         )
 
 

@@ -15,7 +15,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from compwright.controllers.virtual import VirtualControl, virtual_control
+from compwright.controllers.virtual_control import VirtualControl, virtual_control
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlFile
@@ -138,9 +138,9 @@ class TestPitch:
         assert values(box, list(TOTALS), DOWN) == pytest.approx(
             [(t - 4) / 1000 for t in TOTALS.values()], abs=EXACT
         )
-        assert box.nodes("1").tolist() == list(TOTALS)
+        assert box.points("1").tolist() == list(TOTALS)
         assert box.addresses() == ("1", "2", "3")
-        assert box.nodes("2").size == 0
+        assert box.points("2").size == 0
         assert values(box, [50.0], UP, "2") == [0.0]
         assert values(box, [50.0], DOWN, "3") == [-0.006]
 
@@ -165,7 +165,7 @@ class TestPitch:
         wanted = [0, 0, 0, 1, -1, 0, 0, 2, 2, 3, 3, 2, 2, 2]
         assert values(box, at, UP) == pytest.approx([t / 1000 for t in wanted], abs=EXACT)
 
-    def test_ramp_is_linear_between_nodes(self) -> None:
+    def test_ramp_is_linear_between_points(self) -> None:
         box = control(WHOLE, options={**UM, "output": "ramp"})
         nodes, totals = list(TOTALS), list(TOTALS.values())
         for x in np.linspace(-300, 300, 241):
@@ -201,7 +201,7 @@ class TestPitch:
         assert values(box, [-400, -250, 0, 100, 400], UP) == pytest.approx(
             [0, 0.004, 0, 0.003, 0], abs=EXACT
         )
-        assert box.nodes("1")[[0, -1]].tolist() == [-400, 400]
+        assert box.points("1")[[0, -1]].tolist() == [-400, 400]
 
     def test_manual_rule_of_the_extreme_numbers(self) -> None:
         # -400..800 mm at 50 mm with reference 40: numbers 33 to 56
@@ -210,7 +210,7 @@ class TestPitch:
                 dict.fromkeys(range(33, 57), 0), reference=40, lowest=33, highest=56, interval=50.0
             )
         )
-        assert box.nodes("1")[[0, -1]].tolist() == [-400, 800]
+        assert box.points("1")[[0, -1]].tolist() == [-400, 800]
 
     @given(
         increments=st.lists(st.integers(-128, 127), min_size=2, max_size=30),
@@ -259,11 +259,11 @@ class TestPitch:
         assert values(box, shifted, UP) == pytest.approx(
             [t / 1000 for t in TOTALS.values()], abs=EXACT
         )
-        assert box.nodes("1").tolist() == shifted
+        assert box.points("1").tolist() == shifted
         assert any("machine zero (unconfirmed)" in note for note in box.notes)
         assert not any("machine zero" in note for note in control(WHOLE).notes)
         by_option = control(WHOLE, options={**UM, "reference": "-350"})
-        assert by_option.nodes("1").tolist() == shifted
+        assert by_option.points("1").tolist() == shifted
         assert any(a.fact == "reference of 1" and a.value == "-350" for a in by_option.assumed)
 
     def test_magnification_and_detection_unit_multiply(self) -> None:
@@ -300,7 +300,7 @@ class TestPitch:
 
     def test_zero_magnification_compensates_nothing(self) -> None:
         box = control(PARAMETERS.replace("N03623Q1A1P1", "N03623Q1A1P0"))
-        assert box.nodes("1").size == 0
+        assert box.points("1").size == 0
         assert values(box, [100], UP) == [0.0]
         assert values(box, [100], DOWN) == [-0.004]
 
@@ -355,8 +355,8 @@ class TestRotary:
     def test_reference_60_at_45_degrees(self) -> None:
         box = control(ROTARY)
         totals = [0, 2, 3, 3, 0, -1, 1, 1, 0]
-        assert box.nodes("1").tolist() == [45.0 * i for i in range(9)]
-        assert values(box, list(box.nodes("1")), UP) == pytest.approx(
+        assert box.points("1").tolist() == [45.0 * i for i in range(9)]
+        assert values(box, list(box.points("1")), UP) == pytest.approx(
             [t / 1000 for t in totals], abs=EXACT
         )
         # one turn further, one back, across zero: -45 is 315; the step of section 61 comes at 22.5
@@ -468,7 +468,7 @@ MINUS = [-2, -2, 0, -1, 0, 1, 1, -1, 2]
 class TestBidirectional:
     def test_reference_return_towards_plus(self) -> None:
         box = control(BOTH)
-        assert box.nodes("1").tolist() == NODES
+        assert box.points("1").tolist() == NODES
         assert values(box, NODES, UP) == pytest.approx([p / 1000 for p in PLUS], abs=EXACT)
         assert values(box, NODES, DOWN) == pytest.approx([(m - 4) / 1000 for m in MINUS], abs=EXACT)
         assert values(box, [0], UP) == [0.0]
@@ -670,12 +670,12 @@ class TestText:
     def test_inch_machine(self) -> None:
         # 1001#0 = 1: an interval of P2.0 is 2 inches, 50.8 mm; the detection unit is told in mm
         text = in_style(("N01851", "N01001Q1L1P00000001\nN01851"), ("M50.0", "P2.0"))
-        assert control(text).nodes("1").tolist() == pytest.approx([50.8 * i for i in range(-4, 5)])
+        assert control(text).points("1").tolist() == pytest.approx([50.8 * i for i in range(-4, 5)])
         assert any("inch" in note for note in control(text).notes)
         metric = text.replace("P2.0", "M50.0")  # says itself what it is
-        assert control(metric).nodes("1").tolist() == list(TOTALS)
+        assert control(metric).points("1").tolist() == list(TOTALS)
         whole = text.replace("P2.0", "P20000")  # IS-B: 0.0001 inch
-        assert control(whole, form="fanuc-0i-16i").nodes("1").tolist() == pytest.approx(
+        assert control(whole, form="fanuc-0i-16i").points("1").tolist() == pytest.approx(
             [50.8 * i for i in range(-4, 5)]
         )
 
@@ -701,7 +701,7 @@ class TestText:
 
     def test_bits_of_a_program(self) -> None:
         metric = PROGRAM.replace("N3620", "N1006P1R00000000\nN3620")
-        assert control(metric, POINTS).nodes("1").tolist() == list(TOTALS)
+        assert control(metric, POINTS).points("1").tolist() == list(TOTALS)
         with pytest.raises(InputError, match="1006#0 of axis 1 cannot be read"):
             control(metric.replace("R00000000", "R8"), POINTS)
 
@@ -851,7 +851,7 @@ class TestText:
                 continue
             read += 1
             assert any("cut short" in note for note in box.notes)
-            if box.nodes("1").size:
+            if box.points("1").size:
                 assert values(box, list(TOTALS), DOWN) == whole
         assert (
             read == 3
@@ -875,7 +875,7 @@ class TestSheet:
         old = sheet(SHEET, form="fanuc-0i-16i")
         assert [values(old, list(TOTALS), d) for d in (UP, DOWN)] == expected
         whole_millimetres = sheet(SHEET.replace("50.0,mm", "50,mm"), form="fanuc-0i-16i")
-        assert whole_millimetres.nodes("1").tolist() == list(TOTALS)
+        assert whole_millimetres.points("1").tolist() == list(TOTALS)
 
     def test_axis_by_address_then_axis_then_name(self) -> None:
         assert sheet(SHEET.replace("address: 1", "address: 5")).addresses() == ("5",)
@@ -1075,7 +1075,7 @@ def ask_everything(files: list[ControlFile], form: str = "fanuc-30i") -> None:
             answer = box.correction(address, np.linspace(-1e3, 1e3, 7), direction)
             assert answer.shape == (7,)
             assert np.all(np.isfinite(answer))
-        assert np.all(np.diff(box.nodes(address)) > 0)
+        assert np.all(np.diff(box.points(address)) > 0)
 
 
 def mutated(text: str) -> st.SearchStrategy[bytes]:

@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 import pytest
 
-from compwright.controllers.virtual import VirtualControl, virtual_control
+from compwright.controllers.virtual_control import VirtualControl, virtual_control
 from compwright.foundations.errors import InputError
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlFile
@@ -68,19 +68,19 @@ def flat(first: int, last: int) -> str:
 class TestInclination:
     # nodes of 37 .. 44 at reference 40 and 50 mm: -150 .. 200, the lower end of 37 at -200
     BENT = tape(grid(40, 37, 44, 50.0), lines((37, 40, 42, 44), (10, 4, 4, -2)), flat(37, 44))
-    NODES = (-200, -150, -100, -50, 0, 50, 100, 150, 200)
+    POINTS = (-200, -150, -100, -50, 0, 50, 100, 150, 200)
     COUNTED: ClassVar[dict[str, Any]] = {"options": {**UM, "inclination": "available"}}
 
     def test_left_as_it_is_and_named_unless_it_is_to_count(self) -> None:
         box = control(self.BENT)
-        assert um(box, self.NODES) == [0.0] * 9
+        assert um(box, self.POINTS) == [0.0] * 9
         assert any("5871: 10" in note and "not counted" in note for note in box.notes)
         assert not any("inclination" in fact.fact for fact in box.assumed)
 
     def test_three_straight_lines_through_four_points(self) -> None:
         box = control(self.BENT, **self.COUNTED)
         # 10 at 37, 4 at 40 and 42, -2 at 44, held below 37; less the 4 of the reference
-        assert um(box, self.NODES) == [6, 6, 4, 2, 0, 0, 0, -3, -6]
+        assert um(box, self.POINTS) == [6, 6, 4, 2, 0, 0, 0, -3, -6]
         assert um(box, (1000, -1000)) == [-6, 6]
         assert any("inclination of 1" in fact.fact for fact in box.assumed)
         assert not any("inclination" in note for note in box.notes)
@@ -104,9 +104,9 @@ class TestInclination:
         totals = (0, 1, 1, -1, 0, 2, 3, 3, 2)
         inclined = (6, 6, 4, 2, 0, 0, 0, -3, -6)
         wanted = [5 * total + line for total, line in zip(totals, inclined, strict=True)]
-        assert um(control(text, **self.COUNTED), self.NODES) == wanted
+        assert um(control(text, **self.COUNTED), self.POINTS) == wanted
         minus = control(text, options={**UM, "inclination": "available", "pitch_sign": "-"})
-        assert um(minus, self.NODES) == [-value for value in wanted]
+        assert um(minus, self.POINTS) == [-value for value in wanted]
 
     def test_numbers_of_the_manual(self) -> None:
         # B-64523EN-1/02 1.3.8: first 512, reference 602, last 767: more than 128 points. 10 mm apart
@@ -168,7 +168,7 @@ class TestInclination:
             tape(grid(40, 37, 44, 50.0), lines((1, 5, 3, 2), (0, 0, 0, 0)), flat(37, 44)),
             **self.COUNTED,
         )
-        assert um(box, self.NODES) == [0.0] * 9
+        assert um(box, self.POINTS) == [0.0] * 9
         assert not any("inclination" in note for note in box.notes)
 
 
@@ -349,10 +349,10 @@ class TestPaths:
         assert "L1 00000000, L2 00000001" in str(caught.value)
         first = control(tape("N00981Q1A1P1\n", apart, *self.TABLE))
         second = control(tape("N00981Q1A1P2\n", apart, *self.TABLE))
-        assert first.nodes("1")[-1] == 8.0
-        assert second.nodes("1")[-1] == pytest.approx(8.0 * 25.4, abs=1e-9)
+        assert first.points("1")[-1] == 8.0
+        assert second.points("1")[-1] == pytest.approx(8.0 * 25.4, abs=1e-9)
         alike = control(tape(apart.replace("L1P00000000", "L1P00000001"), *self.TABLE))
-        assert alike.nodes("1")[-1] == pytest.approx(8.0 * 25.4, abs=1e-9)
+        assert alike.points("1")[-1] == pytest.approx(8.0 * 25.4, abs=1e-9)
 
     def test_rapid_backlash_by_path(self) -> None:
         bits = "N01800Q1L1P00000000L2P00010000\n"

@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from compwright.controllers.virtual import VirtualControl, virtual_control
+from compwright.controllers.virtual_control import VirtualControl, virtual_control
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlFile
@@ -123,10 +123,10 @@ class TestItncTables:
         assert crossed(loaded, "X", "Y", positions) == pytest.approx(
             [0, 0, -0.00015, -0.0003, -0.00045, -0.0006, -0.0006], abs=ROUNDING
         )
-        assert loaded.nodes("X").tolist() == [-400, -384, -368]
+        assert loaded.points("X").tolist() == [-400, -384, -368]
         assert loaded.addresses() == ("X", "Y")
         assert pairs(loaded) == (("X", "Y"),)
-        assert loaded.nodes("Y").size == 0
+        assert loaded.points("Y").size == 0
         assert values(loaded, "Y", [-384]) == [0.0]  # what X does to Y is no correction of Y by Y
 
     def test_table_of_a_measured_machine_removes_its_error(self) -> None:
@@ -150,14 +150,14 @@ class TestItncTables:
         rows = ["+0", "+0.001", "+0.002", "+0.003", "+0.004"]
         text = com(rows, "DATUM:-90 DIST:16")
         loaded = itnc({"X.COM": text}, options={"spacing_rule": "power_of_two"})
-        assert loaded.nodes("X")[[0, 2, 4]].tolist() == pytest.approx(
+        assert loaded.points("X")[[0, 2, 4]].tolist() == pytest.approx(
             [-90, -76.8928, -63.7856], abs=1e-9
         )
         assert values(loaded, "X", [-76.8928, -63.7856]) == pytest.approx(
             [-0.002, -0.004], abs=ROUNDING
         )
         assert (
-            itnc({"X.COM": text}).nodes("X")[1] == -74.0
+            itnc({"X.COM": text}).points("X")[1] == -74.0
         )  # without the rule DIST is the spacing in mm
         assert facts(itnc({"X.COM": text}))["spacing_rule of X.COM"] == "free"
 
@@ -193,7 +193,7 @@ class TestItncTables:
         # X: straight from 0 at 0 to 6 µm at 30; Y: 1 µm at 10, then straight to 2 µm at 30
         assert values(loaded, "X", [10, 20]) == pytest.approx([-0.002, -0.004], abs=ROUNDING)
         assert crossed(loaded, "X", "Y", [10, 20]) == pytest.approx([-0.001, -0.0015], abs=ROUNDING)
-        assert loaded.nodes("X").tolist() == [0, 30]
+        assert loaded.points("X").tolist() == [0, 30]
 
     def test_cells_aligned_to_the_right_end_of_a_heading(self) -> None:
         rows = [
@@ -219,7 +219,7 @@ class TestItncTables:
     def test_inch(self) -> None:
         rows = ["+0        +0", "+0.0010   +0.0020"]
         loaded = itnc({"X.COM": com(rows, "DATUM:-1 DIST:2", "NR   1=F()     4=F()", "INCH")})
-        assert loaded.nodes("X").tolist() == pytest.approx([-25.4, 25.4], abs=ROUNDING)
+        assert loaded.points("X").tolist() == pytest.approx([-25.4, 25.4], abs=ROUNDING)
         assert values(loaded, "X", [25.4]) == pytest.approx([-0.0254], abs=ROUNDING)
         assert crossed(loaded, "X", "A", [25.4]) == pytest.approx(
             [-0.002], abs=ROUNDING
@@ -463,7 +463,7 @@ class TestSheets:
     def test_points_and_parameters(self) -> None:
         loaded = itnc({"entry_X.csv": SHEET})
         assert loaded.addresses() == ("X",)
-        assert loaded.nodes("X").tolist() == [-90, -40, 10]
+        assert loaded.points("X").tolist() == [-90, -40, 10]
         assert values(loaded, "X", [-100, -90, -65, -40, 10, 50]) == pytest.approx(
             [0, 0, -0.0015, -0.003, 0.001, 0.001], abs=ROUNDING
         )
@@ -514,7 +514,7 @@ class TestSheets:
             {"entry_X.csv": SHEET.replace("MP730,,1", "MP730,,0") + "MP720,,0.1,mm/m\n"}
         )
         assert values(switched, "X", [-40]) == pytest.approx([0.004], abs=ROUNDING)
-        assert switched.nodes("X").size == 3  # the table is there, it does not act
+        assert switched.points("X").size == 3  # the table is there, it does not act
 
     def test_rotary(self) -> None:
         text = (
@@ -557,7 +557,7 @@ class TestSheets:
     def test_grid_that_can_be_typed(self) -> None:
         power = SHEET.replace("-40,", "-83.4464,").replace("2,10,", "2,-76.8928,")
         assert (
-            itnc({"entry_X.csv": power}, options={"spacing_rule": "power_of_two"}).nodes("X")[2]
+            itnc({"entry_X.csv": power}, options={"spacing_rule": "power_of_two"}).points("X")[2]
             == -76.8928
         )
         for text, options in (
@@ -604,7 +604,7 @@ class TestNck:
             options={"backlash_column": "second_curve"},
         )
         # points at -400, -300, 0: -150 is half way from -1.8 to 0.7 µm
-        assert loaded.nodes("X").tolist() == [-400, -300, 0]
+        assert loaded.points("X").tolist() == [-400, -300, 0]
         assert values(loaded, "X", [-400, -300, -150, 50], UP) == pytest.approx(
             [0, 0.0018, 0.00055, -0.0007], abs=ROUNDING
         )
@@ -713,7 +713,7 @@ class TestNck:
             [-0.00415], abs=ROUNDING
         )  # half way from 4.0 to 4.3 µm
         assert values(loaded, "X", [-200], UP) == [0.0018]
-        assert loaded.nodes("X").tolist() == [-400, -200, 0]
+        assert loaded.points("X").tolist() == [-400, -200, 0]
 
     def test_backlash_needs_the_column_of_the_moving_axis(self) -> None:
         with pytest.raises(InputError, match="a column BACKLASH but no column"):
@@ -1103,7 +1103,7 @@ def ask_everything(format_id: str, files: Mapping[str, bytes], **request: object
             found = loaded.correction(address, where, direction)
             assert found.shape == (7,)
             assert np.all(np.isfinite(found))
-        assert np.all(np.diff(loaded.nodes(address)) > 0)
+        assert np.all(np.diff(loaded.points(address)) > 0)
     for moving, output in pairs(loaded):
         assert np.all(np.isfinite(crossed(loaded, moving, output, [-1e3, 0, 1e3])))
 

@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from compwright.controllers.virtual import VirtualControl, virtual_control
+from compwright.controllers.virtual_control import VirtualControl, virtual_control
 from compwright.foundations.errors import CompwrightError, InputError, UsageError
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
@@ -130,7 +130,7 @@ class TestTable:
         control = isg(LISTED)
         assert um(control, AT, direction) == close(WORKED[direction])
         assert control.addresses() == ("1",)
-        assert control.nodes("1").tolist() == pytest.approx([-200, 0, 150, 300], abs=ROUNDING)
+        assert control.points("1").tolist() == pytest.approx([-200, 0, 150, 300], abs=ROUNDING)
         assert control.cross() == ()
 
     def test_the_option_turns_the_sign(self) -> None:
@@ -154,7 +154,7 @@ class TestTable:
     def test_equal_spacing_in_encoder_increments(self) -> None:
         # 10000 increments per mm as the remarks say: -90.9, -88.9, -86.9 mm; 90 increments are 9 µm
         control = isg(EVEN, options={"encoder_increment": 1e-4})
-        assert control.nodes("1").tolist() == pytest.approx([-90.9, -88.9, -86.9], abs=ROUNDING)
+        assert control.points("1").tolist() == pytest.approx([-90.9, -88.9, -86.9], abs=ROUNDING)
         for direction in (UP, DOWN):
             got = um(control, [-100, -90.9, -89.9, -88.9, -87.9, -86.9, 0], direction)
             assert got == close([0, 0, -4.5, -9, -3, 3, 3])
@@ -215,7 +215,7 @@ class TestTable:
             "kopf.achs_nr 3\nkw.ssfk.kw_nr_max 0",
         ):
             control = isg(text)
-            assert control.nodes("3").size == 0
+            assert control.points("3").size == 0
             assert um(control, [5], DOWN, "3") == [0.0]
 
     def test_any_shape(self) -> None:
@@ -258,7 +258,7 @@ class TestSwitches:
         off = SWITCHES.replace("ssfk 1", "ssfk 0")
         assert um(isg(LISTED, SWITCHES), AT, UP) == close(WORKED[UP])
         assert um(isg(LISTED, off), AT, UP) == close([0] * 6)
-        assert isg(LISTED, off).nodes("1").size == 4
+        assert isg(LISTED, off).points("1").size == 4
         assert um(isg(LISTED, off, active=True), AT, UP) == close(WORKED[UP])
 
     def test_what_they_do_not_say(self) -> None:
@@ -288,7 +288,7 @@ class TestBacklash:
         control = isg(text, reference_return={"1": home})
         assert um(control, [-7], UP) == close([up])
         assert um(control, [300], DOWN) == close([down])
-        assert control.nodes("1").size == 0
+        assert control.points("1").size == 0
 
     def test_value_of_a_machine_with_lost_motion_removes_it(self) -> None:
         # lost motion of 12 µm: arriving towards - the table stands 12 µm too high
@@ -526,7 +526,7 @@ class TestLists:
         long += "".join(f"kw.ssfk.table[{i}].pos {i % 7}\n" for i in range(1500))
         with pytest.raises(InputError, match="less than 1500"):
             isg(long)
-        assert isg(long + "kw.ssfk.max_points 1501\n").nodes("1").size == 1500
+        assert isg(long + "kw.ssfk.max_points 1501\n").points("1").size == 1500
         with pytest.raises(InputError, match=r"less than 1500 .max_points"):
             isg(long + "kw.ssfk.max_points 1500\n")
         with pytest.raises(InputError, match=r"less than 1500 .the default"):
@@ -576,7 +576,7 @@ def ask_everything(content: bytes) -> None:
             got = control.correction(address, np.linspace(-1e3, 1e3, 7), direction)
             assert got.shape == (7,)
             assert np.all(np.isfinite(got))
-        assert np.all(np.diff(control.nodes(address)) > 0)
+        assert np.all(np.diff(control.points(address)) > 0)
 
 
 class TestDamage:

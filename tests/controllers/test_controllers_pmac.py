@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from compwright.controllers.virtual import VirtualControl, virtual_control
+from compwright.controllers.virtual_control import VirtualControl, virtual_control
 from compwright.foundations.errors import CompwrightError, InputError, UsageError
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
@@ -82,11 +82,11 @@ class TestTables:
         # between 200 and 300 mm the unused gap: from -3 to +1 count
         assert um(pmac(WORKED), [225, 250, 275], UP) == close([-2, -1, 0])
 
-    def test_nodes_are_the_entries_with_motor_zero(self) -> None:
+    def test_points_are_the_entries_with_motor_zero(self) -> None:
         control = pmac(WORKED, reference={"1": -850.0})
-        assert control.nodes("1").tolist() == pytest.approx([-850, -750, -650, -550, -450])
+        assert control.points("1").tolist() == pytest.approx([-850, -750, -650, -550, -450])
         finer = WORKED.replace("BLCOMP 4,400000\n8 12 -4 0", "BLCOMP 2,400000\n8 0")
-        assert pmac(finer).nodes("1").tolist() == pytest.approx([0, 100, 200, 300, 400])
+        assert pmac(finer).points("1").tolist() == pytest.approx([0, 100, 200, 300, 400])
 
     def test_motor_zero_is_the_reference(self) -> None:
         control = pmac(WORKED, reference={"1": -850.0})
@@ -100,8 +100,8 @@ class TestTables:
         # in its negative direction while the axis moves in its positive one
         assert um(control, [-100], DOWN) == close([2.0])
         assert um(control, [-100], UP) == close([8.5])
-        assert np.all(np.diff(control.nodes("1")) > 0)
-        assert control.nodes("1")[0] == pytest.approx(-400)
+        assert np.all(np.diff(control.points("1")) > 0)
+        assert control.points("1")[0] == pytest.approx(-400)
 
     def test_counts_per_unit_are_never_assumed(self) -> None:
         for wrong in ({}, {"counts_per_unit": 0}, {"counts_per_unit": "x"}):
@@ -177,7 +177,7 @@ class TestBacklash:
         # 120/16 = 7.5 counts, subtracted while the last motion was negative
         assert um(control, [-5, 300], UP) == [0.0, 0.0]
         assert um(control, [-5, 300], DOWN) == close([-7.5, -7.5])
-        assert control.nodes("1").size == 0
+        assert control.points("1").size == 0
 
     def test_value_of_a_machine_with_lost_motion_removes_it(self) -> None:
         # lost motion of 7.5 µm: arriving towards - the table stands 7.5 µm too high
@@ -194,7 +194,7 @@ class TestBacklash:
         off = WORKED.replace("I51=1", "I51=0")
         assert um(pmac(off), [0, 100], UP) == [0.0, 0.0]
         assert um(pmac(off), [0, 100], DOWN) == close([-6, -6])
-        assert pmac(off).nodes("1").size == 5
+        assert pmac(off).points("1").size == 5
 
     def test_missing_is_not_zero(self) -> None:
         with pytest.raises(InputError, match=r"line 6: I185 .*; expected a line I185=\.\.\."):
@@ -375,7 +375,7 @@ def ask_everything(content: bytes) -> None:
             got = control.correction(address, np.linspace(-1e3, 1e3, 7), direction)
             assert got.shape == (7,)
             assert np.all(np.isfinite(got))
-        assert np.all(np.diff(control.nodes(address)) > 0)
+        assert np.all(np.diff(control.points(address)) > 0)
     for source, target in control.cross():
         got = control.cross_correction(source, target, np.linspace(-1e3, 1e3, 7), UP)
         assert np.all(np.isfinite(got))

@@ -178,7 +178,7 @@ M17
             control = load(*files)
             assert at(control, "X1", [-200, -100, 0], UP) == [-0.01, -0.015, -0.02]
             assert at(control, "X1", [-200, 0], DOWN) == [-0.011, -0.021]
-            assert control.nodes("X1").tolist() == [-200, 0]
+            assert control.points("X1").tolist() == [-200, 0]
 
     def test_by_their_own_name_of_the_axis(self) -> None:
         assert at(load(WHOLE, self.SMALL.replace("AX1", "x1")), "X1", [-200], DOWN) == [-0.011]
@@ -205,7 +205,7 @@ class TestInch:
         control = load(self.TABLE, INITIAL.replace("METRIC", "INCH"))
         assert at(control, "X1", [-508, -254, 0], UP) == [-0.0254, -0.0762, 0.0508]
         assert at(control, "X1", [-508], DOWN) == [-0.0254 - 0.1016]
-        assert control.nodes("X1").tolist() == pytest.approx([-508, -254, 0], abs=1e-9)
+        assert control.points("X1").tolist() == pytest.approx([-508, -254, 0], abs=1e-9)
 
     @pytest.mark.parametrize(
         "line",

@@ -145,7 +145,7 @@ class TestShape:
         assert at(control, "AX1", positions, DOWN) == pytest.approx(
             [0.004, 0.004, 0.0025, 0.001, 0.00175, 0.0025, 0.0025], abs=EXACT
         )
-        assert control.nodes("AX1").tolist() == [0, 400, 800]
+        assert control.points("AX1").tolist() == [0, 400, 800]
 
     def test_ramp_from_one_axis_to_the_other(self) -> None:
         control = load(SHAPE)
@@ -276,7 +276,7 @@ class Test828D:
 
     def test_worked_by_hand(self) -> None:
         control = load(self.text())
-        assert control.nodes("AX1").tolist() == [
+        assert control.points("AX1").tolist() == [
             -585,
             -527,
             -469,
@@ -358,17 +358,17 @@ class TestSums:
         # outside both tables hold their ends (p. 240, p. 248)
         assert at(load(text), "AX1", [-10, 110], UP) == pytest.approx([0.007, 0.029], abs=EXACT)
 
-    def test_nodes_are_those_of_all_own_tables(self) -> None:
+    def test_points_are_those_of_all_own_tables(self) -> None:
         text = eec("AX1", [0, 0, 0], (-50.0, 50.0, 50.0)) + cec(0, [0, 0, 0], (0.0, 30.0, 60.0))
         text += cec(3, [0, 0], (10.0, 5.0, 15.0), ("AX2", "AX1")) + cec(
             7, [0, 0], (-1.0, 4.0, 3.0), ("AX1", "AX2")
         )
         control = load(text)
-        assert control.nodes("AX1").tolist() == [-50, 0, 30, 50, 60]
+        assert control.points("AX1").tolist() == [-50, 0, 30, 50, 60]
         assert control.cross() == (("AX2", "AX1"), ("AX1", "AX2"))
         # 0.1 + 0.2 and 0.3 are one point
         near = cec(0, [0, 0, 0], (0.1, 0.2, 0.5)) + cec(1, [0, 0], (0.3, 0.2, 0.5))
-        assert load(near).nodes("AX1").size == 3
+        assert load(near).points("AX1").size == 3
 
     def test_axis_is_one_whatever_its_case(self) -> None:
         text = eec("AX1", [0.003, 0.001], (0.0, 100.0, 100.0)) + cec(
@@ -567,7 +567,7 @@ class TestSwitches:
         control = load(self.TEXT + "$MA_CEC_ENABLE[AX2]=0\n")
         assert across(control, "AX1", "AX2", [0], UP) == [0.0]
         assert control.cross() == (("AX1", "AX2"),)
-        assert control.nodes("AX1").size == 2
+        assert control.points("AX1").size == 2
 
     def test_sum_is_limited_and_said_when_it_cuts(self) -> None:
         text = cec(0, [-0.08, 0.06], self.GRID) + cec(1, [-0.05, 0.05], self.GRID)
@@ -944,7 +944,7 @@ def ask_everything(content: bytes, *more: bytes) -> None:
         for base, corrected in control.cross():
             assert np.all(np.isfinite(control.cross_correction(base, corrected, x, direction)))
     for address in control.addresses():
-        assert np.all(np.diff(control.nodes(address)) > 0)
+        assert np.all(np.diff(control.points(address)) > 0)
 
 
 PRODUCT = SHAPE.replace("_MULT_BY_TABLE[0]=0", "_MULT_BY_TABLE[0]=2").replace(

@@ -12,7 +12,7 @@ from typing import ClassVar
 import numpy as np
 import pytest
 
-from compwright.controllers.virtual import VirtualControl, virtual_control
+from compwright.controllers.virtual_control import VirtualControl, virtual_control
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import ControlFile
 from linuxcnc_control import (
@@ -123,7 +123,7 @@ class TestVirtualAgreesWithReal:
         return run_session(files, cls.KINDS, stops), virtual(files, cls.KINDS)
 
     @pytest.mark.parametrize("joint", list(KINDS))
-    def test_at_nodes_between_outside_and_after_reversals(
+    def test_at_points_between_outside_and_after_reversals(
         self, ran: tuple[Session, VirtualControl], joint: str
     ) -> None:
         session, control = ran
@@ -134,8 +134,8 @@ class TestVirtualAgreesWithReal:
 
     def test_the_comparison_could_fail(self, ran: tuple[Session, VirtualControl]) -> None:
         session, control = ran
-        assert control.nodes("0").size == 12
-        assert control.nodes("6").size == 8
+        assert control.points("0").size == 12
+        assert control.points("6").size == 8
         for joint in ("0", "1", "3", "5", "6", "2"):
             applied = [stop.correction for stop in session.of(joint)]
             assert max(applied) - min(applied) > 1e-3

@@ -15,7 +15,7 @@ import pytest
 import yaml
 
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from compwright.verification.read_back import judge_read_back

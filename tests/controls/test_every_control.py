@@ -16,8 +16,8 @@ import pytest
 
 from card_files import wrong_files
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import virtual_control
-from compwright.formats.definition.extends import found_in, texts_of
+from compwright.controllers.virtual_control import virtual_control
+from compwright.formats.definition.inheritance import found_in, texts_of
 from compwright.formats.definition.options import resolve_options
 from compwright.formats.definitions import definition_of
 from compwright.formats.families.shapes import control_format
@@ -202,7 +202,7 @@ def one_round(
 
 def spacing_of(files: list[ControlFile], format_id: str) -> float:
     format_id = format_of(format_id)
-    nodes = virtual_control(format_id, files, options=OPTIONS.get(format_id)).nodes(
+    nodes = virtual_control(format_id, files, options=OPTIONS.get(format_id)).points(
         ADDRESS[format_id]
     )
     return float(np.max(np.diff(nodes)))

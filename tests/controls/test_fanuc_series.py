@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import CapacityError, InputError
 from compwright.records.axis import Axis, AxisKind, Direction

@@ -14,7 +14,7 @@ import pytest
 from test_fanuc_series import LINEAR, TOTALS, one_file, run_15i
 
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import definition_in
 from compwright.formats.families.increments.increment_facts import increments_of

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import ControlFile
 

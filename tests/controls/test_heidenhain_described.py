@@ -17,7 +17,7 @@ from test_heidenhain_activity import run as run_activity
 from test_run_apply import card, folder, measured, run  # noqa: F401 - two fixtures
 
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.controls import control
 from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import CapacityError, InputError

@@ -15,12 +15,12 @@ from test_formats_page import blocks, change
 from test_run_circles import CEC, Bent, write_circle
 
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import KNOWN
+from compwright.controllers.virtual_control import KNOWN
 from compwright.controls import definitions
 from compwright.controls.control import open_control
 from compwright.controls.decoded_state import SingleReader
 from compwright.documents.plan import read_plan
-from compwright.formats.definition.extends import found_in, merged, texts_of
+from compwright.formats.definition.inheritance import found_in, merged, texts_of
 from compwright.foundations.session import Session
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlState, CrossCompensation

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.controls.control import decode, open_control
 from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import InputError, UsageError

@@ -16,7 +16,7 @@ import pytest
 
 from backup_files_fanuc import FOLDER, PARAMETERS, PITCH
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlFile
 from loop import Floats

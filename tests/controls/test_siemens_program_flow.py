@@ -18,7 +18,7 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.controllers.sinumerik.flow import ProgramBlock
 from compwright.controllers.sinumerik.text import read_file
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.pairs.program_flow import scanned
 from compwright.formats.families.shapes import control_format

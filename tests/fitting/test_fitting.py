@@ -19,13 +19,13 @@ from compwright.fitting.period_removal import without_periods
 from compwright.fitting.problem import QuadraticProblem, hat_matrix, quadrature
 from compwright.fitting.rounding import round_curve
 from compwright.fitting.solve import solve_quadratic
-from compwright.fitting.sparse import from_dense, identity
+from compwright.fitting.sparse_matrices import from_dense, identity
 from compwright.foundations.errors import CapacityError, UsageError
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.fitted_table import FittedTable, TableRequest
 
 Array = NDArray[np.float64]
 UM = 1e-3
@@ -777,7 +777,7 @@ def test_the_solvers_print_nothing(capfd: pytest.CaptureFixture[str]) -> None:
 
 def test_points_that_serve_other_axes_too_stay_where_they_are() -> None:
     own = tuple(float(x) for x in (-820, -600, -410, -200, 0, 35))
-    given = replace(FINE, spacing="free", nodes=own)
+    given = replace(FINE, spacing="free", points=own)
     assert fit(SMOOTH, given).compensation.positions.tolist() == list(own)
     assert fit(SMOOTH, given, start=-820.0, end=35.0).compensation.positions.tolist() == list(own)
     with pytest.raises(CapacityError, match="existing table must not change") as caught:

@@ -16,7 +16,7 @@ from compwright.fitting.fit import fit_table
 from compwright.foundations.errors import CapacityError
 from compwright.records.axis import AxisKind
 from compwright.records.capacity import Capacity, Lattice
-from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.fitted_table import FittedTable, TableRequest
 from compwright.words.sentences import say
 from next_steps import without_hint
 

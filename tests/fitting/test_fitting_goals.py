@@ -19,7 +19,7 @@ from compwright.fitting.fit import fit_table
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.capacity import Capacity, Lattice
 from compwright.records.estimate import Scenarios, WantedCorrection
-from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.fitted_table import FittedTable, TableRequest
 
 Array = NDArray[np.float64]
 UM = 1e-3

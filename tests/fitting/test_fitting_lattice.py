@@ -34,7 +34,7 @@ from compwright.records.axis import AxisKind, Direction
 from compwright.records.capacity import Capacity, Lattice
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.fitted_table import FittedTable, TableRequest
 from compwright.words.sentences import say
 
 Array = NDArray[np.float64]
@@ -138,7 +138,7 @@ class Case:
     wanted: WantedCorrection
     capacity: Capacity
     lattice: Lattice
-    nodes: Array
+    points: Array
     anchor: int
     mode: Literal["single", "bidirectional"]
 
@@ -221,7 +221,7 @@ def whole_tables(case: Case) -> Array:
     """
     low, high = case.lattice.increments
     steps = np.array(
-        list(itertools.product(range(low, high + 1), repeat=case.nodes.size - 1)), dtype=float
+        list(itertools.product(range(low, high + 1), repeat=case.points.size - 1)), dtype=float
     )
     totals = np.hstack([np.zeros((steps.shape[0], 1)), np.cumsum(steps, axis=1)])
     totals -= totals[:, [case.anchor]]
@@ -233,8 +233,8 @@ def brute_force(case: Case) -> tuple[float, int]:
     magnification that has it.
     """
     wanted, capacity, lattice = case.wanted, case.capacity, case.lattice
-    points, weights = integral(wanted.positions, case.nodes)
-    matrix = between(case.nodes, capacity.interpolation == "step", points)
+    points, weights = integral(wanted.positions, case.points)
+    matrix = between(case.points, capacity.interpolation == "step", points)
     home = wanted.reference_return
     own, other = (
         np.interp(points, wanted.positions, wanted.total(one)) for one in (home, home.opposite)
@@ -324,7 +324,7 @@ def test_whole_tables_equal_brute_force(
     for _ in range(40):
         case = random_case(rng, kind, step)
         result = fit(case.wanted, case.capacity, spacing=10.0, mode=case.mode)
-        assert result.compensation.positions == pytest.approx(case.nodes, abs=1e-9)
+        assert result.compensation.positions == pytest.approx(case.points, abs=1e-9)
         best, magnification = brute_force(case)
         assert left_over(result, case.wanted) == pytest.approx(best, rel=1e-7, abs=1e-14)
         assert result.certificate["magnification"] == magnification

@@ -17,13 +17,13 @@ from compwright.fitting.fit import fit_table
 from compwright.fitting.mean_range import Deviations, solve_ranges
 from compwright.fitting.problem import QuadraticProblem, Rows
 from compwright.fitting.rounding import to_quanta
-from compwright.fitting.sparse import from_dense, identity, stack_rows
+from compwright.fitting.sparse_matrices import from_dense, identity, stack_rows
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import TableRequest
+from compwright.records.fitted_table import TableRequest
 
 Array = NDArray[np.float64]
 UM = 1e-3

@@ -10,7 +10,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from compwright.fitting.fit import fit_table
-from compwright.fitting.sparse import (
+from compwright.fitting.sparse_matrices import (
     SparseMatrix,
     differences,
     from_dense,
@@ -22,7 +22,7 @@ from compwright.fitting.sparse import (
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import TableRequest
+from compwright.records.fitted_table import TableRequest
 
 UM = 1e-3
 

@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 
 from backup_files_fanuc import FOLDER, Backup
-from compwright.formats.definition.extends import DefinitionText
+from compwright.formats.definition.inheritance import DefinitionText
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import load_definition
 from compwright.formats.families.family import Family

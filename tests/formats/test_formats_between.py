@@ -16,7 +16,7 @@ import pytest
 
 from compwright.controls.control import Control, decode
 from compwright.controls.cross_tables import CrossOutcome, write_planned
-from compwright.formats.families.between import Between, BetweenRequest
+from compwright.formats.families.axis_pairs import Between, BetweenRequest
 from compwright.formats.families.family import Family
 from compwright.formats.families.increments.increment_facts import IncrementFacts
 from compwright.formats.families.pairs.family import PairsFamily

@@ -12,7 +12,7 @@ import pytest
 
 from card_files import card_values
 from compwright.formats.card import card_steps, look_at
-from compwright.formats.definition.extends import found_in, merged, texts_of
+from compwright.formats.definition.inheritance import found_in, merged, texts_of
 from compwright.formats.definition.options import describe_options, resolve_options
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.vocabulary import LOOKED_AT

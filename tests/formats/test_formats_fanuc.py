@@ -15,10 +15,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.controls.control import decode, open_control
 from compwright.controls.decoded_state import DecodedState
-from compwright.formats.definition.extends import found_in
+from compwright.formats.definition.inheritance import found_in
 from compwright.formats.definition.options import resolve_options
 from compwright.formats.definitions import load_definition
 from compwright.formats.families.increments.numbering import (

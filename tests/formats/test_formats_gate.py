@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from compwright.formats import gate
-from compwright.formats.definition.extends import found_in
+from compwright.formats.definition.inheritance import found_in
 from compwright.formats.definitions import load_definition
 from compwright.formats.families.family import Family
 from compwright.formats.gate import check_definition

@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 
 from card_files import card_values
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.controls.control import decode, open_control
 from compwright.formats.card import card_steps
 from compwright.formats.definition.schema import Definition
@@ -481,7 +481,7 @@ def test_capacity_of_a_table() -> None:
         1e-4,
         1,
     )
-    assert (capacity.spacings, capacity.nodes, capacity.line, capacity.period) == (
+    assert (capacity.spacings, capacity.points, capacity.line, capacity.period) == (
         None,
         None,
         None,
@@ -516,8 +516,10 @@ def test_capacity_of_a_line() -> None:
 
 def test_capacity_takes_the_grid_that_other_axes_need() -> None:
     state = itnc(file("X.COM", COM), axes=(axis_of("X"),))
-    assert control_format(ITNC, {}, state).capacity(axis_of("X")).nodes == (-400, -384, -368)
-    assert control_format(ITNC, {}, itnc(file("X.COM", ALONE))).capacity(axis_of("X")).nodes is None
+    assert control_format(ITNC, {}, state).capacity(axis_of("X")).points == (-400, -384, -368)
+    assert (
+        control_format(ITNC, {}, itnc(file("X.COM", ALONE))).capacity(axis_of("X")).points is None
+    )
     two = nck(file("X.COM", NCK_COM))
     assert control_format(NCK, {}, two).capacity(axis_of("X")).curves == 2
     absent = {"backlash_column": "absent"}
@@ -973,7 +975,7 @@ def test_a_run_removes_a_known_error(format_id: str, tmp_path: Path) -> None:
         return control.correction("X", x, PLUS if sign > 0 else MINUS)
 
     fresh = machine.targets(seed=8)
-    spacing = float(np.max(np.diff(control.nodes("X"))))
+    spacing = float(np.max(np.diff(control.points("X"))))
     limit = allowed(machine, fresh, spacing)  # mm
     assert accuracy(before) > 3 * limit
     assert accuracy(machine.measure(fresh, 2, acting)) <= limit
@@ -1036,7 +1038,7 @@ def test_a_run_fills_the_table_that_is_in_the_control(tmp_path: Path) -> None:
     after = machine.measure(
         fresh, 4, lambda x, sign: now.correction("X", x, PLUS if sign > 0 else MINUS)
     )
-    limit = allowed(machine, fresh, float(np.max(np.diff(now.nodes("X")))))  # mm
+    limit = allowed(machine, fresh, float(np.max(np.diff(now.points("X")))))  # mm
     assert accuracy(measured) > 3 * limit
     assert accuracy(after) <= limit
 

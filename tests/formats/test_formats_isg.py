@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from test_run_circles import Bent, measure
 
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import CapacityError, InputError, UsageError

@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 
 from card_files import card_values
 from compwright.cli import run as compwright
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.fitting.fit import fit_table
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
@@ -29,7 +29,7 @@ from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.estimate import WantedCorrection
 from compwright.records.facts import AxisFacts
-from compwright.records.fitted import TableRequest
+from compwright.records.fitted_table import TableRequest
 from format_samples import DEFINITIONS
 
 pytestmark = pytest.mark.short_estimate

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from compwright.formats.definition.extends import found_in
+from compwright.formats.definition.inheritance import found_in
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import load_definition
 from compwright.formats.families.shapes import control_format

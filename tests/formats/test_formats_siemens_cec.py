@@ -18,7 +18,7 @@ from compwright.controls.control import decode, open_control
 from compwright.formats.card import card_steps
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.card_texts import UNKNOWN
-from compwright.formats.families.pairs import between as cross_writing
+from compwright.formats.families.pairs import axis_pairs as cross_writing
 from compwright.formats.families.pairs.sums import cross_tables
 from compwright.formats.families.pairs.tables import Cec
 from compwright.formats.families.pairs.updated_tables import over_own_points

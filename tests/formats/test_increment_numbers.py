@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import pytest
 
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.controls.control import decode, open_control
 from compwright.controls.decoded_state import DecodedState
 from compwright.formats.families.increments.increment_facts import IncrementFacts, increments_of

@@ -16,9 +16,9 @@ import numpy as np
 import pytest
 
 from compwright.formats.card import points_needed
-from compwright.formats.definition.extends import DefinitionText
+from compwright.formats.definition.inheritance import DefinitionText
 from compwright.formats.definition.schema import Definition
-from compwright.formats.families.pairs.between import write_cross
+from compwright.formats.families.pairs.axis_pairs import write_cross
 from compwright.formats.families.shapes import control_format
 from compwright.formats.gate import check_definition
 from compwright.foundations.errors import CompwrightError, InputError

@@ -15,7 +15,7 @@ import pytest
 from compwright.formats.card import card_steps
 from compwright.formats.families.card_texts import CardRequest
 from compwright.formats.families.family import Family
-from compwright.formats.families.pairs.between import write_cross
+from compwright.formats.families.pairs.axis_pairs import write_cross
 from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction

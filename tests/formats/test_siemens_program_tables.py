@@ -17,7 +17,7 @@ from collections.abc import Mapping
 import numpy as np
 import pytest
 
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import InputError, UsageError

@@ -9,7 +9,7 @@ from typing import get_args
 import numpy as np
 import pytest
 
-from compwright.formats.families.pairs.between import write_cross
+from compwright.formats.families.pairs.axis_pairs import write_cross
 from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import AxisKind

@@ -15,7 +15,7 @@ from compwright.foundations.errors import UsageError
 from compwright.jobs.reading import read_job
 from compwright.records.axis import AxisKind, Direction, Encoder, PositionMap
 from compwright.records.conditions import Thermal, UncertaintyBudget
-from compwright.records.fitted import TableRequest
+from compwright.records.fitted_table import TableRequest
 from compwright.records.job import NONE_STATE, Acceptance, Job, ReportHead
 from next_steps import without_hint
 from places import PROJECT, SHARED, needs_shared

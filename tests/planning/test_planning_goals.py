@@ -19,7 +19,7 @@ from compwright.prediction.active_corrections import no_correction
 from compwright.records.axis import Axis, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.correction import ControlState, no_compensation
-from compwright.records.fitted import TableRequest
+from compwright.records.fitted_table import TableRequest
 from compwright.records.job import AS_FOUND
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest

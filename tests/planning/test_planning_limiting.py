@@ -30,7 +30,7 @@ from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, no_compensation
 from compwright.records.estimate import AxisPeriod
-from compwright.records.fitted import Mode, TableRequest
+from compwright.records.fitted_table import Mode, TableRequest
 from compwright.records.limits import LimitingCauses, PointCountOption
 from compwright.words.sentences import say
 from planning_samples import (
@@ -364,7 +364,7 @@ def test_nothing_is_shown_where_there_is_nothing_to_choose() -> None:
     known = both(lambda x: 40 * UM * (x / 1000.0) ** 2)
     work = fitted(known, spacing=50.0)
     assert work.capacity is not None
-    only = replace(work, capacity=replace(work.capacity, nodes=tuple(np.linspace(0, 1000, 21))))
+    only = replace(work, capacity=replace(work.capacity, points=tuple(np.linspace(0, 1000, 21))))
     assert worth_of(only) == []
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from compwright.planning.shared_points import share_points
 from compwright.records.capacity import Capacity
-from compwright.records.fitted import TableRequest
+from compwright.records.fitted_table import TableRequest
 from compwright.records.plan import PlannedAxis
 from planning_samples import KnownAxis, axis_of, capacity_of, work_of
 

@@ -15,7 +15,7 @@ from compwright.planning import tables
 from compwright.planning.tables import fit_within, free_grid_table, grid_text, new_grid_offer
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity, Lattice
-from compwright.records.fitted import TableRequest
+from compwright.records.fitted_table import TableRequest
 from compwright.records.prediction import Quantiles, TestPrediction
 from planning_samples import KnownAxis, axis_of, work_of
 
@@ -75,7 +75,7 @@ def test_what_exceeds_the_range_by_far_is_refused_before_anything_is_fitted(
 
 
 def test_nodes_that_serve_other_axes_are_never_given_up() -> None:
-    fixed = replace(stepping(COARSE_GRID), nodes=COARSE_GRID)
+    fixed = replace(stepping(COARSE_GRID), points=COARSE_GRID)
     with pytest.raises(CapacityError):
         fit_within(WANTED, fixed, KEEP, AXIS)
 

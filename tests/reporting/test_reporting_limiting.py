@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from compwright.reporting.limiting import limits_block, limits_line
+from compwright.reporting.point_count_figure import worth_block
 from compwright.reporting.run_report import run_report
-from compwright.reporting.worth import worth_block
 from reporting_samples import run_view
 
 

@@ -44,7 +44,7 @@ from compwright.reporting.run_report import run_report
 from compwright.reporting.test_sheet import NOT_STATED, further_statements, sheet_rows
 from compwright.reporting.verify_report import verify_report
 from compwright.workflow.inputs.logo import read_logo
-from compwright.workflow.results.stated import report_document, stated_of_axes
+from compwright.workflow.results.test_facts import report_document, stated_of_axes
 from places import PROJECT, SHARED, STANDARD_TABLES, needs_shared
 from reporting_samples import made_up, run_view, verify_view
 

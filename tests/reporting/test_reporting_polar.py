@@ -21,10 +21,9 @@ from compwright.documents.circular import circular_document
 from compwright.evaluation.circular import evaluate_circle
 from compwright.foundations.errors import UsageError
 from compwright.records.circular import CircularEffect, CircularTest, Diagnosis
-from compwright.reporting import polar
+from compwright.reporting import circle_figures
 from compwright.reporting.causes import CircleCause, ranked_causes
-from compwright.reporting.plots import evaluation_plot
-from compwright.reporting.polar import (
+from compwright.reporting.circle_figures import (
     draw_causes,
     draw_path,
     draw_test,
@@ -32,6 +31,7 @@ from compwright.reporting.polar import (
     paths_of,
     polar_figure,
 )
+from compwright.reporting.plots import evaluation_plot
 
 pytestmark = pytest.mark.real_figures
 
@@ -141,7 +141,7 @@ def test_a_path_about_its_centre_has_no_offset_left() -> None:
     """
     centre = (0.15, -0.1)
     result = circle(Machine(centre=centre))
-    name, found = polar.picture_centre(result)
+    name, found = circle_figures.picture_centre(result)
     assert name == "common"
     assert found == pytest.approx((150.0, -100.0), abs=0.001)  # µm, of the evaluation
     for path in paths_of(result, found, result["runs"]):
@@ -181,7 +181,7 @@ def test_the_path_lies_between_the_circles_of_its_zone_and_touches_both(
         arc[1] > 200.0 or min(abs(both[i] - common[i]) for i in (0, 1)) > 0.05
     )  # µm: a wrong sign would show
     panel = drawn_path(result)
-    inner, outer = [entry for entry in panel.lines if entry.get_color() == polar._ZONE]
+    inner, outer = [entry for entry in panel.lines if entry.get_color() == circle_figures._ZONE]
     scale = _scale(panel)
 
     def at(entry: Any, angles: Any) -> Any:
@@ -441,7 +441,7 @@ def test_both_kinds_of_test_share_a_figure(monkeypatch: pytest.MonkeyPatch) -> N
         1,
     ]  # the positioning tests first; a circle without causes has one panel
     assert parts[0].axes[0].get_ylabel() == "Deviation in µm"
-    assert made[0].get_figheight() == pytest.approx(2.9 + 0.35 + 2 * polar.TEST_HEIGHT)
+    assert made[0].get_figheight() == pytest.approx(2.9 + 0.35 + 2 * circle_figures.TEST_HEIGHT)
 
 
 def test_what_cannot_be_drawn_is_said() -> None:

@@ -14,7 +14,7 @@ from compwright.foundations.provenance import Source
 from compwright.records.axis import AxisKind
 from compwright.records.conditions import CircularBudget
 from compwright.records.correction import CrossCompensation
-from compwright.records.fitted import FittedTable
+from compwright.records.fitted_table import FittedTable
 from compwright.records.job import Acceptance, CircleRequest, Job
 from compwright.records.plan import Plan, PlannedAxis, PlannedCross
 from compwright.records.positioning import PositioningTest

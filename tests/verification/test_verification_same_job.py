@@ -11,7 +11,7 @@ import pytest
 
 from compwright.records.axis import Axis, Encoder
 from compwright.records.correction import ControlFile
-from compwright.records.fitted import TableRequest
+from compwright.records.fitted_table import TableRequest
 from compwright.records.job import AxisJob, CircleRequest, Job, TestRequest
 from compwright.records.plan import Plan, PlannedAxis
 from compwright.records.positioning import PositioningTest

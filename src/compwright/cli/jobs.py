@@ -82,7 +82,7 @@ def run_command(
     """Do the whole job: evaluate, fit, write the tables, predict, report."""
     from compwright.workflow.commands.run import planned, write_planned
     from compwright.workflow.inputs.jobs import job_of
-    from compwright.workflow.ready import ready_for_axes
+    from compwright.workflow.preloading import ready_for_axes
     from compwright.workflow.results.answers import run_summary
     from compwright.workflow.results.next_step import after_run
     from compwright.workflow.results.report_file import require_report_form
@@ -243,7 +243,7 @@ def verify(
     """Compare the test after loading with the plan: is the table active, is the axis good?"""
     from compwright.workflow.commands.verify import plan_path, verify_job
     from compwright.workflow.inputs.jobs import default_folder, read_job_file
-    from compwright.workflow.ready import ready_for_axes
+    from compwright.workflow.preloading import ready_for_axes
     from compwright.workflow.results.answers import verify_summary
     from compwright.workflow.results.next_step import after_verify
     from compwright.workflow.results.report_file import require_report_form

@@ -15,9 +15,9 @@ from compwright.cli.saying import ask_for_report, errors, tell
 from compwright.cli.words import Invocation, compwright
 from compwright.foundations.errors import CompwrightError, StorageError, UsageError
 from compwright.foundations.own_faults import OWN_FAULT, own_fault
+from compwright.foundations.parallel_work import Crew, Each, alone
 from compwright.foundations.processors import look_for_garbage_seldom, use_one_thread
 from compwright.foundations.session import Session
-from compwright.foundations.side_by_side import Crew, Each, alone
 from compwright.foundations.utf8 import visible
 
 

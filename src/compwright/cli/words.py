@@ -16,8 +16,8 @@ from compwright import __version__
 from compwright.cli.help_text import HelpfulCommand, OrderedGroup
 from compwright.foundations.command_words import OptionForm, Own, key_values, spread
 from compwright.foundations.errors import UsageError, raise_all
+from compwright.foundations.parallel_work import Crew
 from compwright.foundations.session import Session
-from compwright.foundations.side_by_side import Crew
 
 P = ParamSpec("P")
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from compwright.controllers.virtual import KNOWN, virtual_control
+from compwright.controllers.virtual_control import KNOWN, virtual_control
 from compwright.controls.definitions import definitions_at, is_base, name_conflicts
-from compwright.formats.definition.extends import Find, found_in
+from compwright.formats.definition.inheritance import Find, found_in
 from compwright.formats.definition.options import resolve_options
 from compwright.formats.definition.schema import Definition, Expectation
 from compwright.formats.definitions import duplicate_id, load_definition

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from compwright.controllers.virtual import virtual_control
+from compwright.controllers.virtual_control import virtual_control
 from compwright.controls.decoded_state import DecodedState, SingleReader
 from compwright.controls.definitions import (
     carried_definition,

@@ -12,7 +12,7 @@ from compwright.controls.control import Control, decode
 from compwright.controls.decoded_state import DecodedState
 from compwright.controls.file_replacement import with_new_tables
 from compwright.controls.judged_corrections import judged_cross
-from compwright.formats.families.between import BetweenRequest, merged_files
+from compwright.formats.families.axis_pairs import BetweenRequest, merged_files
 from compwright.formats.families.control_texts import texts_of
 from compwright.foundations.errors import CompwrightError, Fault, raise_all
 from compwright.foundations.findings import Finding
@@ -21,7 +21,7 @@ from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import ControlFile, ControlState, CrossCompensation
 from compwright.records.plan import PlannedCross
 
-#: Reading back may differ from what was planned by half a step of the value at either node, mm or
+#: Reading back may differ from what was planned by half a step of the value at either point, mm or
 #: deg.
 READ_BACK_WITHIN = 2e-6
 

@@ -48,7 +48,7 @@ class SingleReader:
 
 
 if TYPE_CHECKING:
-    from compwright.controllers.virtual import VirtualControl
+    from compwright.controllers.virtual_control import VirtualControl
 
 
 @dataclass(frozen=True, slots=True)

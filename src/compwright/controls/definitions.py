@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 from pathlib import Path, PureWindowsPath
 
-from compwright.formats.definition.extends import BASE_ENDING, EXTENDS, Find, found_in
+from compwright.formats.definition.inheritance import BASE_ENDING, EXTENDS, Find, found_in
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import (
     definition_of,

@@ -11,7 +11,7 @@ from compwright.controls.control import Control, decode
 from compwright.controls.control_files import holds_archive
 from compwright.controls.decoded_state import DecodedState, judged_values
 from compwright.controls.reader_comparison import probe_positions
-from compwright.formats.families.between import merged_files
+from compwright.formats.families.axis_pairs import merged_files
 from compwright.formats.families.control_texts import all_names, under_new_entries
 from compwright.formats.text.diff import compare_files
 from compwright.formats.text.entry_sheet import EntrySheet, is_entry_sheet, read_sheet

@@ -22,15 +22,15 @@ from compwright.records.axis import Axis, Direction, FloatArray, partner_of
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlState, no_compensation
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.fitted_table import FittedTable, TableRequest
 from compwright.records.job import AS_FOUND, Job
 from compwright.verification.read_back import SAME
 
 FittedAxes = Sequence[tuple[Axis, FittedTable]]
 #: Positions over the travel at which two tables are compared.
 _DENSE = 401
-#: Nodes are the same below this many mm or deg.
-_SAME_NODE = 1e-6
+#: Points are the same below this many mm or deg.
+_SAME_POINT = 1e-6
 #: A skew that changes by more than this many mm or deg is a warning.
 _SKEW = 1e-3
 #: A change that moves both axes apart by more than this many mm or deg is a doubt: finer than this
@@ -112,7 +112,7 @@ def differing(axis: Axis, state: ControlState) -> list[str]:
         - (leading.at(where, side) - leading.backlash_at(side))
         for side in Direction
     ]
-    same_grid = grid.shape == own_grid.shape and np.allclose(grid, own_grid, atol=_SAME_NODE)
+    same_grid = grid.shape == own_grid.shape and np.allclose(grid, own_grid, atol=_SAME_POINT)
     rapid = (facts.rapid_more, own_facts.rapid_more)
     words = {
         "table" if own_grid.size or grid.size else "backlash": np.max(np.abs(gaps)) > SAME_TABLE,
@@ -267,8 +267,8 @@ def _grid(table: AxisCompensation, idle: Sequence[float]) -> FloatArray:
 
 def _where(axis: Axis, *tables: AxisCompensation) -> FloatArray:
     """Return positions at which to compare tables: over the travel, and at the tables' points."""
-    nodes = [other.positions for table in tables for other in (table, *table.others)]
-    return np.unique(np.concatenate([np.linspace(*axis.travel, _DENSE), *nodes]))
+    points = [other.positions for table in tables for other in (table, *table.others)]
+    return np.unique(np.concatenate([np.linspace(*axis.travel, _DENSE), *points]))
 
 
 def _changed(
@@ -285,8 +285,8 @@ def _changed(
     idle = as_found.state.facts_of(partner.address).grid
     where = np.linspace(*axis.travel, _DENSE)
 
-    def change(nodes: FloatArray, side: Direction) -> FloatArray:
-        return new.at(nodes, side) - old.at(nodes, side)
+    def change(points: FloatArray, side: Direction) -> FloatArray:
+        return new.at(points, side) - old.at(points, side)
 
     def apart(made: FittedTable) -> float:
         held = made.compensation
@@ -295,15 +295,15 @@ def _changed(
         ]
         return float(np.max(np.abs(gaps)))
 
-    by_node = _by_node(partner, old, own, new, capacity, idle)
+    by_point = _by_point(partner, old, own, new, capacity, idle)
     made: list[FittedTable] = []
-    if by_node is not None:
+    if by_point is not None:
         try:
-            control.format.write([new, by_node], [axis, partner], as_found.files)
+            control.format.write([new, by_point], [axis, partner], as_found.files)
         except CapacityError:
             pass
         else:
-            made.append(replace(table, compensation=by_node))
+            made.append(replace(table, compensation=by_point))
             if apart(made[0]) <= _SKEW:
                 return made[0]
     within = _where(axis, new, old, own)
@@ -330,7 +330,7 @@ def _changed(
     return min(made, key=apart)
 
 
-def _by_node(
+def _by_point(
     partner: Axis,
     old: AxisCompensation,
     own: AxisCompensation,
@@ -348,27 +348,27 @@ def _by_node(
     """
     grid = _grid(own, idle)
     if capacity.there and own.period is None:
-        nodes = np.array(capacity.there)
+        points = np.array(capacity.there)
     else:
-        nodes = grid if grid.size else new.positions
+        points = grid if grid.size else new.positions
     ahead, behind = (replace(one, interpolation="linear") for one in (new, old))
     low, high = partner.travel
-    below, above = nodes[nodes <= low], nodes[nodes >= high]
-    held = np.clip(nodes, below[-1] if below.size else -np.inf, above[0] if above.size else np.inf)
+    below, above = points[points <= low], points[points >= high]
+    held = np.clip(points, below[-1] if below.size else -np.inf, above[0] if above.size else np.inf)
     curves = {
-        side: own.at(nodes, side)
+        side: own.at(points, side)
         + (ahead.at(held, side) - behind.at(held, side))
-        - sum(one.at(nodes, side) for one in capacity.stays)
+        - sum(one.at(points, side) for one in capacity.stays)
         for side in Direction
     }
     total = replace(
         own,
         address=partner.address,
-        positions=nodes,
+        positions=points,
         positive=curves[Direction.POSITIVE],
         negative=curves[Direction.NEGATIVE],
         backlash=own.backlash + new.backlash - old.backlash,
-        slope=0.0 if nodes.size else own.slope + new.slope - old.slope,
+        slope=0.0 if points.size else own.slope + new.slope - old.slope,
         interpolation=new.interpolation,
         below=new.below,
         above=new.above,

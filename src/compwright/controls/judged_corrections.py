@@ -37,11 +37,11 @@ def applied_correction(decoded: DecodedState | None, axis: Axis) -> Correction:
     held = None if decoded is None else decoded.state.axes.get(axis.address)
     if held is None or axis.unapplied_steps is None:
         return correction
-    nodes = held.positions
+    points = held.positions
     judged_table = replace(
         held,
-        positive=correction(nodes, Direction.POSITIVE),
-        negative=correction(nodes, Direction.NEGATIVE),
+        positive=correction(points, Direction.POSITIVE),
+        negative=correction(points, Direction.NEGATIVE),
     )
     applied = applied_compensation(judged_table, axis)
     return correction if applied is judged_table else applied.at

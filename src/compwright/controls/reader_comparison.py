@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from compwright.controllers.virtual import VirtualControl
+from compwright.controllers.virtual_control import VirtualControl
 from compwright.controls.decoded_state import judge_knows_axis
 from compwright.foundations.errors import Fault
 from compwright.prediction.active_corrections import Correction
@@ -136,28 +136,33 @@ def _total(
     return sum((entry.at(where, direction) for entry in entries), np.zeros(where.size))
 
 
-def probe_positions(nodes: FloatArray) -> FloatArray:
+def probe_positions(points: FloatArray) -> FloatArray:
     """Return positions at which to compare two tables: at the points, between the points, and
     beyond both ends.
     """
-    if nodes.size == 0:
+    if points.size == 0:
         return np.array([-1000.0, 0.0, 1000.0])
-    step = float(nodes[-1] - nodes[0]) / max(nodes.size - 1, 1) or 1.0
-    between = nodes[:-1] + 0.3 * np.diff(nodes)
+    step = float(points[-1] - points[0]) / max(points.size - 1, 1) or 1.0
+    between = points[:-1] + 0.3 * np.diff(points)
     outside = np.array(
-        [nodes[0] - 0.7 * step, nodes[0] - 3 * step, nodes[-1] + 0.7 * step, nodes[-1] + 3 * step]
+        [
+            points[0] - 0.7 * step,
+            points[0] - 3 * step,
+            points[-1] + 0.7 * step,
+            points[-1] + 3 * step,
+        ]
     )
-    return np.concatenate([nodes, between, outside])
+    return np.concatenate([points, between, outside])
 
 
-def table_positions(nodes: FloatArray, travel: tuple[float, float]) -> FloatArray:
+def table_positions(points: FloatArray, travel: tuple[float, float]) -> FloatArray:
     """Return the positions at which two tables are compared: the probe positions between the
     outermost ends of table and travel, and both ends of the travel.
 
-    ``nodes`` (k,): points of the table. ``travel``: lower and upper end, mm or deg. Positions
+    ``points`` (k,): points of the table. ``travel``: lower and upper end, mm or deg. Positions
     outside are not compared, because a planned table keeps its end value there, while the control's
     table may repeat.
     """
-    ends = np.concatenate([nodes, travel])
-    where = probe_positions(nodes)
+    ends = np.concatenate([points, travel])
+    where = probe_positions(points)
     return np.concatenate([where[(where >= ends.min()) & (where <= ends.max())], travel])

@@ -23,7 +23,7 @@ from compwright.records.correction import (
     AxisCompensation,
 )
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import FittedTable
+from compwright.records.fitted_table import FittedTable
 from compwright.records.plan import (
     Acted,
     Plan,

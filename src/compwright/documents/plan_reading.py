@@ -24,7 +24,7 @@ from compwright.records.circular import CircularTest
 from compwright.records.conditions import Thermal, UncertaintyBudget
 from compwright.records.correction import ControlFile
 from compwright.records.estimate import AxisPeriod, ErrorEstimate, WantedCorrection
-from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.fitted_table import FittedTable, TableRequest
 from compwright.records.job import Acceptance
 from compwright.records.plan import Plan, PlannedAxis, PlannedCircle, PlannedTest
 from compwright.records.positioning import PositioningTest

@@ -18,7 +18,7 @@ from compwright.records.axis import Axis, Encoder
 from compwright.records.circular import CircularRun, CircularTest
 from compwright.records.correction import AxisCompensation, ControlFile, CrossCompensation
 from compwright.records.estimate import AxisPeriod, ErrorEstimate, Scenarios, WantedCorrection
-from compwright.records.fitted import TableRequest
+from compwright.records.fitted_table import TableRequest
 from compwright.records.job import AS_FOUND
 from compwright.records.plan import Plan, PlannedAxis, PlannedTest
 from compwright.records.positioning import PositioningTest

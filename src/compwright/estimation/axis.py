@@ -285,11 +285,11 @@ def estimate_axis(
     travel: tuple[float, float],
     periods: Sequence[float] = (),
     suggested: Sequence[float] = (),
-    nodes: Sequence[float] = (),
+    points: Sequence[float] = (),
     turn: float | None = None,
 ) -> AxisPosterior:
     """Return the probability distribution of the error of an axis, from its tests in machine
-    coordinates. Periods ``suggested`` are more probable than other periods; ``nodes`` are the
+    coordinates. Periods ``suggested`` are more probable than other periods; ``points`` are the
     points of an active compensation table; ``turn`` is the period of an endless axis.
 
     - ``tests``: tests of the axis. The datum of each test is unknown and estimated.
@@ -297,7 +297,7 @@ def estimate_axis(
     - ``periods``: known periods of the error (screw pitch, scale period), mm or deg.
     - ``suggested``: periods from the control's files, mm or deg. Each is as probable as all usual
       periods together.
-    - ``nodes``: ascending, mm or deg. At these points the line of an active table bends.
+    - ``points``: ascending, mm or deg. At these points the line of an active table bends.
     - ``turn``: deg. The error of an endless axis repeats after a turn, so it has no slope.
 
     The same tests give the same result. Model and sources: module docstring. Raises InputError if
@@ -329,7 +329,7 @@ def estimate_axis(
         findings=(
             *(jump.finding(kind) for jump in cells.jumps if jump.named),
             *estimate_findings(cells, travel if turn is None else None, periods, shown, kind),
-            *period_findings(search, cells.targets, kind, shown, known.periods, nodes),
+            *period_findings(search, cells.targets, kind, shown, known.periods, points),
             *unseen_findings(
                 unseen_periods(bidirectional, smooth, known.periods, shown_periods),
                 shown_periods,

@@ -17,7 +17,7 @@ from compwright.words.sentences import Sentence, say
 
 #: A period is a usual one within this part of it.
 _NEAR = 0.004
-#: A period is the spacing of nodes within this part of it, as well as few targets tell it.
+#: A period is the spacing of points within this part of it, as well as few targets tell it.
 _AS_SPACED = 0.02
 #: Less probable periods count in the prediction only: an axis without periods still keeps some at
 #: a few per cent.
@@ -30,13 +30,13 @@ def period_findings(
     kind: AxisKind,
     known: Sequence[float],
     fitted: Sequence[float],
-    nodes: Sequence[float] = (),
+    points: Sequence[float] = (),
 ) -> list[Finding]:
     """Return the findings of a search for periods, mm or deg, with readings at ``targets`` (m,).
 
     CW-E012: periods were found. CW-E013: periods cannot be distinguished. CW-E014: no period was
     found, or none can be found. CW-E015: some ``known`` periods are not among the ``fitted`` ones,
-    because the data do not show them. ``nodes``: points of a table that was active, mm or deg.
+    because the data do not show them. ``points``: points of a table that was active, mm or deg.
     """
     unit = kind.unit
     found: list[Finding] = []
@@ -55,7 +55,7 @@ def period_findings(
             probability=100 * each.probability,
             odds=_odds(each.probability),
             meaning=meaning(each.period, kind),
-            nodes=_of_nodes(each.period, nodes),
+            nodes=_of_points(each.period, points),
         )
         for each in reported
         if each.named
@@ -125,11 +125,11 @@ def _left_out(known: Sequence[float], fitted: Sequence[float], unit: str) -> lis
     ]
 
 
-def _of_nodes(period: float, nodes: Sequence[float]) -> float | None:
-    """Return the interval of an active compensation table with points ``nodes`` if ``period``
+def _of_points(period: float, points: Sequence[float]) -> float | None:
+    """Return the interval of an active compensation table with points ``points`` if ``period``
     equals this interval, else None.
     """
-    spacing = float(np.median(np.diff(nodes))) if len(nodes) > 2 else 0.0
+    spacing = float(np.median(np.diff(points))) if len(points) > 2 else 0.0
     if abs(period - spacing) > _AS_SPACED * period:
         return None
     return spacing

@@ -68,12 +68,12 @@ def choose_candidate(
         )
     chosen = _coarsest(pool, others, wanted, capacity)
     if chosen is not None:
-        return HeldGrid(nodes=chosen, wanted=wanted)
+        return HeldGrid(points=chosen, wanted=wanted)
     if capacity.lattice is not None:
         compromise = _least_left([*pool, *others], wanted, capacity, capacity.lattice)
         loss = grid_loss(compromise, wanted, capacity.interpolation)
         return held_grid(compromise, wanted, capacity, loss=loss)
-    finest = _with_most_points(pool, others).nodes(quantum)
+    finest = _with_most_points(pool, others).points(quantum)
     kept = resolved_part(finest, wanted, capacity)
     if wanted.periods and ignored_periods(finest, wanted.periods) == list(wanted.periods):
         enough = _coarsest(pool, others, kept, capacity)
@@ -169,7 +169,7 @@ def _coarsest(
     on, off = _first_good(pool, wanted, capacity), _first_good(others, wanted, capacity)
     if on is None or (off is not None and off.count * 3 < on.count):
         on = off
-    return None if on is None else on.nodes(capacity.position_quantum)
+    return None if on is None else on.points(capacity.position_quantum)
 
 
 def _first_good(
@@ -186,8 +186,8 @@ def _first_good(
             break
         if best is not None and candidate.digits(quantum) >= best.digits(quantum):
             continue
-        nodes = candidate.nodes(quantum)
-        if good_enough(nodes, wanted, capacity):
+        points = candidate.points(quantum)
+        if good_enough(points, wanted, capacity):
             first = candidate.count if best is None else first
             best = candidate
     return best
@@ -208,8 +208,8 @@ def _least_left(
     """
     scored = []
     for candidate in candidates:
-        nodes = candidate.nodes(capacity.position_quantum)
-        needed = magnification_needed(nodes, wanted, lattice)
+        points = candidate.points(capacity.position_quantum)
+        needed = magnification_needed(points, wanted, lattice)
         enough = next(
             (one for one in lattice.magnifications if one >= needed), lattice.magnifications[-1]
         )
@@ -218,9 +218,9 @@ def _least_left(
         rounding = enough * lattice.unit / np.sqrt(18.0)
         left = float(
             np.sqrt(
-                grid_loss(nodes, wanted, capacity.interpolation) ** 2 + rounding**2 + lacking**2
+                grid_loss(points, wanted, capacity.interpolation) ** 2 + rounding**2 + lacking**2
             )
         )
-        scored.append((left, candidate.count, nodes))
+        scored.append((left, candidate.count, points))
     enough_left = 1.02 * min(left for left, _, _ in scored)
     return min((one for one in scored if one[0] <= enough_left), key=lambda one: one[1])[2]

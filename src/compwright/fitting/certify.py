@@ -14,7 +14,7 @@ from typing import Final
 import numpy as np
 
 from compwright.fitting.problem import QuadraticProblem, quadrature
-from compwright.fitting.sparse import SparseMatrix
+from compwright.fitting.sparse_matrices import SparseMatrix
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.foundations.own_faults import SEND_JOB
 from compwright.records.axis import Direction, FloatArray

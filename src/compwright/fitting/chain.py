@@ -22,11 +22,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.fitting.problem import Rows
-from compwright.fitting.sparse import IntArray
+from compwright.fitting.sparse_matrices import IntArray
 from compwright.records.axis import FloatArray
 
 BoolArray = NDArray[np.bool_]
-#: A node that the travel sees less than this (against the one that it sees most) counts as not
+#: A point that the travel sees less than this (against the one that it sees most) counts as not
 #: seen.
 _UNSEEN: Final = 1e-12
 #: Keeps the least eigenvalue on the safe side of its rounding error.
@@ -168,27 +168,27 @@ def build_chain(
     seen[[*fixed, *kept]] = True
     if closed:
         seen[[0, -1]] = True
-    nodes = np.flatnonzero(seen)
-    is_fixed = np.isin(nodes, fixed)
-    span = np.diff(nodes)
+    points = np.flatnonzero(seen)
+    is_fixed = np.isin(points, fixed)
+    span = np.diff(points)
     chain = CurveChain(
         size=size,
-        kept=nodes,
+        kept=points,
         span=span,
-        # A kept node that no part of the travel sees pulls at nothing: any small stiffness makes it
-        # follow its neighbours' limits.
+        # A kept point that no part of the travel sees pulls at nothing: any small stiffness makes
+        # it follow its neighbours' limits.
         diagonal=np.where(
-            is_fixed, np.max(diagonal), np.maximum(diagonal[nodes], _UNSEEN * np.max(diagonal))
+            is_fixed, np.max(diagonal), np.maximum(diagonal[points], _UNSEEN * np.max(diagonal))
         ),
-        off=np.where(is_fixed[1:] | is_fixed[:-1] | (span > 1), 0.0, off[nodes[:-1]]),
+        off=np.where(is_fixed[1:] | is_fixed[:-1] | (span > 1), 0.0, off[points[:-1]]),
         fixed=is_fixed,
         closed=closed,
-        optimum=np.where(is_fixed, 0.0, linear[nodes]),
+        optimum=np.where(is_fixed, 0.0, linear[points]),
         constant=pull,
-        coupling=np.where(is_fixed, 0.0, coupling[nodes]),
+        coupling=np.where(is_fixed, 0.0, coupling[points]),
         stiffness=stiffness,
         least=0.0,
-        inverse=diagonal[nodes],
+        inverse=diagonal[points],
         share=1.0,
     )
     return _solved(chain, wishes)

@@ -26,17 +26,17 @@ def with_datum(
     The best table of ``layout`` is then zero in the control's zero state (at the reference, after
     the reference return).
     """
-    zeroed, place, findings = zero_in_the_zero_state(wanted, layout.nodes, capacity)
+    zeroed, place, findings = zero_in_the_zero_state(wanted, layout.points, capacity)
     if layout.shape == "single":
         zeroed = _shifted(zeroed, _offset_from_mean(zeroed, place, layout, capacity))
     return zeroed, findings
 
 
 def zero_in_the_zero_state(
-    wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity
+    wanted: WantedCorrection, points: FloatArray, capacity: Capacity
 ) -> tuple[WantedCorrection, float, tuple[Finding, ...]]:
-    """Return ``wanted`` shifted so that a table with points ``nodes`` is zero in the control's zero
-    state (at the reference, after the reference return).
+    """Return ``wanted`` shifted so that a table with points ``points`` is zero in the control's
+    zero state (at the reference, after the reference return).
 
     Also returns the position that is zero (mm or deg) and the findings about the reference. The
     reference may be outside a table whose end value the control keeps there. Then the table is zero
@@ -44,10 +44,10 @@ def zero_in_the_zero_state(
     """
     place = wanted.reference
     findings: tuple[Finding, ...] = ()
-    if not nodes[0] <= place <= nodes[-1]:
-        rule = capacity.below if place < nodes[0] else capacity.above
-        findings = (_outside(wanted, nodes, held=rule == "hold"),)
-        place = float(np.clip(place, nodes[0], nodes[-1])) if rule == "hold" else place
+    if not points[0] <= place <= points[-1]:
+        rule = capacity.below if place < points[0] else capacity.above
+        findings = (_outside(wanted, points, held=rule == "hold"),)
+        place = float(np.clip(place, points[0], points[-1])) if rule == "hold" else place
     home = wanted.total(wanted.reference_return)
     return _shifted(wanted, float(np.interp(place, wanted.positions, home))), place, findings
 
@@ -80,14 +80,14 @@ def _offset_from_mean(
     return 0.5 * (held - here)
 
 
-def _outside(wanted: WantedCorrection, nodes: FloatArray, *, held: bool) -> Finding:
+def _outside(wanted: WantedCorrection, points: FloatArray, *, held: bool) -> Finding:
     unit = wanted.kind.unit
     return Finding.of(
         "CW-F003",
         "warning",
         reference=wanted.reference,
         unit=unit,
-        start=nodes[0],
-        end=nodes[-1],
+        start=points[0],
+        end=points[-1],
         held=held,
     )

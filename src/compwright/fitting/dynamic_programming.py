@@ -12,7 +12,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from compwright.fitting.chain import ChainLimits, CurveChain
-from compwright.fitting.sparse import IntArray
+from compwright.fitting.sparse_matrices import IntArray
 from compwright.records.axis import FloatArray
 
 
@@ -71,17 +71,17 @@ def cheapest_totals(
     first, last = np.min(low, axis=0), np.max(high, axis=0)
     costs = np.empty((targets.shape[0], 0))
     came: list[IntArray] = []
-    for node in range(targets.shape[1]):
-        totals = np.arange(first[node], last[node] + 1)
-        here = totals - targets[:, node, np.newaxis]
-        own = 0.5 * chain.diagonal[node] * here**2
-        own[(totals < low[:, node, np.newaxis]) | (totals > high[:, node, np.newaxis])] = np.inf
-        if node:
+    for point in range(targets.shape[1]):
+        totals = np.arange(first[point], last[point] + 1)
+        here = totals - targets[:, point, np.newaxis]
+        own = 0.5 * chain.diagonal[point] * here**2
+        own[(totals < low[:, point, np.newaxis]) | (totals > high[:, point, np.newaxis])] = np.inf
+        if point:
             arriving, steps = _arrive(
                 chain,
                 limits,
-                node,
-                (int(first[node - 1]), int(first[node]), totals.size),
+                point,
+                (int(first[point - 1]), int(first[point]), totals.size),
                 costs,
                 here,
                 targets,
@@ -94,21 +94,23 @@ def cheapest_totals(
     least = costs[lane, index]
     found = np.empty(targets.shape, dtype=np.int64)
     found[:, -1] = first[-1] + index
-    for node in range(targets.shape[1] - 1, 0, -1):
-        found[:, node - 1] = found[:, node] - came[node - 1][lane, found[:, node] - first[node]]
+    for point in range(targets.shape[1] - 1, 0, -1):
+        found[:, point - 1] = (
+            found[:, point] - came[point - 1][lane, found[:, point] - first[point]]
+        )
     return least, found
 
 
 def _arrive(
     chain: CurveChain,
     limits: ChainLimits,
-    node: int,
+    point: int,
     window: tuple[int, int, int],
     costs: FloatArray,
     here: FloatArray,
     targets: FloatArray,
 ) -> tuple[FloatArray, IntArray]:
-    """Return the smallest cost (n, w) of each value at the point ``node``, and the increment from
+    """Return the smallest cost (n, w) of each value at the point ``point``, and the increment from
     the previous point that leads to it.
 
     ``window``: first value at the previous point, first value at this point, number w of values at
@@ -118,7 +120,7 @@ def _arrive(
     coupling term is therefore linear in d.
     """
     before, now, count = window
-    span = int(chain.span[node - 1])
+    span = int(chain.span[point - 1])
     least = max(limits.increments[0] * span, now - (before + costs.shape[1] - 1))
     largest = min(limits.increments[1] * span, now + count - 1 - before)
     number = largest - least + 1
@@ -130,7 +132,7 @@ def _arrive(
     inner = slice(max(0, start), min(costs.shape[1], start + length))
     padded[:, inner.start - start : inner.stop - start] = costs[:, inner]
     ways = sliding_window_view(padded, number, axis=1)
-    off = chain.off[node - 1]
+    off = chain.off[point - 1]
     rise = off * here
     if off != 0.0:  # steps couple nothing
         ways = ways - rise[:, :, np.newaxis] * np.arange(largest, least - 1, -1)
@@ -138,6 +140,6 @@ def _arrive(
     arriving = np.take_along_axis(ways, index[:, :, np.newaxis], axis=2)[:, :, 0]
     if off != 0.0:
         arriving = arriving + rise * (
-            here + (targets[:, node] - targets[:, node - 1])[:, np.newaxis]
+            here + (targets[:, point] - targets[:, point - 1])[:, np.newaxis]
         )
     return arriving, largest - index

@@ -46,7 +46,7 @@ from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import FittedTable, Goal, Limit, TableRequest
+from compwright.records.fitted_table import FittedTable, Goal, Limit, TableRequest
 from compwright.words.sentences import Amount, Sentence, SentenceText, say
 
 #: Natural logarithm of the evidence from which on two tables are worth it ("strong": 20 to 1; Kass
@@ -93,7 +93,7 @@ def fit_table(
     shape, why = _shape(wanted, capacity, request)
     reason = SentenceText(why)
     grid = choose_grid(wanted, capacity, request)
-    layout = _layout(grid.nodes, shape, capacity, wanted.reference_return)
+    layout = _layout(grid.points, shape, capacity, wanted.reference_return)
     aim, datum_findings = with_datum(grid.wanted, layout, capacity)
     if capacity.lattice is not None:
         fitted = whole_increment_table(
@@ -102,7 +102,7 @@ def fit_table(
         if request.goal != "expected":
             fitted = _whole_goal(request.goal, fitted, wanted, grid, layout, capacity, aim)
         return replace(fitted, findings=(*datum_findings, *fitted.findings))
-    fit = _Fit(sample_correction(aim, grid.nodes, capacity), layout, capacity, aim)
+    fit = _Fit(sample_correction(aim, grid.points, capacity), layout, capacity, aim)
     usual = fit.expected()
     best = fit.best(request.goal, wanted if wanted.scenarios else aim, usual)
     table = _rounded(best.x, fit, address, aim)
@@ -175,12 +175,14 @@ def _shape(
     return "single", say("mode.one_constant", odds=odds, strong=STRONG)
 
 
-def _layout(nodes: FloatArray, shape: Shape, capacity: Capacity, home: Direction) -> UnknownsLayout:
+def _layout(
+    points: FloatArray, shape: Shape, capacity: Capacity, home: Direction
+) -> UnknownsLayout:
     if capacity.curves == 2 and (shape == "bidirectional" or capacity.second_curve == "chosen"):
-        return UnknownsLayout(nodes=nodes, shape=shape, reversal="free", home=home)
+        return UnknownsLayout(points=points, shape=shape, reversal="free", home=home)
     if capacity.backlash_quantum is None:
-        return UnknownsLayout(nodes=nodes, shape=shape, reversal="none", home=home)
-    return UnknownsLayout(nodes=nodes, shape=shape, reversal="backlash", home=home)
+        return UnknownsLayout(points=points, shape=shape, reversal="none", home=home)
+    return UnknownsLayout(points=points, shape=shape, reversal="backlash", home=home)
 
 
 def _whole_goal(
@@ -208,7 +210,7 @@ def _whole_goal(
             ),
         )
     free = replace(capacity, lattice=None)
-    fit = _Fit(sample_correction(aim, grid.nodes, free), layout, free, aim)
+    fit = _Fit(sample_correction(aim, grid.points, free), layout, free, aim)
     wish = as_wanted(fit.best(goal, wanted, fit.expected()).x, layout, free, aim)
     mode = (usual.mode, usual.mode_reason)
     address = usual.compensation.address
@@ -278,7 +280,7 @@ class _Fit:
             self.layout, shape=shape or self.layout.shape, reversal=reversal or self.layout.reversal
         )
         aim, _ = with_datum(self.aim, layout, self.capacity)
-        data = sample_correction(aim, layout.nodes, self.capacity)
+        data = sample_correction(aim, layout.points, self.capacity)
         other = replace(self, data=data, layout=layout, aim=aim)
         return other.rms(other.expected(_BOUNDS).x)
 
@@ -288,7 +290,7 @@ _BOUNDS: Final = ("value range", "backlash range")
 
 def _rounded(x: FloatArray, fit: _Fit, address: str, wanted: WantedCorrection) -> AxisCompensation:
     layout, capacity = fit.layout, fit.capacity
-    k, home = layout.nodes.size, layout.home
+    k, home = layout.points.size, layout.home
     low, high = limited_range(capacity)
     if capacity.period is not None:  # equal but for dust: so that both are rounded the same way
         x = x.copy()
@@ -318,7 +320,7 @@ def _rounded(x: FloatArray, fit: _Fit, address: str, wanted: WantedCorrection) -
     return AxisCompensation(
         address=address,
         kind=wanted.kind,
-        positions=layout.nodes,
+        positions=layout.points,
         positive=positive,
         negative=negative,
         backlash=backlash,
@@ -378,6 +380,6 @@ def _limits(
 
 def _rounding_error(table: AxisCompensation, x: FloatArray, layout: UnknownsLayout) -> float:
     """Return the largest change of a table value (not of the backlash) by rounding, mm or deg."""
-    k = layout.nodes.size
+    k = layout.points.size
     values = 2 * k if layout.shape == "bidirectional" else k
     return float(np.max(np.abs(_as_unknowns(table, layout)[:values] - x[:values])))

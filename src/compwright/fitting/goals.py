@@ -19,7 +19,7 @@ import numpy as np
 
 from compwright.fitting.mean_range import Deviations, product, solve_ranges
 from compwright.fitting.problem import BOTH, QuadraticProblem, UnknownsLayout, bends, hat_matrix
-from compwright.fitting.sparse import (
+from compwright.fitting.sparse_matrices import (
     IntArray,
     SparseMatrix,
     from_dense,
@@ -98,13 +98,13 @@ def _smooth_changes(layout: UnknownsLayout) -> SparseMatrix:
     alone, because the simulated tests may not limit such a change. There may be no simulated target
     near the point, or only targets where a large change of the point has little effect.
     """
-    nodes = layout.nodes
-    k = nodes.size
+    points = layout.points
+    k = points.size
     few = min(k, _KNOTS)
     curve = (
         identity(k)
         if few == k
-        else hat_matrix(nodes, np.linspace(nodes[0], nodes[-1], few), below="hold", above="hold")
+        else hat_matrix(points, np.linspace(points[0], points[-1], few), below="hold", above="hold")
     )
     blocks = [curve]
     if layout.shape == "bidirectional":
@@ -168,12 +168,12 @@ def as_wanted(
 
     The form allows a table of whole increments to be fitted to this correction.
     """
-    nodes, where = layout.nodes, wanted.positions
-    inside = nodes[(nodes > where[0]) & (nodes < where[-1])]
+    points, where = layout.points, wanted.positions
+    inside = points[(points > where[0]) & (points < where[-1])]
     samples = np.union1d(where, inside)
     table = hat_matrix(
         samples,
-        nodes,
+        points,
         below=capacity.below,
         above=capacity.above,
         interpolation=capacity.interpolation,
@@ -217,7 +217,7 @@ def _of_scenarios(
         folded = wanted.reference + np.mod(where - wanted.reference, capacity.period)
     table = hat_matrix(
         folded,
-        layout.nodes,
+        layout.points,
         below=capacity.below,
         above=capacity.above,
         interpolation=capacity.interpolation,
@@ -243,15 +243,15 @@ def _of_the_mean(
 
     Where the control's correction has a step, the values on both sides of the step count.
     """
-    nodes, where, rule = layout.nodes, wanted.positions, capacity.interpolation
-    inside = nodes[(nodes >= where[0]) & (nodes <= where[-1])]
+    points, where, rule = layout.points, wanted.positions, capacity.interpolation
+    inside = points[(points >= where[0]) & (points <= where[-1])]
     samples = np.union1d(where, inside)
     if rule == "step":
-        midpoints = bends(nodes, rule)[1:-1]
+        midpoints = bends(points, rule)[1:-1]
         within = midpoints[(midpoints > where[0]) & (midpoints < where[-1])]
         samples = np.union1d(samples, np.concatenate([within, np.nextafter(within, -np.inf)]))
     table = hat_matrix(
-        samples, nodes, below=capacity.below, above=capacity.above, interpolation=rule
+        samples, points, below=capacity.below, above=capacity.above, interpolation=rule
     )
     nothing = np.zeros(samples.size)
     parts = [

@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from compwright.fitting.automatic_grid import candidates_over, choose_candidate, most_points
-from compwright.fitting.existing_grid import close_node_findings, existing_nodes
+from compwright.fitting.existing_grid import close_point_findings, existing_points
 from compwright.fitting.grid_steps import GridCandidate, is_whole
 from compwright.fitting.reference_grids import reference_grids
 from compwright.fitting.requested_spacing import Span, requested_grid
@@ -20,7 +20,7 @@ from compwright.foundations.errors import CapacityError, Fault, UsageError, rais
 from compwright.records.axis import FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import TableRequest
+from compwright.records.fitted_table import TableRequest
 
 
 def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -> HeldGrid:
@@ -41,24 +41,24 @@ def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
                 hint="give a positive `table: {spacing: ...}`",
             )
         )
-    if capacity.nodes is not None:
+    if capacity.points is not None:
         return held_grid(
-            _given_nodes(np.array(capacity.nodes), request, wanted.kind.unit), wanted, capacity
+            _given_points(np.array(capacity.points), request, wanted.kind.unit), wanted, capacity
         )
     _check_order(wanted, request)
-    kept_nodes = existing_nodes(wanted, capacity, request)
-    if kept_nodes is not None:
-        return _kept(kept_nodes, capacity, wanted)
+    kept_points = existing_points(wanted, capacity, request)
+    if kept_points is not None:
+        return _kept(kept_points, capacity, wanted)
     if capacity.anchored or capacity.period is not None:
         grids = reference_grids(wanted, capacity, request, most_points(capacity))
         if spacing is not None:
-            return held_grid(grids[0].nodes(capacity.position_quantum), wanted, capacity)
+            return held_grid(grids[0].points(capacity.position_quantum), wanted, capacity)
         ends = (float(wanted.positions[0]), float(wanted.positions[-1]))
         return choose_candidate(grids, [], ends, capacity, wanted)
     span = _span(wanted, capacity, request)
     if spacing is not None:
-        nodes = requested_grid(span, spacing, capacity, wanted)
-        return held_grid(nodes, wanted, capacity)
+        points = requested_grid(span, spacing, capacity, wanted)
+        return held_grid(points, wanted, capacity)
     pool, others = candidates_over(span, capacity, wanted, most_points(capacity))
     ends = (span.low * capacity.position_quantum, span.high * capacity.position_quantum)
     return _covering(choose_candidate(pool, others, ends, capacity, wanted), span, capacity)
@@ -82,17 +82,17 @@ def possible_grids(
     by_count: dict[int, GridCandidate] = {}
     for one in grids:
         by_count.setdefault(one.count, one)
-    return [by_count[count].nodes(capacity.position_quantum) for count in sorted(by_count)]
+    return [by_count[count].points(capacity.position_quantum) for count in sorted(by_count)]
 
 
-def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatArray:
-    """Return ``nodes``, the table points of a control whose points must not change. Raises
+def _given_points(points: FloatArray, request: TableRequest, unit: str) -> FloatArray:
+    """Return ``points``, the table points of a control whose points must not change. Raises
     CapacityError if the job states different points.
     """
-    step = float(np.max(np.diff(nodes)))
+    step = float(np.max(np.diff(points)))
     requested = (
-        ("start", request.start, float(nodes[0])),
-        ("end", request.end, float(nodes[-1])),
+        ("start", request.start, float(points[0])),
+        ("end", request.end, float(points[-1])),
         ("spacing", request.named_spacing, step),
     )
     raise_all(
@@ -112,12 +112,12 @@ def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatAr
             if given is not None and abs(given - there) > 1e-6
         ],
     )
-    return nodes
+    return points
 
 
-def _kept(nodes: FloatArray, capacity: Capacity, wanted: WantedCorrection) -> HeldGrid:
-    grid = held_grid(nodes, wanted, capacity)
-    findings = (*grid.findings, *close_node_findings(nodes, capacity, wanted.kind.unit))
+def _kept(points: FloatArray, capacity: Capacity, wanted: WantedCorrection) -> HeldGrid:
+    grid = held_grid(points, wanted, capacity)
+    findings = (*grid.findings, *close_point_findings(points, capacity, wanted.kind.unit))
     return replace(grid, findings=findings, kept=True)
 
 
@@ -125,20 +125,20 @@ def _covering(grid: HeldGrid, span: Span, capacity: Capacity) -> HeldGrid:
     """Return the grid extended beyond the travel by as many intervals as the control needs, except
     at ends stated in the job.
     """
-    nodes = grid.nodes
+    points = grid.points
     below = 0 if span.low_fixed else capacity.cover
     above = 0 if span.high_fixed else capacity.cover
-    if not below + above or nodes.size + below + above > most_points(capacity):
+    if not below + above or points.size + below + above > most_points(capacity):
         return grid
-    first, last = float(nodes[1] - nodes[0]), float(nodes[-1] - nodes[-2])
+    first, last = float(points[1] - points[0]), float(points[-1] - points[-2])
     reaching = np.concatenate(
         [
-            nodes[0] - first * np.arange(below, 0, -1),
-            nodes,
-            nodes[-1] + last * np.arange(1, above + 1),
+            points[0] - first * np.arange(below, 0, -1),
+            points,
+            points[-1] + last * np.arange(1, above + 1),
         ]
     )
-    return replace(grid, nodes=np.round(reaching, 10))
+    return replace(grid, points=np.round(reaching, 10))
 
 
 def _check_order(wanted: WantedCorrection, request: TableRequest) -> tuple[float, float]:

@@ -20,7 +20,7 @@ from compwright.records.estimate import WantedCorrection
 NOISE_SHARE: Final = 0.1
 
 
-def good_enough(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> bool:
+def good_enough(points: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> bool:
     """Return whether table points are close enough: the interpolation error is at most the
     control's resolution or a share of the noise, and the control's increments can follow the
     correction.
@@ -34,28 +34,32 @@ def good_enough(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity)
         capacity.quantum / np.sqrt(12.0) if capacity.interpolation == "step" else capacity.quantum
     )
     tolerance = max(resolution, NOISE_SHARE * wanted.noise)
-    return grid_loss(nodes, wanted, capacity.interpolation) <= tolerance and _climbs(
-        nodes, wanted, capacity
+    return grid_loss(points, wanted, capacity.interpolation) <= tolerance and _climbs(
+        points, wanted, capacity
     )
 
 
-def _climbs(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> bool:
+def _climbs(points: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> bool:
     """Return whether the control's increments at the smallest magnification can follow the wanted
     correction.
     """
     lattice = capacity.lattice
     return (
-        lattice is None or magnification_needed(nodes, wanted, lattice) <= lattice.magnifications[0]
+        lattice is None
+        or magnification_needed(points, wanted, lattice) <= lattice.magnifications[0]
     )
 
 
-def magnification_needed(nodes: FloatArray, wanted: WantedCorrection, lattice: Lattice) -> float:
+def magnification_needed(points: FloatArray, wanted: WantedCorrection, lattice: Lattice) -> float:
     """Return the smallest magnification (a real number) at which the increments are large enough
     for each change of the wanted correction between neighbouring table points.
     """
     least, largest = (limit * lattice.unit for limit in lattice.increments)
     steps = np.concatenate(
-        [np.diff(np.interp(nodes, wanted.positions, wanted.total(direction))) for direction in BOTH]
+        [
+            np.diff(np.interp(points, wanted.positions, wanted.total(direction)))
+            for direction in BOTH
+        ]
     )
     up, down = float(np.max(steps, initial=0.0)), float(np.min(steps, initial=0.0))
     nothing_up, nothing_down = (np.inf if up > 0.0 else 0.0), (np.inf if down < 0.0 else 0.0)
@@ -64,17 +68,17 @@ def magnification_needed(nodes: FloatArray, wanted: WantedCorrection, lattice: L
     )
 
 
-def grid_loss(nodes: FloatArray, wanted: WantedCorrection, interpolation: Interpolation) -> float:
+def grid_loss(points: FloatArray, wanted: WantedCorrection, interpolation: Interpolation) -> float:
     """Return the rms interpolation error between table points over both directions, mm or deg.
 
     The error is the wanted correction minus its interpolation between the points (de Boor 1978,
     chapter III).
     """
     where = wanted.positions
-    rows = rows_at(where, nodes, below="hold", above="hold", interpolation=interpolation)
+    rows = rows_at(where, points, below="hold", above="hold", interpolation=interpolation)
     square = []
     for curve in (wanted.total(direction) for direction in BOTH):
-        values = np.interp(nodes, where, curve)
+        values = np.interp(points, where, curve)
         held = rows.lower * values[rows.left] + rows.upper * values[rows.left + 1]
         square.append(np.mean((held - curve) ** 2))
     return float(np.sqrt(np.mean(square)))

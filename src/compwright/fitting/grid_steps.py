@@ -20,15 +20,15 @@ def is_whole(ratio: float) -> bool:
     return abs(ratio - round(ratio)) <= 1e-6 * max(1.0, abs(ratio) * 1e-3)
 
 
-def nodes_at(start: int, step: int, count: int, quantum: float, origin: float = 0.0) -> FloatArray:
+def points_at(start: int, step: int, count: int, quantum: float, origin: float = 0.0) -> FloatArray:
     """Return table points (count,), mm or deg: ``origin`` plus multiples of ``quantum``, with
     ``start`` and ``step`` in units of ``quantum``.
     """
     # Rounded to 10 decimals: the number that a file says, not the product's last bits.
-    nodes: FloatArray = np.round(
+    points: FloatArray = np.round(
         origin + (start + step * np.arange(count, dtype=np.int64)) * quantum, 10
     )
-    return nodes
+    return points
 
 
 def round_steps(most: int) -> list[int]:
@@ -75,12 +75,12 @@ class GridCandidate:
     last: int | None = None
     origin: float = 0.0
 
-    def nodes(self, quantum: float) -> FloatArray:
+    def points(self, quantum: float) -> FloatArray:
         """Return the table points (count,), mm or deg."""
-        nodes = nodes_at(self.start, self.step, self.count, quantum, self.origin)
+        points = points_at(self.start, self.step, self.count, quantum, self.origin)
         if self.last is not None:
-            nodes[-1] = np.round(self.last * quantum, 10)
-        return nodes
+            points[-1] = np.round(self.last * quantum, 10)
+        return points
 
     def digits(self, quantum: float) -> int:
         """Return the number of digits of the interval, such as one for 50 and five for 53.125."""

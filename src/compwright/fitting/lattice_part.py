@@ -31,7 +31,7 @@ from compwright.fitting.chain import (
     Relaxation,
 )
 from compwright.fitting.dynamic_programming import cheapest_totals, closed_lanes, reachable_windows
-from compwright.fitting.sparse import IntArray
+from compwright.fitting.sparse_matrices import IntArray
 from compwright.records.axis import FloatArray
 
 #: Slack of windows against rounding errors, in steps and as a share of U.
@@ -299,12 +299,14 @@ def _swept(chain: CurveChain, limits: ChainLimits, totals: FloatArray, anchor: i
     least, largest = (end * chain.span for end in limits.increments)
     if np.all((np.diff(totals) >= least) & (np.diff(totals) <= largest)):
         return totals
-    for node in range(anchor + 1, totals.size):
-        before = totals[node - 1]
-        totals[node] = min(max(totals[node], before + least[node - 1]), before + largest[node - 1])
-    for node in range(anchor - 1, -1, -1):
-        after = totals[node + 1]
-        totals[node] = min(max(totals[node], after - largest[node]), after - least[node])
+    for point in range(anchor + 1, totals.size):
+        before = totals[point - 1]
+        totals[point] = min(
+            max(totals[point], before + least[point - 1]), before + largest[point - 1]
+        )
+    for point in range(anchor - 1, -1, -1):
+        after = totals[point + 1]
+        totals[point] = min(max(totals[point], after - largest[point]), after - least[point])
     return totals
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from compwright.fitting.certify import range_gap
 from compwright.fitting.problem import QuadraticProblem
 from compwright.fitting.solve import by_columns, no_solution
-from compwright.fitting.sparse import (
+from compwright.fitting.sparse_matrices import (
     IntArray,
     SparseMatrix,
     from_dense,

@@ -13,7 +13,7 @@ from typing import Final, Literal
 
 import numpy as np
 
-from compwright.fitting.sparse import (
+from compwright.fitting.sparse_matrices import (
     IntArray,
     SparseMatrix,
     differences,
@@ -28,8 +28,8 @@ from compwright.records.estimate import WantedCorrection
 
 Shape = Literal["single", "bidirectional"]
 BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
-#: Weight of the differences of neighbouring values against the fit: decides only nodes that no part
-#: of the travel sees.
+#: Weight of the differences of neighbouring values against the fit: decides only points that no
+#: part of the travel sees.
 TIE: Final = 1e-10
 
 
@@ -46,32 +46,32 @@ class Rows:
 
 def rows_at(
     positions: FloatArray,
-    nodes: FloatArray,
+    points: FloatArray,
     *,
     below: Beyond,
     above: Beyond,
     interpolation: Interpolation = "linear",
 ) -> Rows:
     """Return the interpolation weights at ``positions`` (p,) between ascending table points
-    ``nodes`` (k,), k >= 2. ``below``, ``above``: whether the correction beyond this end of the
+    ``points`` (k,), k >= 2. ``below``, ``above``: whether the correction beyond this end of the
     table keeps the end value or is zero.
 
     ``interpolation`` ``linear``: straight lines (de Boor, A Practical Guide to Splines, 1978,
     chapter III). ``step``: the value of the nearest point. Exactly in the middle between two
     points, the value of the upper point applies, as in the record `AxisCompensation`.
     """
-    right = np.clip(np.searchsorted(nodes, positions, side="right"), 1, nodes.size - 1)
+    right = np.clip(np.searchsorted(points, positions, side="right"), 1, points.size - 1)
     if interpolation == "step":
-        share = np.where(positions >= 0.5 * (nodes[right - 1] + nodes[right]), 1.0, 0.0)
+        share = np.where(positions >= 0.5 * (points[right - 1] + points[right]), 1.0, 0.0)
     else:
         share = np.clip(
-            (positions - nodes[right - 1]) / (nodes[right] - nodes[right - 1]), 0.0, 1.0
+            (positions - points[right - 1]) / (points[right] - points[right - 1]), 0.0, 1.0
         )
     outside = np.zeros(positions.shape, dtype=bool)
     if below == "zero":
-        outside |= positions < nodes[0]
+        outside |= positions < points[0]
     if above == "zero":
-        outside |= positions > nodes[-1]
+        outside |= positions > points[-1]
     return Rows(
         left=right - 1,
         lower=np.where(outside, 0.0, 1.0 - share),
@@ -81,40 +81,40 @@ def rows_at(
 
 def hat_matrix(
     positions: FloatArray,
-    nodes: FloatArray,
+    points: FloatArray,
     *,
     below: Beyond,
     above: Beyond,
     interpolation: Interpolation = "linear",
 ) -> SparseMatrix:
-    """Return the matrix (p, k) from table values at ``nodes`` (k,) to the control's correction at
+    """Return the matrix (p, k) from table values at ``points`` (k,) to the control's correction at
     ``positions`` (p,), made of hat functions (de Boor 1978, chapter III). ``below``, ``above``:
     whether the correction beyond this end of the table keeps the end value or is zero.
     """
-    rows = rows_at(positions, nodes, below=below, above=above, interpolation=interpolation)
+    rows = rows_at(positions, points, below=below, above=above, interpolation=interpolation)
     value = np.column_stack([rows.lower, rows.upper]).ravel()
     kept = value != 0.0
     return SparseMatrix(
-        shape=(positions.size, nodes.size),
+        shape=(positions.size, points.size),
         row=np.repeat(np.arange(positions.size), 2)[kept],
         column=np.column_stack([rows.left, rows.left + 1]).ravel()[kept],
         value=value[kept],
     )
 
 
-def bends(nodes: FloatArray, interpolation: Interpolation) -> FloatArray:
-    """Return the positions where the control's curve through points ``nodes`` (k,) bends or jumps.
+def bends(points: FloatArray, interpolation: Interpolation) -> FloatArray:
+    """Return the positions where the control's curve through points ``points`` (k,) bends or jumps.
 
     With linear interpolation these are the table points (k,). With steps they are the midpoints and
     the two ends (k + 1,).
     """
     if interpolation == "linear":
-        return nodes
-    return np.concatenate([nodes[:1], 0.5 * (nodes[1:] + nodes[:-1]), nodes[-1:]])
+        return points
+    return np.concatenate([points[:1], 0.5 * (points[1:] + points[:-1]), points[-1:]])
 
 
 def quadrature(
-    positions: FloatArray, nodes: FloatArray, interpolation: Interpolation = "linear"
+    positions: FloatArray, points: FloatArray, interpolation: Interpolation = "linear"
 ) -> tuple[FloatArray, FloatArray]:
     """Return points (q,) and weights (q,) with sum 1 that compute the mean over the travel, from
     the first to the last of ``positions``.
@@ -123,7 +123,7 @@ def quadrature(
     sqrt(3) (Abramowitz and Stegun, Handbook of Mathematical Functions, 1964, table 25.4). They are
     exact for the squared difference of two piecewise straight curves.
     """
-    breaks = bends(nodes, interpolation)
+    breaks = bends(points, interpolation)
     inside = breaks[(breaks > positions[0]) & (breaks < positions[-1])]
     ends = np.union1d(positions, inside)
     middle, half = 0.5 * (ends[1:] + ends[:-1]), 0.5 * np.diff(ends)
@@ -137,12 +137,12 @@ class UnknownsLayout:
     """The order of the unknowns: the table values of the reference-return direction, then the table
     values of the other direction or one constant difference.
 
-    ``nodes`` (k,): table points, mm or deg. ``home``: the reference-return direction. ``reversal``:
-    how the control can hold the constant difference: ``free`` (two tables), ``backlash`` (backlash
-    value), or ``none``.
+    ``points`` (k,): table points, mm or deg. ``home``: the reference-return direction.
+    ``reversal``: how the control can hold the constant difference: ``free`` (two tables),
+    ``backlash`` (backlash value), or ``none``.
     """
 
-    nodes: FloatArray
+    points: FloatArray
     shape: Shape
     reversal: Literal["free", "backlash", "none"]
     home: Direction
@@ -151,14 +151,14 @@ class UnknownsLayout:
     def size(self) -> int:
         """The number of unknowns of the optimisation."""
         if self.shape == "bidirectional":
-            return 2 * self.nodes.size
-        return self.nodes.size + (0 if self.reversal == "none" else 1)
+            return 2 * self.points.size
+        return self.points.size + (0 if self.reversal == "none" else 1)
 
     def columns(self, matrix: SparseMatrix, direction: Direction) -> SparseMatrix:
         """Return the matrix (p, size) that computes the correction in ``direction`` from all
         unknowns.
         """
-        k, shape = self.nodes.size, (matrix.shape[0], self.size)
+        k, shape = self.points.size, (matrix.shape[0], self.size)
         if self.shape == "bidirectional":
             return matrix.placed(shape, column=0 if direction is self.home else k)
         own = matrix.placed(shape)
@@ -217,16 +217,16 @@ class SampledCorrection:
 
 
 def sample_correction(
-    wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity
+    wanted: WantedCorrection, points: FloatArray, capacity: Capacity
 ) -> SampledCorrection:
     """Return ``wanted`` at the quadrature points of the travel (`quadrature`), mm or deg."""
-    samples, weights = quadrature(wanted.positions, nodes, capacity.interpolation)
+    samples, weights = quadrature(wanted.positions, points, capacity.interpolation)
     return SampledCorrection(
         samples=samples,
         weights=weights,
         matrix=hat_matrix(
             samples,
-            nodes,
+            points,
             below=capacity.below,
             above=capacity.above,
             interpolation=capacity.interpolation,
@@ -284,7 +284,7 @@ def build_problem(
 def _objective(
     data: SampledCorrection, layout: UnknownsLayout
 ) -> tuple[SparseMatrix, FloatArray, float]:
-    k = layout.nodes.size
+    k = layout.points.size
     square = (layout.size, layout.size)
     tie = differences(k).gram(np.full(k - 1, TIE / k))
     parts = [tie.placed(square)]
@@ -305,10 +305,10 @@ def _limits(
     """Return each group of limits as name, matrix, lower and upper bound: ``reference`` and
     ``period`` (equalities), ``value range``, ``backlash range``.
     """
-    k = layout.nodes.size
+    k = layout.points.size
     at_reference = hat_matrix(
         np.array([reference]),
-        layout.nodes,
+        layout.points,
         below=capacity.below,
         above=capacity.above,
         interpolation=capacity.interpolation,

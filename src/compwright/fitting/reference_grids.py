@@ -12,7 +12,7 @@ from compwright.fitting.grid_steps import GridCandidate, allowed_steps, is_whole
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import TableRequest
+from compwright.records.fitted_table import TableRequest
 
 
 def reference_grids(

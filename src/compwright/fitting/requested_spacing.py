@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from compwright.fitting.grid_steps import allowed_steps, is_whole, nodes_at
+from compwright.fitting.grid_steps import allowed_steps, is_whole, points_at
 from compwright.fitting.reference_grids import requested_step
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.records.axis import FloatArray
@@ -56,7 +56,7 @@ def requested_grid(
         )
     requested_step(spacing, capacity, unit)
     _check_count(length // step + 1, span, capacity, unit)
-    return nodes_at(span.low, step, length // step + 1, quantum)
+    return points_at(span.low, step, length // step + 1, quantum)
 
 
 def _reaching_grid(
@@ -78,7 +78,7 @@ def _reaching_grid(
     start = anchor - -(-(anchor - span.low) // step) * step
     count = -(-(span.high - start) // step) + 1
     _check_count(count, span, capacity, wanted.kind.unit)
-    return nodes_at(start, step, count, capacity.position_quantum)
+    return points_at(start, step, count, capacity.position_quantum)
 
 
 def _freely_spaced(span: Span, spacing: float, capacity: Capacity, unit: str) -> FloatArray:
@@ -93,8 +93,8 @@ def _freely_spaced(span: Span, spacing: float, capacity: Capacity, unit: str) ->
     counts = span.low + np.round(np.arange(sections + 1) * (spacing / quantum)).astype(np.int64)
     counts[-1] = span.high
     counts = np.unique(counts)  # a last section shorter than the control can say is none
-    nodes: FloatArray = np.round(counts * quantum, 10)
-    return nodes
+    points: FloatArray = np.round(counts * quantum, 10)
+    return points
 
 
 def _check_count(count: int, span: Span, capacity: Capacity, unit: str) -> None:

@@ -14,7 +14,7 @@ import numpy as np
 
 from compwright.fitting.certify import certificate
 from compwright.fitting.problem import TIE, QuadraticProblem
-from compwright.fitting.sparse import (
+from compwright.fitting.sparse_matrices import (
     BoolArray,
     SparseMatrix,
     differences,

@@ -18,7 +18,7 @@ from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import FittedTable, Limit, TableRequest
+from compwright.records.fitted_table import FittedTable, Limit, TableRequest
 from compwright.words.sentences import SentenceText, say
 
 _HAIR: Final = 1e-6

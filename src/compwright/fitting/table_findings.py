@@ -14,7 +14,7 @@ from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import Limit
+from compwright.records.fitted_table import Limit
 from compwright.records.rounding import rounded_number
 from compwright.words.sentences import Amount
 
@@ -63,10 +63,10 @@ def edge_findings(
     """
     if table.period is not None:
         return ()
-    unit, nodes, where = wanted.kind.unit, table.positions, wanted.positions
+    unit, points, where = wanted.kind.unit, table.positions, wanted.positions
     factor, name_small = display_unit(wanted.kind)
     hair = 1e-6 * float(where[-1] - where[0])
-    ends = bends(nodes, table.interpolation)[[0, -1]]
+    ends = bends(points, table.interpolation)[[0, -1]]
     findings: list[Finding] = []
     for name, rule, uncovered, edge in (
         ("below", table.below, ends[0] - where[0], 0),
@@ -81,14 +81,14 @@ def edge_findings(
                     uncovered=uncovered,
                     unit=unit,
                     side=name,
-                    end=nodes[edge],
+                    end=points[edge],
                     step=Amount(step * factor, name_small, "3sig"),
                 )
             )
     if kept:
         return tuple(findings)
-    beyond = max(float(where[0] - nodes[0]), float(nodes[-1] - where[-1]))
-    extra = int(np.count_nonzero((nodes < where[0] - hair) | (nodes > where[-1] + hair)))
+    beyond = max(float(where[0] - points[0]), float(points[-1] - where[-1]))
+    extra = int(np.count_nonzero((points < where[0] - hair) | (points > where[-1] + hair)))
     if (
         beyond > hair
         and not where[0] - hair <= wanted.reference <= where[-1] + hair
@@ -101,7 +101,7 @@ def edge_findings(
                 reference=wanted.reference,
                 unit=unit,
                 extra=extra,
-                nodes_size=nodes.size,
+                nodes_size=points.size,
             )
         )
     elif beyond > hair:

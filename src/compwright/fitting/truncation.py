@@ -17,7 +17,7 @@ from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import Direction
 from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import FittedTable
+from compwright.records.fitted_table import FittedTable
 
 #: What is cut off, in quanta or noises of a reading (rms), from which on nothing is fitted.
 _FAR: Final = 2.0

@@ -18,7 +18,7 @@ import numpy as np
 from compwright.fitting.period_removal import without_periods
 from compwright.fitting.problem import hat_matrix, sample_correction
 from compwright.fitting.solve import least_squares
-from compwright.fitting.sparse import from_entries
+from compwright.fitting.sparse_matrices import from_entries
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
@@ -27,7 +27,7 @@ from compwright.words.sentences import Amount
 
 #: A period is held from three points per period on (25 % of its rms is left then).
 _HOLD: Final = 3.0
-#: With two points per period nodes follow it in part (module docstring).
+#: With two points per period points follow it in part (module docstring).
 _FOLLOW: Final = 2.0
 
 
@@ -35,13 +35,13 @@ _FOLLOW: Final = 2.0
 class HeldGrid:
     """Table points together with the correction that is fitted on them.
 
-    ``nodes`` (k,): table points, mm or deg. ``wanted``: the correction with only the part of short
+    ``points`` (k,): table points, mm or deg. ``wanted``: the correction with only the part of short
     periods that the points can follow. ``left_out``: rms of the other part of the short periods.
     ``points_loss``: rms that more points would remove; 0 if the number of points is not the limit.
     ``kept``: the points are the control's existing ones.
     """
 
-    nodes: FloatArray
+    points: FloatArray
     wanted: WantedCorrection
     left_out: float = 0.0
     points_loss: float = 0.0
@@ -49,48 +49,48 @@ class HeldGrid:
     kept: bool = False
 
 
-def unresolved_periods(nodes: FloatArray, periods: Sequence[float]) -> list[float]:
-    """Return ``periods`` (mm or deg) that points ``nodes`` (k,) cannot reproduce completely."""
-    return _longer_than(nodes, periods, _HOLD)
+def unresolved_periods(points: FloatArray, periods: Sequence[float]) -> list[float]:
+    """Return ``periods`` (mm or deg) that points ``points`` (k,) cannot reproduce completely."""
+    return _longer_than(points, periods, _HOLD)
 
 
-def ignored_periods(nodes: FloatArray, periods: Sequence[float]) -> list[float]:
-    """Return ``periods`` (mm or deg) that points ``nodes`` (k,) cannot reproduce at all."""
-    return _longer_than(nodes, periods, _FOLLOW)
+def ignored_periods(points: FloatArray, periods: Sequence[float]) -> list[float]:
+    """Return ``periods`` (mm or deg) that points ``points`` (k,) cannot reproduce at all."""
+    return _longer_than(points, periods, _FOLLOW)
 
 
-def _longer_than(nodes: FloatArray, periods: Sequence[float], least: float) -> list[float]:
-    step = float(np.max(np.diff(nodes))) if nodes.size > 1 else np.inf
+def _longer_than(points: FloatArray, periods: Sequence[float], least: float) -> list[float]:
+    step = float(np.max(np.diff(points))) if points.size > 1 else np.inf
     return [period for period in periods if step * least > period * (1 + 1e-9)]
 
 
 def resolved_part(
-    nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity
+    points: FloatArray, wanted: WantedCorrection, capacity: Capacity
 ) -> WantedCorrection:
     """Return ``wanted`` (mm or deg) with only that part of short periods that the table points
-    ``nodes`` (k,) can reproduce.
+    ``points`` (k,) can reproduce.
 
     This part leaves the smallest mean square over the travel (Draper and Smith, Applied Regression
     Analysis, 3rd ed. 1998, chapter 1). It is zero for periods that the points cannot follow at all.
     """
-    lost = unresolved_periods(nodes, wanted.periods)
+    lost = unresolved_periods(points, wanted.periods)
     if not lost:
         return wanted
     smooth = without_periods(wanted, lost)[0]
-    out = ignored_periods(nodes, lost)
+    out = ignored_periods(points, lost)
     if len(out) == len(lost):
         return smooth
     followed = without_periods(wanted, out)[0] if out else wanted
-    values = _projected(nodes, wanted, followed.positive - smooth.positive, capacity)
-    # What the nodes hold bends at them.
-    inside = nodes[(nodes > wanted.positions[0]) & (nodes < wanted.positions[-1])]
+    values = _projected(points, wanted, followed.positive - smooth.positive, capacity)
+    # What the points hold bends at them.
+    inside = points[(points > wanted.positions[0]) & (points < wanted.positions[-1])]
     nearest = np.abs(inside[:, None] - _neighbours(wanted.positions, inside)).min(axis=1)
-    apart = 1e-6 * float(np.max(np.diff(nodes)))
+    apart = 1e-6 * float(np.max(np.diff(points)))
     where = np.union1d(wanted.positions, inside[nearest > apart])
     held = (
         hat_matrix(
             where,
-            nodes,
+            points,
             below=capacity.below,
             above=capacity.above,
             interpolation=capacity.interpolation,
@@ -106,21 +106,21 @@ def resolved_part(
 
 
 def _projected(
-    nodes: FloatArray, wanted: WantedCorrection, wave: FloatArray, capacity: Capacity
+    points: FloatArray, wanted: WantedCorrection, wave: FloatArray, capacity: Capacity
 ) -> FloatArray:
-    """Return the table values (k,) at ``nodes`` that approximate a ``wave`` (g,) best, mm or deg.
+    """Return the table values (k,) at ``points`` that approximate a ``wave`` (g,) best, mm or deg.
 
     The wave is given at the positions of ``wanted``. On an endless axis the first and the last
     value are equal.
     """
-    data = sample_correction(replace(wanted, positive=wave, negative=wave), nodes, capacity)
-    matrix, free = data.matrix, nodes.size
+    data = sample_correction(replace(wanted, positive=wave, negative=wave), points, capacity)
+    matrix, free = data.matrix, points.size
     if capacity.period is not None:
         free -= 1
         shape = (matrix.shape[0], free)
         matrix = from_entries(shape, matrix.row, matrix.column % free, matrix.value)
     values = least_squares(matrix, data.weights, data.wanted[Direction.POSITIVE])
-    return values[np.arange(nodes.size) % free]
+    return values[np.arange(points.size) % free]
 
 
 def _neighbours(positions: FloatArray, places: FloatArray) -> FloatArray:
@@ -130,41 +130,41 @@ def _neighbours(positions: FloatArray, places: FloatArray) -> FloatArray:
 
 
 def held_grid(
-    nodes: FloatArray,
+    points: FloatArray,
     wanted: WantedCorrection,
     capacity: Capacity,
     *,
     loss: float = 0.0,
     finest: FloatArray | None = None,
 ) -> HeldGrid:
-    """Return the table points ``nodes`` with the correction that they can reproduce, and a finding
+    """Return the table points ``points`` with the correction that they can reproduce, and a finding
     about short periods that they cannot reproduce. ``loss``: rms error that more points would
     remove; ``finest``: the closest points that the control allows, if the finding is to state them.
     """
-    lost = unresolved_periods(nodes, wanted.periods)
+    lost = unresolved_periods(points, wanted.periods)
     if not lost:
-        return HeldGrid(nodes=nodes, wanted=wanted, points_loss=loss)
-    held = resolved_part(nodes, wanted, capacity)
+        return HeldGrid(points=points, wanted=wanted, points_loss=loss)
+    held = resolved_part(points, wanted, capacity)
     whole = without_periods(wanted, lost)[1]
     rest = wanted.positive - np.interp(wanted.positions, held.positions, held.positive)
     left = float(np.sqrt(np.mean(rest**2)))
-    found = _finding(nodes, wanted, capacity, (left, whole), finest)
-    return HeldGrid(nodes=nodes, wanted=held, left_out=left, points_loss=loss, findings=(found,))
+    found = _finding(points, wanted, capacity, (left, whole), finest)
+    return HeldGrid(points=points, wanted=held, left_out=left, points_loss=loss, findings=(found,))
 
 
 def _finding(
-    nodes: FloatArray,
+    points: FloatArray,
     wanted: WantedCorrection,
     capacity: Capacity,
     rms: tuple[float, float],
     finest: FloatArray | None,
 ) -> Finding:
-    """Return the finding about short periods that a table with points ``nodes`` cannot reproduce.
+    """Return the finding about short periods that a table with points ``points`` cannot reproduce.
     ``rms`` (mm or deg): of what the table leaves of these periods, and of all of them; ``finest``:
-    the closest points that the control allows, if they are stated instead of ``nodes``.
+    the closest points that the control allows, if they are stated instead of ``points``.
     """
-    shown = nodes if finest is None else finest
-    lost = unresolved_periods(nodes, wanted.periods)
+    shown = points if finest is None else finest
+    lost = unresolved_periods(points, wanted.periods)
     unit = wanted.kind.unit
     factor, small = (1e3, "µm") if unit == "mm" else (3600.0, "arcsec")
     left, whole = rms
@@ -179,7 +179,7 @@ def _finding(
         points=shown.size,
         periods=lost,
         unit=unit,
-        left_out=len(ignored_periods(nodes, lost)) == len(lost),
+        left_out=len(ignored_periods(points, lost)) == len(lost),
         whole=Amount(whole * factor, small, "2sig"),
         left=Amount(left * factor, small, "2sig"),
         share=left / whole if whole > 0.0 else None,

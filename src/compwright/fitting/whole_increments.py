@@ -35,7 +35,7 @@ from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity, Lattice
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import FittedTable, Goal, Limit
+from compwright.records.fitted_table import FittedTable, Goal, Limit
 from compwright.words.sentences import Amount, say
 
 _HAIR: Final = 1e-6
@@ -48,14 +48,15 @@ GOAL_LEFT: Final = "CW-F010"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WholeIncrementFit:
-    """The data of a fit of whole increments: the wanted correction ``aim``, table points ``nodes``.
+    """The data of a fit of whole increments: the wanted correction ``aim``, table points
+    ``points``.
 
     ``aim``: totals, zero in the zero state, mm or deg. ``samples``, ``weights`` (q,): points and
     weights of the mean over the travel. ``rows``: the control's interpolation at ``samples``.
     """
 
     aim: WantedCorrection
-    nodes: FloatArray
+    points: FloatArray
     shape: Shape
     capacity: Capacity
     lattice: Lattice
@@ -66,12 +67,12 @@ class WholeIncrementFit:
     @property
     def anchor(self) -> int:
         """The index of the table point at the reference."""
-        return int(np.argmin(np.abs(self.nodes - self.aim.reference)))
+        return int(np.argmin(np.abs(self.points - self.aim.reference)))
 
     @property
     def fixed(self) -> tuple[int, ...]:
         """Indices of table points where the curve of the reference-return direction is zero."""
-        return (self.anchor,) if self.capacity.period is None else (0, self.nodes.size - 1)
+        return (self.anchor,) if self.capacity.period is None else (0, self.points.size - 1)
 
     def wish(self, direction: Direction, *, constant: bool = False) -> ChainTarget:
         """Return the wanted correction in one direction at the sample points. ``constant``: the fit
@@ -86,13 +87,13 @@ class WholeIncrementFit:
         """
         home = self.aim.reference_return
         wishes = (self.wish(home), self.wish(home.opposite, constant=reversal))
-        return build_chain(wishes, self.nodes.size, fixed=self.fixed, kept=(), closed=False)
+        return build_chain(wishes, self.points.size, fixed=self.fixed, kept=(), closed=False)
 
     def home_curve(self) -> CurveChain:
         """Return the curve of the reference-return direction alone."""
         return build_chain(
             (self.wish(self.aim.reference_return),),
-            self.nodes.size,
+            self.points.size,
             fixed=self.fixed,
             kept=(),
             closed=False,
@@ -105,8 +106,8 @@ class WholeIncrementFit:
         wishes = (self.wish(self.aim.reference_return.opposite),)
         endless = self.capacity.period is not None
         if not free:
-            return build_chain(wishes, self.nodes.size, fixed=self.fixed, kept=(), closed=False)
-        return build_chain(wishes, self.nodes.size, fixed=(), kept=(self.anchor,), closed=endless)
+            return build_chain(wishes, self.points.size, fixed=self.fixed, kept=(), closed=False)
+        return build_chain(wishes, self.points.size, fixed=(), kept=(self.anchor,), closed=endless)
 
     def parts(self) -> tuple[LatticePart, ...]:
         """Return the one or two curves of the table with the control's limits."""
@@ -145,7 +146,7 @@ class WholeIncrementFit:
         """Return the mean square (mm² or deg²) of each possible kind of table, without limits and
         with real-number values.
         """
-        two = replace(self, aim=zero_in_the_zero_state(self.aim, self.nodes, self.capacity)[0])
+        two = replace(self, aim=zero_in_the_zero_state(self.aim, self.points, self.capacity)[0])
         free = _free(two.home_curve()) + _free(two.other_curve(free=True))
         with_constant = _free(self.single(reversal=True))
         own = free
@@ -181,17 +182,17 @@ def fit_whole_increments(
     errors are rms, mm or deg. The table is the exact optimum of the mean square over the travel and
     both directions. Raises CapacityError if the limits allow no table at all.
     """
-    samples, weights = quadrature(aim.positions, grid.nodes, capacity.interpolation)
+    samples, weights = quadrature(aim.positions, grid.points, capacity.interpolation)
     rows = rows_at(
         samples,
-        grid.nodes,
+        grid.points,
         below=capacity.below,
         above=capacity.above,
         interpolation=capacity.interpolation,
     )
     fit = WholeIncrementFit(
         aim=aim,
-        nodes=grid.nodes,
+        points=grid.points,
         shape=shape,
         capacity=capacity,
         lattice=lattice,
@@ -243,7 +244,7 @@ def _table(
     return AxisCompensation(
         address=address,
         kind=fit.aim.kind,
-        positions=fit.nodes,
+        positions=fit.points,
         positive=positive,
         negative=negative,
         backlash=(

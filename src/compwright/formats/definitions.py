@@ -12,7 +12,8 @@ from dataclasses import replace
 from functools import cache
 
 from compwright.formats.definition.consistency import contradictions
-from compwright.formats.definition.extends import (
+from compwright.formats.definition.forms import definition_validator
+from compwright.formats.definition.inheritance import (
     BASE_ENDING,
     NOTHING_ELSE,
     DefinitionText,
@@ -21,7 +22,6 @@ from compwright.formats.definition.extends import (
     merged,
     texts_of,
 )
-from compwright.formats.definition.forms import definition_validator
 from compwright.formats.definition.options import Required
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.vocabulary import SCHEMA_VERSION

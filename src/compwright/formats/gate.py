@@ -281,7 +281,7 @@ def _broken(
 def _beyond(
     axis: Axis, table: AxisCompensation, capacity: Capacity
 ) -> Iterator[tuple[str, AxisCompensation]]:
-    node = int(np.argmax(np.abs(table.positions - axis.reference)))
+    point = int(np.argmax(np.abs(table.positions - axis.reference)))
     yield (
         "min_points",
         replace(
@@ -293,12 +293,12 @@ def _beyond(
     )
     yield (
         "resolution of a value",
-        _with_value(table, node, float(table.positive[node]) + 0.4 * capacity.quantum),
+        _with_value(table, point, float(table.positive[point]) + 0.4 * capacity.quantum),
     )
     for side, bound in zip(("lowest", "highest"), capacity.value_range, strict=True):
         if np.isfinite(bound):
             beyond = bound + np.sign(bound) * capacity.quantum * 10
-            yield f"{side} value", _with_value(table, node, float(beyond))
+            yield f"{side} value", _with_value(table, point, float(beyond))
     if capacity.curves == 1:
         yield (
             "one curve for both directions",
@@ -321,13 +321,13 @@ def _beyond(
         yield "equal spacing", replace(table, positions=moved)
     if capacity.lattice is not None:
         largest = capacity.lattice.increments[1] * capacity.lattice.magnifications[-1]
-        yield "largest increment", _with_value(table, node, (largest + 1) * capacity.quantum * 10)
+        yield "largest increment", _with_value(table, point, (largest + 1) * capacity.quantum * 10)
 
 
-def _with_value(table: AxisCompensation, node: int, value: float) -> AxisCompensation:
+def _with_value(table: AxisCompensation, point: int, value: float) -> AxisCompensation:
     def changed(curve: FloatArray) -> FloatArray:
         result = curve.copy()
-        result[node] = value
+        result[point] = value
         return result
 
     return replace(table, positive=changed(table.positive), negative=changed(table.negative))

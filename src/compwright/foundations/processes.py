@@ -14,12 +14,12 @@ from threading import Lock, Thread
 from typing import Final, Generic, TypeVar
 
 from compwright.foundations.errors import CompwrightError
+from compwright.foundations.parallel_work import Each, in_turn
 from compwright.foundations.processors import (
     keep_free_memory,
     look_for_garbage_seldom,
     processors,
 )
-from compwright.foundations.side_by_side import Each, in_turn
 
 T = TypeVar("T")
 R = TypeVar("R")

@@ -21,7 +21,7 @@ from compwright.instruments.assembling import as_text
 from compwright.instruments.fault_list import FaultList, by_profile, shown
 from compwright.instruments.foreign_units import LENGTHS
 from compwright.instruments.numbers import DecimalMarks, parse_number
-from compwright.instruments.parsed import Parsed
+from compwright.instruments.parsed_test import Parsed
 from compwright.instruments.reading_findings import stray_finding
 from compwright.instruments.readings import readings_at
 from compwright.instruments.sections import Line

@@ -20,7 +20,7 @@ from compwright.instruments.own_forms import (
     spans_of_plain_csv,
     spans_of_target_data,
 )
-from compwright.instruments.parsed import Parsed
+from compwright.instruments.parsed_test import Parsed
 from compwright.instruments.spans import SpansOf
 
 

@@ -24,7 +24,7 @@ from compwright.instruments.fault_list import FaultList, by_profile, shown
 from compwright.instruments.foreign_units import ANGLES, LENGTHS
 from compwright.instruments.mean_blocks import is_mean_blocks
 from compwright.instruments.numbers import DecimalMarks, parse_count
-from compwright.instruments.parsed import Parsed
+from compwright.instruments.parsed_test import Parsed
 from compwright.instruments.reading_findings import (
     cut_finding,
     falling_finding,

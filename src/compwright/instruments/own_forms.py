@@ -25,7 +25,7 @@ from compwright.instruments.csv_table import (
 from compwright.instruments.drift_csv import DISTANCE, LOST_MOTION, SPEED, TIME
 from compwright.instruments.fault_list import FaultList
 from compwright.instruments.other_files import refuse_other_files
-from compwright.instruments.parsed import Parsed
+from compwright.instruments.parsed_test import Parsed
 from compwright.instruments.parts import AXIS_COLUMN
 from compwright.instruments.plain_csv import VALUES, read_csv
 from compwright.instruments.reading_findings import (

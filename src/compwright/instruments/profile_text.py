@@ -12,7 +12,7 @@ from compwright.instruments.fault_list import FaultList
 from compwright.instruments.header_words import sign_word
 from compwright.instruments.profile import MARK, SIGNS, VERSION
 from compwright.instruments.profile_reading import read_profile
-from compwright.instruments.profiled import read_by_profile
+from compwright.instruments.profile_tables import read_by_profile
 from compwright.instruments.proposing import Proposal
 from compwright.instruments.worked_rows import worked_readings
 

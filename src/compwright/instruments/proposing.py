@@ -31,7 +31,7 @@ from compwright.instruments.header_words import (
     stated_unit,
     unit_of,
 )
-from compwright.instruments.profiled import traverses_of
+from compwright.instruments.profile_tables import traverses_of
 from compwright.instruments.table_shape import number_in, shape_of, thousands_in
 from compwright.records.axis import FloatArray
 

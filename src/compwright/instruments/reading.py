@@ -18,11 +18,11 @@ from compwright.instruments.fault_list import FaultList, by_profile
 from compwright.instruments.forms import PLAIN_CSV, MeasurementForm, form_of
 from compwright.instruments.hidden_cells import hidden_finding
 from compwright.instruments.own_forms import is_plain_csv
-from compwright.instruments.parsed import Parsed
+from compwright.instruments.parsed_test import Parsed
 from compwright.instruments.parts import TestPart, plain_parts
 from compwright.instruments.plausibility import findings_of
 from compwright.instruments.profile import Profile
-from compwright.instruments.profiled import (
+from compwright.instruments.profile_tables import (
     at_its_header,
     has_columns,
     profiled_parts,

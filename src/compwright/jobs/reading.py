@@ -37,7 +37,7 @@ from compwright.records.axis import Axis, AxisKind, Direction, Encoder, Position
 from compwright.records.conditions import CircularBudget, Thermal, UncertaintyBudget
 from compwright.records.drift import DriftRequest
 from compwright.records.environment import EnvironmentRequest, InstrumentAir
-from compwright.records.fitted import TableRequest
+from compwright.records.fitted_table import TableRequest
 from compwright.records.job import (
     AS_FOUND,
     NONE_STATE,

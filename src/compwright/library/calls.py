@@ -29,7 +29,7 @@ from compwright.records.axis import PositionMap
 from compwright.records.circular import CircularTest
 from compwright.records.positioning import PositioningTest, to_machine
 from compwright.workflow.commands.evaluate import all_tests
-from compwright.workflow.inputs.evaluated import tests_in
+from compwright.workflow.inputs.file_evaluation import tests_in
 from compwright.workflow.inputs.measurement_files import load_profile
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from typing import Final, Literal
 
 from compwright.foundations.errors import CapacityError, CompwrightError, Fault, collect, raise_all
 from compwright.foundations.findings import doubts_of
-from compwright.foundations.side_by_side import Each, in_turn
+from compwright.foundations.parallel_work import Each, in_turn
 from compwright.planning.axis_work import AxisWork, CapacityOf, repeats_of_first
 from compwright.planning.practical_tables import Shown, practical_table
 from compwright.planning.predicted_gain import predict
@@ -28,7 +28,7 @@ from compwright.planning.wanted_correction import (
 from compwright.prediction.active_corrections import difference
 from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.fitted_table import FittedTable, TableRequest
 from compwright.records.prediction import TestPrediction
 from compwright.words.sentences import SentenceText, say
 

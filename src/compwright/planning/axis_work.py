@@ -49,7 +49,7 @@ from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.estimate import ErrorEstimate
-from compwright.records.fitted import FittedTable
+from compwright.records.fitted_table import FittedTable
 from compwright.records.job import AxisJob, Job
 from compwright.records.plan import PlannedAxis, PlannedTest
 from compwright.records.positioning import PositioningTest

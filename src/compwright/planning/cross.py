@@ -43,7 +43,7 @@ FAR = 2.0
 #: Values and positions of a cross-axis table are whole multiples of these, mm or deg: less than
 #: any control resolves.
 QUANTUM, STEP = 1e-6, 1e-3
-MOST_NODES = 100
+MOST_POINTS = 100
 _PPM = 1e6
 
 
@@ -170,18 +170,18 @@ class _Planner:
         Beyond the measured range the correction continues with ``slope``.
         """
         axis = self.axes[given]
-        nodes = _nodes(axis, where)
+        points = _points(axis, where)
         tables, missed = [], 0.0
         for curve in (curves[direction] for direction in Direction):
             shifted = curve - float(_continued(np.array([axis.reference]), where, curve, slope)[0])
-            table = np.round(_continued(nodes, where, shifted, slope) / QUANTUM) * QUANTUM
+            table = np.round(_continued(points, where, shifted, slope) / QUANTUM) * QUANTUM
             missed = max(
-                missed, float(np.max(np.abs(_continued(where, nodes, table, slope) - shifted)))
+                missed, float(np.max(np.abs(_continued(where, points, table, slope) - shifted)))
             )
             tables.append(table)
         if missed > 2.0 * QUANTUM:
             self.find("CW-P103", "info", input=given, output=bent, missed=missed * 1000.0)
-        return _compensation(axis, self.axes[bent], nodes, *tables)
+        return _compensation(axis, self.axes[bent], points, *tables)
 
     def _check_by_circle(self, planned: PlannedCross) -> None:
         circle = self.angles.get(planned.pair)
@@ -261,8 +261,8 @@ class _Planner:
 
     def _ramp(self, given: str, bent: str, angle: Squareness) -> PlannedCross:
         axis = self.axes[given]
-        nodes = np.array(axis.travel)
-        values = np.round(angle.value * (nodes - axis.reference) / QUANTUM) * QUANTUM
+        points = np.array(axis.travel)
+        values = np.round(angle.value * (points - axis.reference) / QUANTUM) * QUANTUM
         plane = f"{given} on {bent}"
         self._reach(plane, axis, angle.diameter, "diameter")
         self._gantry(bent)
@@ -281,7 +281,7 @@ class _Planner:
         return PlannedCross(
             input=given,
             output=bent,
-            added=_compensation(axis, self.axes[bent], nodes, values, values),
+            added=_compensation(axis, self.axes[bent], points, values, values),
             source="circle",
             tests=angle.tests,
             squareness=angle.value,
@@ -368,7 +368,7 @@ def angle_of(work: CircleWork, state: ActiveCorrections) -> float:
     return float(np.mean(found))
 
 
-def _nodes(axis: Axis, where: FloatArray) -> FloatArray:
+def _points(axis: Axis, where: FloatArray) -> FloatArray:
     """Return equally spaced table points over the travel that match the measured points as well as
     possible. Their interval is a whole number of micrometres.
     """
@@ -376,7 +376,7 @@ def _nodes(axis: Axis, where: FloatArray) -> FloatArray:
     if where.size == 2:
         return np.array([low, high])
     finest = float(np.min(np.diff(where)))
-    count = int(np.clip(np.ceil((high - low) / finest - 1e-9), 1, MOST_NODES))
+    count = int(np.clip(np.ceil((high - low) / finest - 1e-9), 1, MOST_POINTS))
     step = np.ceil((high - low) / count / STEP - 1e-9) * STEP
     return np.asarray(np.round(low + step * np.arange(count + 1), 6), dtype=np.float64)
 
@@ -392,14 +392,14 @@ def _continued(
 
 
 def _compensation(
-    given: Axis, bent: Axis, nodes: FloatArray, positive: FloatArray, negative: FloatArray
+    given: Axis, bent: Axis, points: FloatArray, positive: FloatArray, negative: FloatArray
 ) -> CrossCompensation:
     return CrossCompensation(
         input=given.address,
         output=bent.address,
         input_kind=given.kind,
         output_kind=bent.kind,
-        positions=nodes,
+        positions=points,
         positive=positive,
         negative=negative,
     )

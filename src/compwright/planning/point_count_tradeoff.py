@@ -16,12 +16,12 @@ from compwright.planning.tables import fit_remaining
 from compwright.prediction.active_corrections import Correction, difference
 from compwright.records.axis import FloatArray
 from compwright.records.capacity import Capacity
-from compwright.records.fitted import TableRequest
+from compwright.records.fitted_table import TableRequest
 from compwright.records.limits import PointCountOption
 
 #: Number of sizes that are shown in addition to the written and the existing one.
 _SIZES: Final = 7
-#: Most points that are considered: with more, nodes lie closer than targets are dithered.
+#: Most points that are considered: with more, points lie closer than targets are dithered.
 _MOST: Final = 400
 
 
@@ -38,7 +38,7 @@ def point_count_tradeoff(
     if wanted is None or fitted is None or capacity is None or capacity.line is not None:
         return ()
     written = fitted.compensation.positions
-    if capacity.nodes is not None or written.size < 2:
+    if capacity.points is not None or written.size < 2:
         return ()
     request = TableRequest(mode=fitted.mode)
     grids = possible_grids(wanted, capacity, request, _MOST)
@@ -47,10 +47,10 @@ def point_count_tradeoff(
     if there.size > 1 and not np.array_equal(there, written):
         others.append(there)
     found = [_worth(fresh, new, written, work.active, name, written=True)]
-    for nodes in others:
-        table = _table_on(nodes, work, capacity, request)
+    for points in others:
+        table = _table_on(points, work, capacity, request)
         if table is not None:
-            found.append(_worth(fresh, table, nodes, work.active, name, there=nodes is there))
+            found.append(_worth(fresh, table, points, work.active, name, there=points is there))
     if len(found) < 3:
         return ()
     if np.array_equal(there, written):
@@ -71,15 +71,15 @@ def _spread(grids: Sequence[FloatArray]) -> list[FloatArray]:
 
 
 def _table_on(
-    nodes: FloatArray, work: AxisWork, capacity: Capacity, request: TableRequest
+    points: FloatArray, work: AxisWork, capacity: Capacity, request: TableRequest
 ) -> Correction | None:
-    """Return the correction by a table with points at ``nodes``, or None if the control cannot hold
-    such a table.
+    """Return the correction by a table with points at ``points``, or None if the control cannot
+    hold such a table.
     """
     wanted = work.planned.wanted
     if wanted is None:
         return None
-    given = replace(capacity, nodes=tuple(nodes.tolist()), there=())
+    given = replace(capacity, points=tuple(points.tolist()), there=())
     try:
         return fit_remaining(
             replace(wanted, scenarios=None), given, request, work.planned.axis, costs=False
@@ -91,7 +91,7 @@ def _table_on(
 def _worth(
     fresh: FreshTests,
     new: Correction,
-    nodes: FloatArray,
+    points: FloatArray,
     active: Correction,
     name: str,
     *,
@@ -100,8 +100,8 @@ def _worth(
 ) -> PointCountOption:
     shown = fresh.band(difference(new, active), only=name)[name]
     return PointCountOption(
-        points=nodes.size,
-        spacing=float(np.max(np.diff(nodes))),
+        points=points.size,
+        spacing=float(np.max(np.diff(points))),
         median=shown.median,
         p05=shown.p05,
         p95=shown.p95,

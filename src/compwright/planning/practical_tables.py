@@ -20,7 +20,7 @@ from compwright.planning.tables import fit_within, grid_text, negligible_loss
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.fitted_table import FittedTable, TableRequest
 from compwright.records.prediction import TestPrediction
 from compwright.words.sentences import say
 
@@ -61,13 +61,13 @@ def planned_request(
     They contain the magnification if the plan kept the one in the control, and the reduced number
     of points of a table that is typed in.
     """
-    lattice, nodes = capacity.lattice, planned.compensation.positions
+    lattice, points = capacity.lattice, planned.compensation.positions
     kept = None if lattice is None else lattice.there
     stayed = kept is not None and planned.certificate.get("magnification") == kept
     if lattice is not None and kept is not None and stayed:
         capacity = replace(capacity, lattice=replace(lattice, magnifications=(kept,)))
     few = any(finding.code == FEWER_POINTS for finding in planned.findings)
-    return capacity, _covering(request, nodes, 0) if capacity.typed and few else request
+    return capacity, _covering(request, points, 0) if capacity.typed and few else request
 
 
 def _with_kept_magnification(
@@ -103,8 +103,13 @@ def _with_fewest_points(
     """Return the table with the fewest points that is almost as good as the ``best`` table in the
     tests that ``shown`` predicts. Existing table points are kept.
     """
-    nodes = best.compensation.positions
-    if best.keeps_grid or capacity.nodes is not None or capacity.line is not None or nodes.size < 3:
+    points = best.compensation.positions
+    if (
+        best.keeps_grid
+        or capacity.points is not None
+        or capacity.line is not None
+        or points.size < 3
+    ):
         return best
     aim = shown(best)
 
@@ -117,7 +122,7 @@ def _with_fewest_points(
         found = shown(fewer)
         return (fewer, found) if negligible_loss(found, aim) else None
 
-    most = int(_FEWER * nodes.size) - 2 * capacity.cover
+    most = int(_FEWER * points.size) - 2 * capacity.cover
     grids = possible_grids(wanted, capacity, request, most)
     taken = _fewest(grids, enough)
     if taken is None:
@@ -188,8 +193,8 @@ def _fewer_points(
         for one in (found, aim)
     )
     few, many = (grid_text(one.compensation.positions, unit) for one in (fewer, best))
-    nodes = best.compensation.positions
-    spacing = float(nodes[-1] - nodes[0]) / (nodes.size - 1)
+    points = best.compensation.positions
+    spacing = float(points[-1] - points[0]) / (points.size - 1)
     return Finding.of(
         "CW-P144",
         "info",
@@ -198,7 +203,7 @@ def _fewer_points(
         mine=mine,
         many=many,
         other=other,
-        start=nodes[0],
-        end=nodes[-1],
+        start=points[0],
+        end=points[-1],
         spacing=spacing,
     )

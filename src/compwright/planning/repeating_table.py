@@ -21,7 +21,7 @@ from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity, Wave
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.fitted_table import FittedTable, TableRequest
 from compwright.words.sentences import Amount, say
 
 #: A grid holds a period that is at least so many spacings long.
@@ -59,8 +59,8 @@ def with_repeating_table(
     if wave is None:
         return plain
     with_waves = replace(capacity, stays=(*plain.compensation.others, wave), slope=None, wave=None)
-    nodes = plain.compensation.positions
-    kept = replace(request, start=float(nodes[0]), end=float(nodes[-1]), spacing=spacing)
+    points = plain.compensation.positions
+    kept = replace(request, start=float(points[0]), end=float(points[-1]), spacing=spacing)
     try:
         waved = fit(with_waves, request if plain.keeps_grid else kept)
     except CapacityError:
@@ -124,10 +124,10 @@ def _wave(
         return None
     curve = totals * limits.unit
     steps = np.arange(sections + 1, dtype=np.float64)
-    nodes: FloatArray = wanted.reference + interval * steps
+    points: FloatArray = wanted.reference + interval * steps
     return replace(
         plain.compensation,
-        positions=nodes,
+        positions=points,
         positive=curve,
         negative=curve,
         backlash=0.0,

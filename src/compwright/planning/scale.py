@@ -31,7 +31,7 @@ from compwright.records.axis import Axis, Direction
 from compwright.records.correction import ControlState
 from compwright.records.correction_need import correction_need, shortfall
 from compwright.records.estimate import ErrorEstimate
-from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.fitted_table import FittedTable, TableRequest
 from compwright.records.job import AS_FOUND, AxisJob, Job
 from compwright.records.plan import PlannedAxis
 from compwright.words.sentences import Sentence, say

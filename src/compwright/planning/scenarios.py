@@ -18,7 +18,7 @@ from compwright.prediction.fresh_scatter import fresh_scatter
 from compwright.prediction.positioning import dithered_targets
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.estimate import ErrorEstimate, Scenarios
-from compwright.records.fitted import FittedTable
+from compwright.records.fitted_table import FittedTable
 from compwright.records.result import PositioningResult
 from compwright.records.rounding import rounded
 

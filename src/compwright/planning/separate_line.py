@@ -20,10 +20,10 @@ from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.fitted_table import FittedTable, TableRequest
 from compwright.words.sentences import Amount
 
-#: The line is worth it where it takes away more than this part of what is left at the nodes.
+#: The line is worth it where it takes away more than this part of what is left at the points.
 WORTH: Final = 0.1
 #: Fits a table in addition to those that stay, within the limits of the control. Raises
 #: CapacityError.
@@ -45,14 +45,14 @@ def with_line(
     """
     if capacity.slope is None or capacity.period is not None:
         return plain
-    nodes, grid = plain.compensation.positions, request
-    spacing = float(nodes[-1] - nodes[0]) / (nodes.size - 1)
+    points, grid = plain.compensation.positions, request
+    spacing = float(points[-1] - points[0]) / (points.size - 1)
     if not plain.keeps_grid:
-        # The line is level up to the second node: one more section keeps that out of the travel.
-        more = nodes[1] > wanted.positions[0]
-        nodes = np.concatenate([nodes[:1] - spacing, nodes]) if more else nodes
-        grid = replace(request, start=float(nodes[0]), end=float(nodes[-1]), spacing=spacing)
-    line = _line(plain.compensation, nodes, capacity.slope, wanted.reference)
+        # The line is level up to the second point: one more section keeps that out of the travel.
+        more = points[1] > wanted.positions[0]
+        points = np.concatenate([points[:1] - spacing, points]) if more else points
+        grid = replace(request, start=float(points[0]), end=float(points[-1]), spacing=spacing)
+    line = _line(plain.compensation, points, capacity.slope, wanted.reference)
     if line is None:
         return plain
     with_line_there = replace(capacity, stays=(*capacity.stays, line), slope=None)
@@ -63,7 +63,7 @@ def with_line(
     left, left_with_line = (_left(wanted, each.compensation) for each in (plain, inclined))
     kind = wanted.kind
     factor, unit = outside_factor(kind.unit), shown_unit(kind.unit)
-    slope = float(line.positive[-1] - line.positive[0]) / float(nodes[-1] - nodes[1])
+    slope = float(line.positive[-1] - line.positive[0]) / float(points[-1] - points[1])
     rise = (
         Amount(slope * factor * 1000, f"{unit}/m", "+.2f")
         if kind.unit == "mm"
@@ -78,7 +78,7 @@ def with_line(
 
 
 def _line(
-    table: AxisCompensation, nodes: FloatArray, unit: float, reference: float
+    table: AxisCompensation, points: FloatArray, unit: float, reference: float
 ) -> AxisCompensation | None:
     """Return a straight line with the slope of ``table``, zero at the reference. None if the rise
     per interval rounds to zero units of the control, or with fewer than three points.
@@ -87,19 +87,19 @@ def _line(
     if mean.size < 3:
         return None
     slope = float(np.polyfit(np.arange(mean.size, dtype=np.float64), mean, 1)[0])
-    rise = round(slope / unit) * unit * np.maximum(np.arange(nodes.size), 1.0)
+    rise = round(slope / unit) * unit * np.maximum(np.arange(points.size), 1.0)
     if not np.any(rise):
         return None
-    rise = rise - rise[int(np.argmin(np.abs(nodes - reference)))]
-    return replace(table, positions=nodes, positive=rise, negative=rise, backlash=0.0, others=())
+    rise = rise - rise[int(np.argmin(np.abs(points - reference)))]
+    return replace(table, positions=points, positive=rise, negative=rise, backlash=0.0, others=())
 
 
 def _left(wanted: WantedCorrection, table: AxisCompensation) -> float:
     """Return the rms error that ``table`` leaves at its points within the travel, over both
     directions.
     """
-    nodes, places = table.positions, wanted.positions
-    inside = nodes[(nodes >= places[0]) & (nodes <= places[-1])]
+    points, places = table.positions, wanted.positions
+    inside = points[(points >= places[0]) & (points <= places[-1])]
     rest = [
         np.interp(inside, places, wanted.total(side)) - table.at(inside, side) for side in Direction
     ]

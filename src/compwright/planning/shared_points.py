@@ -11,7 +11,7 @@ import numpy as np
 from compwright.records.capacity import Capacity
 from compwright.records.plan import PlannedAxis
 
-#: So many points more may a table take from the store than it has nodes.
+#: So many points more may a table take from the store than it has points.
 _TO_SPARE: Final = 2
 
 

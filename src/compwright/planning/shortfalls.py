@@ -26,14 +26,14 @@ from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.fitted_table import FittedTable, TableRequest
 
 PERIOD: Final = "spacing too wide for the period"
 REVERSAL: Final = "one table for both directions"
 NO_BACKLASH: Final = "no backlash value"
 QUANTUM: Final = "quantum"
-#: What the fit calls that which lies between the nodes, and what lies in the values.
-_NODES: Final = ("number of points", "spacing of the points")
+#: What the fit calls that which lies between the points, and what lies in the values.
+_POINTS: Final = ("number of points", "spacing of the points")
 _LINE: Final = "a straight line instead of a table"
 _VALUES: Final = (QUANTUM, "value range", "backlash range", "largest increment", _LINE)
 #: A quantum (mm or deg) that no table shows.
@@ -86,7 +86,7 @@ def unheld_period(
     finding = next((one for one in grid.findings if one.code == "CW-F002"), None)
     if finding is None:
         return None
-    held = resolved_part(grid.nodes, own, capacity)
+    held = resolved_part(grid.points, own, capacity)
     return Shortfall(PERIOD, difference(as_curve(held), as_curve(own)), grid.left_out), finding
 
 
@@ -97,14 +97,14 @@ def _parts(
     rms: Mapping[str, float],
 ) -> Iterator[tuple[str, Correction]]:
     table, own = _alone(fitted.compensation, wanted)
-    nodes = table.positions
-    held = resolved_part(nodes, own, capacity) if nodes.size > 1 else own
+    points = table.positions
+    held = resolved_part(points, own, capacity) if points.size > 1 else own
     yield PERIOD, difference(as_curve(held), as_curve(own))
     rest = difference(table.at, as_curve(held))
     if table.positions.size:
         best = _best(held, table, capacity).at
         yield (
-            next((name for name in _NODES if name in rms), _NODES[-1]),
+            next((name for name in _POINTS if name in rms), _POINTS[-1]),
             difference(best, as_curve(held)),
         )
         rest = difference(table.at, best)
@@ -146,7 +146,7 @@ def _best(
         lattice=None,
         zero=None,
         stays=(),
-        nodes=tuple(table.positions.tolist()),
+        points=tuple(table.positions.tolist()),
     )
     request = TableRequest(mode="bidirectional")
     plain = replace(wanted, periods=())

@@ -26,7 +26,7 @@ from compwright.planning.wanted_correction import without_kept_tables
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.fitted_table import FittedTable, TableRequest
 from compwright.records.prediction import TestPrediction
 from compwright.words.sentences import Amount, Sentence, say
 
@@ -92,7 +92,7 @@ def fit_keeping_grid(
     try:
         return fit(request)
     except CapacityError as error:
-        if not (request.keeps and capacity.there) or capacity.nodes is not None:
+        if not (request.keeps and capacity.there) or capacity.points is not None:
             raise
         why = "; ".join(str(fault) for fault in error.faults)
     chosen, unit = fit(replace(request, spacing="auto")), axis.kind.unit
@@ -152,18 +152,18 @@ def negligible_loss(kept: TestPrediction, best: TestPrediction) -> bool:
     )
 
 
-def grid_text(nodes: FloatArray, unit: str) -> Sentence:
+def grid_text(points: FloatArray, unit: str) -> Sentence:
     """Return the points of a table as text: "25 points from 0 to 960 mm, every 40 mm"."""
-    if nodes.size < 2:
-        return say("grid.few", points=nodes.size)
-    steps = np.diff(nodes)
+    if points.size < 2:
+        return say("grid.few", points=points.size)
+    steps = np.diff(points)
     least, most = float(np.min(steps)), float(np.max(steps))
-    start, end = nodes[0], nodes[-1]
+    start, end = points[0], points[-1]
     if most - least <= 1e-6 * most:
-        return say("grid.even", points=nodes.size, start=start, end=end, unit=unit, step=most)
+        return say("grid.even", points=points.size, start=start, end=end, unit=unit, step=most)
     return say(
         "grid.uneven",
-        points=nodes.size,
+        points=points.size,
         start=start,
         end=end,
         unit=unit,
@@ -206,7 +206,7 @@ def new_grid_offer(
     (same, better), (new, better_new) = (
         [Amount(one.median * factor, small) for one in pair] for pair in pairs
     )
-    old, new_grid = (grid_text(nodes, unit) for nodes in (there, chosen.compensation.positions))
+    old, new_grid = (grid_text(points, unit) for points in (there, chosen.compensation.positions))
     return Finding.of(
         "CW-P141",
         "info",

@@ -178,7 +178,7 @@ def measured_error(
         travel=axis.travel,
         periods=axis.screw_pitch,
         suggested=() if axis.suggested_period is None else (axis.suggested_period,),
-        nodes=() if active is None else _nodes_of(active),
+        points=() if active is None else _points_of(active),
         turn=axis.modulo,
     )
     return MeasuredError(
@@ -216,7 +216,7 @@ def _taken_alike(tests: Sequence[PlannedTest], observed: Sequence[ObservedTest])
     )
 
 
-def _nodes_of(active: AxisCompensation) -> tuple[float, ...]:
+def _points_of(active: AxisCompensation) -> tuple[float, ...]:
     """Return the points of the active compensation tables."""
     tables = [
         each

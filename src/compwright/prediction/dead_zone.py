@@ -32,15 +32,15 @@ def applied_compensation(compensation: AxisCompensation, axis: Axis) -> AxisComp
         return compensation
     low, high = axis.travel
     own = compensation.positions
-    nodes = np.unique(np.concatenate([[low, high], own[(own > low) & (own < high)]]))
-    tables = {side: compensation.at(nodes, side) for side in Direction}
-    up = nodes, tables[Direction.POSITIVE]
+    points = np.unique(np.concatenate([[low, high], own[(own > low) & (own < high)]]))
+    tables = {side: compensation.at(points, side) for side in Direction}
+    up = points, tables[Direction.POSITIVE]
     for _ in range(_CYCLES):
-        down = _traversed(nodes[::-1], tables[Direction.NEGATIVE][::-1], up[1][-1], axis)
-        up = _traversed(nodes, tables[Direction.POSITIVE], down[1][-1], axis)
-    if up[0].size == down[0].size == nodes.size:
+        down = _traversed(points[::-1], tables[Direction.NEGATIVE][::-1], up[1][-1], axis)
+        up = _traversed(points, tables[Direction.POSITIVE], down[1][-1], axis)
+    if up[0].size == down[0].size == points.size:
         return compensation
-    inside = np.unique(np.concatenate([nodes, up[0], down[0]]))
+    inside = np.unique(np.concatenate([points, up[0], down[0]]))
     beyond = own[(own < low) | (own > high)]
     where = np.sort(np.concatenate([inside, beyond]))
     curves = {
@@ -79,7 +79,7 @@ def unapplied_range(compensation: AxisCompensation, axis: Axis) -> tuple[float, 
 
 
 def _traversed(
-    nodes: FloatArray, table: FloatArray, before: float, axis: Axis
+    points: FloatArray, table: FloatArray, before: float, axis: Axis
 ) -> tuple[FloatArray, FloatArray]:
     """Return the positions of one traverse in the order of motion, and the compensation that the
     control applies at each. ``before``: the compensation that it applied at the turn.
@@ -92,22 +92,22 @@ def _traversed(
     gap = table - before
     size, sign = np.abs(gap), np.sign(gap[0])
     if not least < size[0] <= most:
-        return nodes, table
+        return points, table
     off = ~((least < gap * sign) & (gap * sign <= most))
     if not off.any():
-        # one more place than the nodes tells that something stays
-        middle = 0.5 * (nodes[0] + nodes[1])
-        return np.insert(nodes, 1, middle), np.full(nodes.size + 1, before)
+        # one more place than the points tells that something stays
+        middle = 0.5 * (points[0] + points[1])
+        return np.insert(points, 1, middle), np.full(points.size + 1, before)
     last = int(np.argmax(off))
     limit = least if gap[last] * sign <= least else most
     part = (limit - gap[last - 1] * sign) / ((gap[last] - gap[last - 1]) * sign)
-    edge = nodes[last - 1] + part * (nodes[last] - nodes[last - 1])
+    edge = points[last - 1] + part * (points[last] - points[last - 1])
     behind = edge + np.clip(
-        np.sign(nodes[-1] - nodes[0]) * _EDGE, -abs(nodes[last] - edge), abs(nodes[last] - edge)
+        np.sign(points[-1] - points[0]) * _EDGE, -abs(points[last] - edge), abs(points[last] - edge)
     )
-    along, values = (nodes, table) if nodes[0] < nodes[-1] else (nodes[::-1], table[::-1])
+    along, values = (points, table) if points[0] < points[-1] else (points[::-1], table[::-1])
     return (
-        np.concatenate([nodes[:last], [edge, behind], nodes[last:]]),
+        np.concatenate([points[:last], [edge, behind], points[last:]]),
         np.concatenate(
             [
                 np.full(last + 1, before),

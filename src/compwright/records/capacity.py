@@ -78,7 +78,7 @@ class Capacity:
       and its last value equals its first.
     - ``line``: the control has no table, but one slope (mm/mm, deg/deg). The slope is a multiple of
       this number, and ``value_range`` is its range.
-    - ``nodes``: the only possible points, because other axes use the table's grid too.
+    - ``points``: the only possible points, because other axes use the table's grid too.
     - ``there``: the points (two or more, ascending) of the table in the control's files, active or
       not; empty if there is none. For a table that repeats they are those of one period with both
       ends.
@@ -120,7 +120,7 @@ class Capacity:
     second_curve: Literal["chosen", "asked"] = "chosen"
     line: float | None = None
     most_points: int | None = None
-    nodes: tuple[float, ...] | None = None
+    points: tuple[float, ...] | None = None
     there: tuple[float, ...] = ()
     there_shared: bool = False
     unfit: str = ""

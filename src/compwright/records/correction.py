@@ -18,7 +18,7 @@ from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.facts import AxisFacts, PairTables
 
 Beyond = Literal["hold", "zero"]
-#: Between nodes: straight lines, or the value of the nearest node (the step lies in the middle of
+#: Between points: straight lines, or the value of the nearest point (the step lies in the middle of
 #: the section).
 Interpolation = Literal["linear", "step"]
 Evidence = Literal["confirmed", "inferred", "unconfirmed"]

@@ -16,7 +16,7 @@ from compwright.records.axis import Axis, AxisKind, Motion, PositionMap
 from compwright.records.conditions import CircularBudget, Thermal, UncertaintyBudget
 from compwright.records.drift import DriftRequest
 from compwright.records.environment import Environment, EnvironmentRequest
-from compwright.records.fitted import TableRequest
+from compwright.records.fitted_table import TableRequest
 from compwright.words.sentences import Language
 
 #: The value of a state that says "nothing is active in the control".

@@ -17,7 +17,7 @@ from compwright.records.correction import (
     CrossCompensation,
 )
 from compwright.records.estimate import ErrorEstimate, WantedCorrection
-from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.fitted_table import FittedTable, TableRequest
 from compwright.records.job import Acceptance
 from compwright.records.positioning import PositioningTest
 

@@ -25,8 +25,8 @@ from compwright.reporting.numbers import (
 )
 from compwright.reporting.page_parts import anchor
 from compwright.reporting.periods import periods_block
+from compwright.reporting.point_count_figure import worth_block
 from compwright.reporting.sections import Document, TextTable
-from compwright.reporting.worth import worth_block
 from compwright.words.sentences import Sentence, say
 
 _CHUNK: Final = 24  # rows of the table in numbers before a second column is begun

@@ -25,7 +25,7 @@ _MARGIN_X: Final = 0.03
 _MARGIN_Y: Final = 0.05
 #: Least height of a panel (µm, arcsec): a flat curve does not magnify what no instrument resolves.
 _LEAST_HEIGHT: Final = 0.2
-_MOST_MARKED: Final = 150  # nodes of a table that markers can still tell apart
+_MOST_MARKED: Final = 150  # points of a table that markers can still tell apart
 
 
 @dataclass(frozen=True, slots=True)

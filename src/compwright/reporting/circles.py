@@ -8,10 +8,10 @@ from typing import Any, Final
 
 from compwright.reporting import paper, sections
 from compwright.reporting.causes import findings_in_words, ranked_causes
+from compwright.reporting.circle_figures import polar_figure
 from compwright.reporting.circular_parameters import parameter_words
 from compwright.reporting.numbers import decimals_of_unit, number, plain
 from compwright.reporting.page import inline_figure
-from compwright.reporting.polar import polar_figure
 from compwright.reporting.sections import Document
 from compwright.words.sentences import Language, Sentence, say
 

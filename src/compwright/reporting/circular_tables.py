@@ -24,7 +24,7 @@ from compwright.reporting.causes import (
 from compwright.reporting.circle_steps import steps_for
 from compwright.reporting.circular_parameters import parameter_rows, printed_parameters
 from compwright.reporting.numbers import MISSING, number, plain, standard_text
-from compwright.reporting.shown import Text
+from compwright.reporting.safe_text import Text
 from compwright.reporting.summaries import finding_lines
 from compwright.words.sentences import say
 

@@ -20,7 +20,7 @@ from compwright.foundations.findings import DOUBTS
 from compwright.foundations.utf8 import visible
 from compwright.reporting.causes import ranked_causes
 from compwright.reporting.numbers import number, standard_text, symbol, unit_text
-from compwright.reporting.shown import Text
+from compwright.reporting.safe_text import Text
 
 _Result = Mapping[str, Any]
 #: Parameters with a column of their own, by kind of test and edition.

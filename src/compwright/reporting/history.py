@@ -16,7 +16,7 @@ from compwright.reporting.history_words import (
     trend_lines,
 )
 from compwright.reporting.numbers import MISSING, number, symbol, unit_text
-from compwright.reporting.shown import Text
+from compwright.reporting.safe_text import Text
 
 _AXIS: Final = ("A", "E", "R", "B", "B_mean", "s")
 _PLANE: Final = ("squareness", "G_bidirectional", "G_ccw", "G_cw")

@@ -7,8 +7,8 @@ from typing import Any
 
 from compwright.foundations.errors import Fault, UsageError
 from compwright.reporting.charts import Document, parameter_line, result_chart, title_of
+from compwright.reporting.circle_figures import TEST_HEIGHT, draw_test
 from compwright.reporting.panels import draw_chart, known_format, legend, new_figure, render, style
-from compwright.reporting.polar import TEST_HEIGHT, draw_test
 
 _ROW_HEIGHT = 2.9  # inches, of one positioning result
 
@@ -17,8 +17,9 @@ _ROW_HEIGHT = 2.9  # inches, of one positioning result
 def evaluation_plot(document: Document, *, format: str = "svg") -> bytes:  # noqa: A002
     """Return one figure with a chart per positioning test, and the circular tests below.
 
-    A circular result with its samples is drawn by `polar.polar_figure`. Raises UsageError if there
-    is nothing to draw, for an unknown format, and if the extra ``report`` is not installed.
+    A circular result with its samples is drawn by `circle_figures.polar_figure`. Raises UsageError
+    if there is nothing to draw, for an unknown format, and if the extra ``report`` is not
+    installed.
     """
     kind = known_format(format)
     results = document.get("results", [])

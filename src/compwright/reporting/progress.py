@@ -11,7 +11,7 @@ from rich.progress import (
     TimeRemainingColumn,
 )
 
-from compwright.reporting.shown import messages_console
+from compwright.reporting.safe_text import messages_console
 
 
 class ProgressBar:

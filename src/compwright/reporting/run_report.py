@@ -20,7 +20,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from compwright.foundations.findings import DOUBTS
-from compwright.foundations.side_by_side import Each, in_turn
+from compwright.foundations.parallel_work import Each, in_turn
 from compwright.reporting import paper, sections
 from compwright.reporting.axis_report import axis_block
 from compwright.reporting.card import changes_content

@@ -23,8 +23,8 @@ from compwright.reporting.numbers import (
     symbol,
     unit_text,
 )
+from compwright.reporting.safe_text import Text
 from compwright.reporting.sections import rule_lines, spread_text
-from compwright.reporting.shown import Text
 from compwright.words.sentences import Sentence, say
 
 _STYLES: Final = {

@@ -17,7 +17,7 @@ from rich.table import Table
 
 from compwright.foundations.findings import DOUBTS
 from compwright.reporting.edition_terms import has_arrows, parameter_term
-from compwright.reporting.shown import Text
+from compwright.reporting.safe_text import Text
 
 _UNITS: Final = {"um": "µm", "arcsec": "arcsec"}
 _MISSING: Final = "–"

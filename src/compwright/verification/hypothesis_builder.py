@@ -17,7 +17,7 @@ from compwright.verification.hypothesis import SLACK, Hypothesis, Loading
 from compwright.words.sentences import Sentence, say
 
 Curve = FloatArray  # (2, m): in + and in -
-Held = dict[Direction, FloatArray]  # values at the nodes (k,)
+Held = dict[Direction, FloatArray]  # values at the points (k,)
 
 
 class HypothesisBuilder:
@@ -110,10 +110,10 @@ class HypothesisBuilder:
         """Return the old table's values at the points of the new table. The backlash value and
         tables that stay active are not included.
         """
-        nodes, old, stay = self.table.positions, self.loading.old, _only_others(self.loading.new)
-        line = self.table.slope * (nodes - self.table.origin)
+        points, old, stay = self.table.positions, self.loading.old, _only_others(self.loading.new)
+        line = self.table.slope * (points - self.table.origin)
         return {
-            d: old.at(nodes, d) - old.backlash_at(d) - stay.at(nodes, d) - line for d in Direction
+            d: old.at(points, d) - old.backlash_at(d) - stay.at(points, d) - line for d in Direction
         }
 
     def values(self, curves: Mapping[Direction, FloatArray]) -> Curve:
@@ -131,9 +131,9 @@ class HypothesisBuilder:
         direction on its own so that the table has its planned value at the reference; None if both
         directions have the same shift.
         """
-        nodes, at = self.table.positions, self.loading.reference
+        points, at = self.table.positions, self.loading.reference
         off = [
-            float(np.interp(at, nodes, self.table.curve(d)) - np.interp(at, nodes, curves[d]))
+            float(np.interp(at, points, self.table.curve(d)) - np.interp(at, points, curves[d]))
             for d in Direction
         ]
         return None if abs(off[0] - off[1]) < 1e-9 else curve + np.array(off)[:, np.newaxis]

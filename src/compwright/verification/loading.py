@@ -45,7 +45,7 @@ from compwright.words.sentences import Sentence, say
 #: A name is given from this probability on, those that no test could tell from it counted with it.
 CLEAR: Final = 0.99
 #: Part of what the prediction and the old control leave that a fault may leave besides, where it
-#: explains all the rest: a table's own detail, a cut elsewhere between two nodes.
+#: explains all the rest: a table's own detail, a cut elsewhere between two points.
 _EXPLAINED: Final = 0.15
 
 

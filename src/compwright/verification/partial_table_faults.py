@@ -79,12 +79,12 @@ def partial(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield hypotheses of a table that is active only up to one of its points, or only from one of
     its points on. The other points have zero, old or constant values.
     """
-    nodes = ways.table.positions
-    if nodes.size < 3:
+    points = ways.table.positions
+    if points.size < 3:
         return
     held = ways.held()
     beyond: list[tuple[str, Held | None, bool]] = [
-        ("nothing", {d: np.zeros(nodes.size) for d in Direction}, False),
+        ("nothing", {d: np.zeros(points.size) for d in Direction}, False),
         ("last", None, False),
     ]
     if ways.has_old:
@@ -95,11 +95,11 @@ def partial(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     for kind, rest, joined in beyond:
         for cut in cuts:
             for first in (True, False):
-                inside = (np.arange(nodes.size) < cut) == first
+                inside = (np.arange(points.size) < cut) == first
                 edge = cut - 1 if first else cut
                 curves = {}
                 for d in Direction:
-                    last = np.full(nodes.size, held[d][edge])
+                    last = np.full(points.size, held[d][edge])
                     other = last if rest is None else rest[d]
                     if joined and rest is not None:
                         other = last + rest[d] - rest[d][edge]
@@ -109,15 +109,15 @@ def partial(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
                     "partial",
                     ways.values(curves),
                     _FAMILY / len(cuts),
-                    _part(nodes, edge, kind, first=first),
+                    _part(points, edge, kind, first=first),
                     inner=not 0.25 <= share <= 0.75,
                 )
 
 
 def cut_off(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield hypotheses of a table that ends, with its backlash value, between two targets."""
-    nodes, targets = ways.table.positions, ways.targets
-    if nodes.size < 3 or targets.size < 3:
+    points, targets = ways.table.positions, ways.targets
+    if points.size < 3 or targets.size < 3:
         return
     new = ways.total(ways.own)
     beyond = [("no_backlash", ways.stay - ways.active_before)]
@@ -127,7 +127,7 @@ def cut_off(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     gaps = gaps[np.unique(np.linspace(0, gaps.size - 1, min(gaps.size, _CUTS)).astype(int))]
     for kind, rest in beyond:
         for gap in gaps:
-            last = int(np.clip(np.searchsorted(nodes, targets[gap - 1]), 0, nodes.size - 1))
+            last = int(np.clip(np.searchsorted(points, targets[gap - 1]), 0, points.size - 1))
             for first in (True, False):
                 inside = (np.arange(targets.size) < gap) == first
                 share = float(np.mean(inside))
@@ -135,28 +135,30 @@ def cut_off(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
                     "partial",
                     np.where(inside, new, rest),
                     _FAMILY / gaps.size,
-                    _part(nodes, last, kind, first=first),
+                    _part(points, last, kind, first=first),
                     inner=not 0.25 <= share <= 0.75,
                 )
 
 
-def _part(nodes: FloatArray, edge: int, beyond: str, *, first: bool) -> Sentence:
+def _part(points: FloatArray, edge: int, beyond: str, *, first: bool) -> Sentence:
     """Return the text about a table that is active only in part: with ``first`` at the points up to
     the index ``edge``, else from the index ``edge`` on. ``beyond``: the kind of values at the other
     points, such as ``old``.
     """
-    return say("loading.part", first=first, number=edge + 1, position=nodes[edge], beyond=beyond)
+    return say("loading.part", first=first, number=edge + 1, position=points[edge], beyond=beyond)
 
 
 def _cuts(ways: HypothesisBuilder) -> list[int]:
     """Return the indices of the table points at which a partial table may end: at most `_CUTS`, but
     one for each group of targets beyond it, also where the end is around a target.
     """
-    nodes = ways.table.positions
-    above = np.searchsorted(ways.targets, nodes)
-    up_to = np.searchsorted(ways.targets, nodes, side="right")
+    points = ways.table.positions
+    above = np.searchsorted(ways.targets, points)
+    up_to = np.searchsorted(ways.targets, points, side="right")
     effective = [
-        cut for cut in range(1, nodes.size) if above[cut] > 0 and above[cut - 1] < ways.targets.size
+        cut
+        for cut in range(1, points.size)
+        if above[cut] > 0 and above[cut - 1] < ways.targets.size
     ]
     if len(effective) <= _CUTS:
         return effective

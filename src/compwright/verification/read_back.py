@@ -18,23 +18,23 @@ _Curves = dict[Direction, FloatArray]
 #: Two corrections are the same below this many mm or deg: far under every quantum of a control, far
 #: over rounding.
 SAME = 1e-6
-#: Most nodes by which a loaded table may be shifted and still be recognised.
+#: Most points by which a loaded table may be shifted and still be recognised.
 _MOST_SHIFT = 5
 #: Factors with a known cause.
 _FACTORS = (2.0, 0.5, 10.0, 0.1, 25.4, 1000.0, 0.001)
 
 
 def judge_read_back(
-    planned: Correction, loaded: Correction, old: Correction, nodes: FloatArray, spacing: float
+    planned: Correction, loaded: Correction, old: Correction, points: FloatArray, spacing: float
 ) -> ReadBack:
     """Return the verdict on the values read back (``loaded``) compared with the plan, mm or deg.
     ``old``: the values in the control before.
 
     The mistakes of loading are tried in a fixed order. The verdict is the first one that explains
     the values exactly (within `SAME`) at all positions. A table of zeros explains nothing.
-    ``nodes``, ``spacing``: the planned table points and their interval.
+    ``points``, ``spacing``: the planned table points and their interval.
     """
-    where = nodes if nodes.size > 1 else np.array([-100.0, 0.0, 100.0])
+    where = points if points.size > 1 else np.array([-100.0, 0.0, 100.0])
     wish = {side: planned(where, side) for side in Direction}
     found = {side: loaded(where, side) for side in Direction}
     gaps = {side: np.abs(wish[side] - found[side]) for side in Direction}
@@ -90,16 +90,16 @@ def _causes(
     for factor in _FACTORS:
         multiplied = {side: factor * wish[side] for side in Direction}
         yield _mistake("scaled", multiplied, f"{factor:g}")
-    for nodes in (shift * sign for shift in range(1, _MOST_SHIFT + 1) for sign in (1, -1)):
+    for points in (shift * sign for shift in range(1, _MOST_SHIFT + 1) for sign in (1, -1)):
         yield _Mistake(
             "shifted",
-            {side: _shifted(planned, where, side, nodes * spacing) for side in Direction},
+            {side: _shifted(planned, where, side, points * spacing) for side in Direction},
             *(
                 SentenceText(
                     say(
                         "read_back.shifted",
-                        points=abs(nodes),
-                        towards="+" if nodes > 0 else "-",
+                        points=abs(points),
+                        towards="+" if points > 0 else "-",
                         apart=apart,
                     )
                 )

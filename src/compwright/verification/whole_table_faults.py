@@ -24,7 +24,7 @@ _FACTORS: Final[Mapping[float, float]] = {
     1000.0: 0.5,
     0.001: 0.02,
 }
-#: Most nodes by which a table may be shifted.
+#: Most points by which a table may be shifted.
 _MOST_SHIFT: Final = 5
 #: Of each way in which another axis's table may act: tables of axes that are alike are no fault
 #: that anybody would notice.
@@ -110,8 +110,8 @@ def scaled(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 def shifted(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield hypotheses of a table shifted by whole points towards + or −."""
-    nodes, held = ways.table.positions.size, ways.held()
-    for k in range(1, min(_MOST_SHIFT, nodes - 2) + 1):
+    points, held = ways.table.positions.size, ways.held()
+    for k in range(1, min(_MOST_SHIFT, points - 2) + 1):
         for by in (k, -k):
             for curves in ways.shifts(by, held):
                 yield from ways.moved("shifted", curves, COMMON / (1 + k), shift_nodes=by)
@@ -123,12 +123,12 @@ def mirrored(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
         held = ways.held()
         curves = {d: values[::-1] for d, values in held.items()}
         yield from ways.moved("mirrored", curves, COMMON)
-        # mirrored about a centre one node further: of a table with one node outside the travel
+        # mirrored about a centre one point further: of a table with one point outside the travel
         shifted = [other for by in (1, -1) for other in ways.shifts(by, held)]
         for each in shifted:
             turned = {d: v[::-1] for d, v in each.items()}
             yield from ways.moved("mirrored", turned, RARE / len(shifted))
-        # Where a control keeps the steps from node to node, these are mirrored; one node further
+        # Where a control keeps the steps from point to point, these are mirrored; one point further
         # where the first or the last of its rows holds a step that is never active.
         steps = {d: v[0] + v[-1] - v[::-1] for d, v in held.items()}
         more: dict[str, Any] = {"detail": say("loading.steps"), "inner": True}
@@ -146,13 +146,13 @@ def wrong_axis(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
         if not other.positions.size:
             continue
         backlash = ways.jump(other)
-        nodes = ways.table.positions.size
+        points = ways.table.positions.size
         by_place = ways.at(replace(other, others=(), backlash=0.0))
         curves = [(by_place, "position")]
         # a shorter table ends with nothing, or, where steps are kept, with its last value
-        fills = (True, False) if nodes > other.positions.size else (True,)
-        for held in fills if nodes else ():
-            values = {d: _resized(other.curve(d), nodes, held=held) for d in Direction}
+        fills = (True, False) if points > other.positions.size else (True,)
+        for held in fills if points else ():
+            values = {d: _resized(other.curve(d), points, held=held) for d in Direction}
             curves.append((ways.values(values), "number"))
         for curve, kind in curves:
             more = say("loading.other_axis", by=kind)

@@ -21,7 +21,7 @@ from compwright.records.axis import AxisKind
 from compwright.records.correction import Assumption
 
 _GRID = (3620, 3621, 3622, 3623, 3624)
-#: The intervals of a turn must fill it to this part of the turn, else node and turn drift apart;
+#: The intervals of a turn must fill it to this part of the turn, else point and turn drift apart;
 #: printed numbers are exact to 1e-7.
 _WHOLE_TURN = 1e-6
 

@@ -24,14 +24,14 @@ from compwright.records.correction import Assumption
 class Bending:
     """The straightness compensation of the axis ``bent`` by the position of the axis ``moving``.
 
-    ``nodes`` (k,): positions of the axis ``moving`` relative to its ``reference``, mm or deg.
+    ``points`` (k,): positions of the axis ``moving`` relative to its ``reference``, mm or deg.
     ``shifts`` (k,): corrections of the axis ``bent`` at these positions, mm or deg. ``turn``:
     travel per turn of an endless moving axis, deg; None for an axis with ends.
     """
 
     moving: str
     bent: str
-    nodes: FloatArray
+    points: FloatArray
     shifts: FloatArray
     reference: float
     turn: float | None
@@ -40,12 +40,12 @@ class Bending:
         """Return the correction (mm or deg) of the axis ``bent`` with the moving axis at
         ``positions`` (any shape).
 
-        Outside the nodes the corrections of the end nodes apply.
+        Outside the points the corrections of the end points apply.
         """
         x = positions - self.reference
         if self.turn is not None:
             x = np.mod(x, self.turn)
-        return np.asarray(np.interp(x, self.nodes, self.shifts), dtype=np.float64)
+        return np.asarray(np.interp(x, self.points, self.shifts), dtype=np.float64)
 
 
 def bending_of(
@@ -114,7 +114,7 @@ def _bending(loader: AxisLoader, bend: Bend, grid: IncrementGrid, unit: float) -
     return Bending(
         moving=str(bend.moving),
         bent=str(bend.bent),
-        nodes=grid.interval * (numbers - grid.reference),
+        points=grid.interval * (numbers - grid.reference),
         shifts=unit * bend.lines.at(numbers, grid.reference),
         reference=reference,
         turn=grid.turn,

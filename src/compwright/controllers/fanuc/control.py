@@ -84,7 +84,7 @@ class FanucControl:
         """Return the controlled axes in the files, ascending."""
         return tuple(self.axes)
 
-    def nodes(self, address: str) -> FloatArray:
+    def points(self, address: str) -> FloatArray:
         """Return the positions (k,) of the section ends, mm or deg; empty without a table."""
         axis = self._axis(address)
         return np.empty(0) if axis.table is None else axis.table.positions() + axis.reference

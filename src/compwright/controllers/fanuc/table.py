@@ -5,8 +5,8 @@ The rules are taken from the manuals, independently of the definition that write
 - An increment belongs to its section. With reference number r and interval b, number n belongs to
   the section from (n - r - 1) b to (n - r) b (0i-PB parameter manual B-63980EN/01 p. 100). On both
   sides of r, increments are counted from the negative towards the positive side.
-- The total at the node m b is the sum of the increments from the reference to this node. It is 0 at
-  the reference. For m < 0 it is minus the sum of the increments in between.
+- The total at the point m b is the sum of the increments from the reference to this point. It is 0
+  at the reference. For m < 0 it is minus the sum of the increments in between.
 - The pulses of a section are output in its middle (practice), or as a ramp with interpolated
   compensation. Outside the table the total of its end applies.
 """

@@ -59,12 +59,12 @@ class HeidenhainControl:
         """Return the axes that the files correct, by tables or parameters, active or not."""
         return tuple(self.axes)
 
-    def nodes(self, address: str) -> FloatArray:
+    def points(self, address: str) -> FloatArray:
         """Return the positions (k,) of the axis' own table, active or not, mm or deg; empty without
         a table.
         """
         table = self._axis(address).table
-        return np.empty(0) if table is None else table.nodes()
+        return np.empty(0) if table is None else table.points()
 
     def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
         """Return the correction at ``positions`` (any shape), approached in ``direction``; mm or

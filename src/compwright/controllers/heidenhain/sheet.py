@@ -38,7 +38,7 @@ _NO_UNIT = ("", "-", "bit")
 
 @dataclass(frozen=True, slots=True)
 class JudgedSheet:
-    """An entry sheet of one axis: ``values`` (k,) at ``nodes`` (k,), both in mm or deg.
+    """An entry sheet of one axis: ``values`` (k,) at ``points`` (k,), both in mm or deg.
 
     k is 0 for a sheet with parameters only. ``errors``: the values are errors, else corrections.
     ``kind``: linear or rotary by the units; None without a unit.
@@ -46,7 +46,7 @@ class JudgedSheet:
 
     address: str
     errors: bool
-    nodes: FloatArray
+    points: FloatArray
     values: FloatArray
     kind: AxisKind | None
     parameters: tuple[Parameter, ...]
@@ -286,7 +286,7 @@ class _SheetLines:
         return JudgedSheet(
             address=address,
             errors=values == "error",
-            nodes=columns[:, 0],
+            points=columns[:, 0],
             values=columns[:, 1],
             kind=self.kind,
             parameters=tuple(

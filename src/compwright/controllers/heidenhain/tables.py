@@ -25,13 +25,13 @@ _MEETS = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class CorrectionCurve:
-    """A correction curve: ``values`` (k,) at ``nodes`` (k,), linear in between, constant outside.
+    """A correction curve: ``values`` (k,) at ``points`` (k,), linear in between, constant outside.
 
     ``endless``: positions count modulo 360 deg. ``one_turn``: the curve is used from 0 to 360 deg
     only; outside, its value at 0 or 360 deg applies.
     """
 
-    nodes: FloatArray
+    points: FloatArray
     values: FloatArray
     endless: bool = False
     one_turn: bool = False
@@ -42,7 +42,7 @@ class CorrectionCurve:
             positions = np.mod(positions, TURN)
         elif self.one_turn:
             positions = np.clip(positions, 0.0, TURN)
-        return np.asarray(np.interp(positions, self.nodes, self.values), dtype=np.float64)
+        return np.asarray(np.interp(positions, self.points, self.values), dtype=np.float64)
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,9 +56,9 @@ class OwnTable:
         """Return the correction at ``positions`` (any shape) approached in ``direction``."""
         return (self.positive if direction is Direction.POSITIVE else self.negative).at(positions)
 
-    def nodes(self) -> FloatArray:
+    def points(self) -> FloatArray:
         """Return the positions of the points of both curves, ascending."""
-        return np.union1d(self.positive.nodes, self.negative.nodes)
+        return np.union1d(self.positive.points, self.negative.points)
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,14 +92,14 @@ class HeidenhainAxis:
         return total
 
 
-def whole_turn(nodes: FloatArray) -> bool:
+def whole_turn(points: FloatArray) -> bool:
     """Return whether the table of a rotary axis covers 0 to 360 deg."""
-    return bool(nodes[0] <= _MEETS and nodes[-1] >= TURN - _MEETS)
+    return bool(points[0] <= _MEETS and points[-1] >= TURN - _MEETS)
 
 
-def leaves_turn(nodes: FloatArray) -> bool:
+def leaves_turn(points: FloatArray) -> bool:
     """Return whether the table of a rotary axis has entries outside 0 to 360 deg."""
-    return bool(nodes[0] < -_MEETS or nodes[-1] > TURN + _MEETS)
+    return bool(points[0] < -_MEETS or points[-1] > TURN + _MEETS)
 
 
 _MM_PER_INCH = 25.4
@@ -131,16 +131,16 @@ class OwnTableLoader:
         """Load each column of a .COM table as the correction of its axis over the position of the
         axis ``moving``.
         """
-        nodes = self._nodes(com, moving)
+        points = self._points(com, moving)
         sign = self._sign(com, moving)
-        if nodes is None:
+        if points is None:
             return
         for index, output in enumerate(com.columns):
             if output in filled(com):
                 values = sign * com.values[:, index] * self._length(com, output)
-                curve = self._curve(moving, nodes, values, com.place)
+                curve = self._curve(moving, points, values, com.place)
                 if output == moving:
-                    negative = self._second_curve(com, moving, nodes, sign) or curve
+                    negative = self._second_curve(com, moving, points, sign) or curve
                     self.own[moving].append((com.place, OwnTable(curve, negative)))
                 else:
                     self.crossed[moving, output] = curve
@@ -156,7 +156,7 @@ class OwnTableLoader:
                 )
             )
 
-    def _nodes(self, com: Com, moving: str) -> FloatArray | None:
+    def _points(self, com: Com, moving: str) -> FloatArray | None:
         """Return the positions (k,) of all rows, mm or deg; None, with a fault, if unequally
         spaced.
         """
@@ -179,13 +179,13 @@ class OwnTableLoader:
                 )
                 return None
             distance = 2.0 ** int(com.distance) * _EXPONENT_UNIT
-        nodes = com.datum * factor + distance * np.arange(len(com.values))
-        if distance <= 0.0 or not np.all(np.diff(nodes) > 0.0):
+        points = com.datum * factor + distance * np.arange(len(com.values))
+        if distance <= 0.0 or not np.all(np.diff(points) > 0.0):
             self.given.faults.append(
                 com.place.fault("DIST", expected="a spacing above 0", found=f"{com.distance:g}")
             )
             return None
-        return np.asarray(nodes, dtype=np.float64)
+        return np.asarray(points, dtype=np.float64)
 
     def _length(self, com: Com, address: str) -> float:
         """Return the factor from the length unit of a table to mm; 1 for angles."""
@@ -204,7 +204,8 @@ class OwnTableLoader:
         """Return the factor (1 or -1) from a table value to the correction."""
         chosen = self.given.choice("table_values", ("error", "correction"), moving)
         sheet = next(
-            (one for one in self.given.sheets if one.address == moving and not one.nodes.size), None
+            (one for one in self.given.sheets if one.address == moving and not one.points.size),
+            None,
         )
         if sheet is not None:  # the sheet with the parameters of the table states it
             self.given.assumed.append(
@@ -224,12 +225,12 @@ class OwnTableLoader:
         return -1.0 if chosen == "error" else 1.0
 
     def _second_curve(
-        self, com: Com, moving: str, nodes: FloatArray, sign: float
+        self, com: Com, moving: str, points: FloatArray, sign: float
     ) -> CorrectionCurve | None:
         """Return the curve for approaches towards -; None if one curve applies to both directions.
 
         The curve is the column BACKLASH of a table of an NCK control. ``moving``: the axis whose
-        position selects the rows. ``nodes`` (k,): positions of the rows, mm or deg. ``sign``: 1 or
+        position selects the rows. ``points`` (k,): positions of the rows, mm or deg. ``sign``: 1 or
         -1, factor from a table value to the correction.
         """
         chosen = self.given.choice("backlash_column", ("second_curve", "absent"), moving)
@@ -251,7 +252,7 @@ class OwnTableLoader:
                 )
             )
             return self._curve(
-                moving, nodes, sign * com.negative * self._length(com, moving), com.place
+                moving, points, sign * com.negative * self._length(com, moving), com.place
             )
         own = com.values[:, com.columns.index(moving)]
         filled = ~np.isnan(com.negative)
@@ -270,24 +271,27 @@ class OwnTableLoader:
 
     def load_sheet(self, sheet: JudgedSheet) -> None:
         """Load the points of an entry sheet, if it has any."""
-        if sheet.nodes.size == 0:
+        if sheet.points.size == 0:
             return
         self._check_grid(sheet)
         curve = self._curve(
-            sheet.address, sheet.nodes, -sheet.values if sheet.errors else sheet.values, sheet.place
+            sheet.address,
+            sheet.points,
+            -sheet.values if sheet.errors else sheet.values,
+            sheet.place,
         )
         self.own[sheet.address].append((sheet.place, OwnTable(curve, curve)))
 
     def _check_grid(self, sheet: JudgedSheet) -> None:
         """Check that an entry sheet's positions are equally spaced, as an iTNC 530 requires."""
-        if self.given.generation.name != ITNC530.name or sheet.nodes.size < 2:
+        if self.given.generation.name != ITNC530.name or sheet.points.size < 2:
             return
-        steps = np.arange(sheet.nodes.size)
-        spacing = float(sheet.nodes[-1] - sheet.nodes[0]) / float(steps[-1])
+        steps = np.arange(sheet.points.size)
+        spacing = float(sheet.points[-1] - sheet.points[0]) / float(steps[-1])
         rule = self.given.choice("spacing_rule", ("free", "power_of_two"), sheet.address)
         if rule == "power_of_two":
             spacing = 2.0 ** round(np.log2(spacing / _EXPONENT_UNIT)) * _EXPONENT_UNIT
-        off = float(np.max(np.abs(sheet.nodes - (sheet.nodes[0] + spacing * steps))))
+        off = float(np.max(np.abs(sheet.points - (sheet.points[0] + spacing * steps))))
         if off > _SHEET_POSITION:
             expected = "one spacing" if rule == "free" else "a spacing of 2^n * 0.0001"
             self.given.faults.append(
@@ -299,22 +303,22 @@ class OwnTableLoader:
             )
 
     def _curve(
-        self, moving: str, nodes: FloatArray, values: FloatArray, place: LinePlace
+        self, moving: str, points: FloatArray, values: FloatArray, place: LinePlace
     ) -> CorrectionCurve:
         """Return the curve through the rows that have a value.
 
-        ``moving``: the axis whose position selects the rows. ``nodes`` (k,): positions, mm or deg.
+        ``moving``: the axis whose position selects the rows. ``points`` (k,): positions, mm or deg.
         ``values`` (k,): corrections, NaN where blank. A rotary axis is endless if the job states
         its turn, or if its table covers 0 to 360 deg. Raises UsageError for a stated turn other
         than 360 deg.
         """
         filled = ~np.isnan(values)
-        nodes, values = nodes[filled], values[filled] + 0.0
+        points, values = points[filled], values[filled] + 0.0
         self.given.assumed.append(
             Assumption(f"outside the table of {moving}", "the end values hold", "unconfirmed")
         )
         if self.given.kind(moving) is not AxisKind.ROTARY:
-            return CorrectionCurve(nodes, values)
+            return CorrectionCurve(points, values)
         turn = by_address(self.given.request.modulo, moving)
         if turn is not None and turn != TURN:
             raise UsageError(
@@ -325,24 +329,24 @@ class OwnTableLoader:
                     hint=f"set `modulo: {TURN:g}` for this axis",
                 )
             )
-        if turn is None and whole_turn(nodes):
+        if turn is None and whole_turn(points):
             self.given.assumed.append(
                 Assumption(f"turn of {moving}", f"{TURN:g}", "its table reaches from 0 to 360 deg")
             )
-        endless = turn is not None or whole_turn(nodes)
+        endless = turn is not None or whole_turn(points)
         curve = CorrectionCurve(
-            nodes,
+            points,
             values,
             endless=endless,
             one_turn=not endless and self.given.generation.name == ITNC530.name,
         )
-        jump = float(np.interp(TURN, nodes, values) - np.interp(0.0, nodes, values))
+        jump = float(np.interp(TURN, points, values) - np.interp(0.0, points, values))
         if endless and abs(jump) > _SAME_VALUE:
             self.given.notes.append(
                 f"{place}: the table of {moving} jumps by {jump:g} (mm or deg) at every turn: 0 and"
                 " 360 deg differ"
             )
-        if curve.one_turn and leaves_turn(nodes):
+        if curve.one_turn and leaves_turn(points):
             self.given.notes.append(
                 f"{place}: entries of {moving} outside 0 to 360 deg are not used"
             )
@@ -356,8 +360,8 @@ class OwnTableLoader:
         for place, table in stated[1:]:
             first = stated[0][1]
             for mine, other in ((table.positive, first.positive), (table.negative, first.negative)):
-                same = mine.nodes.size == other.nodes.size and (
-                    bool(np.all(np.abs(mine.nodes - other.nodes) <= _SHEET_POSITION))
+                same = mine.points.size == other.points.size and (
+                    bool(np.all(np.abs(mine.points - other.points) <= _SHEET_POSITION))
                     and bool(np.all(np.abs(mine.values - other.values) < _SAME_VALUE))
                 )
                 fault = place.fault(

@@ -61,7 +61,7 @@ class IsgControl:
         """Return the logical axis numbers in the lists, ascending."""
         return tuple(self.axes)
 
-    def nodes(self, address: str) -> FloatArray:
+    def points(self, address: str) -> FloatArray:
         """Return the positions (k,) of the table, mm or deg, active or not."""
         table = self._axis(address).table
         return np.empty(0) if table is None else table.positions

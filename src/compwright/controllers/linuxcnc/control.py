@@ -87,7 +87,7 @@ class LinuxCncControl:
         """Return the joint numbers in the files, ascending."""
         return tuple(self.joints)
 
-    def nodes(self, address: str) -> FloatArray:
+    def points(self, address: str) -> FloatArray:
         """Return the positions (k,) of the table rows that the control loads, mm or deg."""
         joint = self._joint(address)
         return np.empty(0) if joint.table is None else joint.table.nominal * joint.unit

@@ -47,12 +47,12 @@ class PmacControl:
         """Return the numbers of the motors in the scripts, ascending."""
         return tuple(str(number) for number in self.motors)
 
-    def nodes(self, address: str) -> FloatArray:
+    def points(self, address: str) -> FloatArray:
         """Return the positions (k,) of the entries of a motor's own tables, active or not, mm or
         deg.
         """
         number, motor = self._motor(address)
-        return self._scale(number).nodes(motor.tables) if motor.tables else np.empty(0)
+        return self._scale(number).points(motor.tables) if motor.tables else np.empty(0)
 
     def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
         """Return the correction added to the command at ``positions`` (any shape) approached in

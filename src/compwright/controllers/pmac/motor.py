@@ -46,7 +46,7 @@ class MotorScale:
         """Return motor positions (counts) for machine coordinates ``x`` (mm or deg, any shape)."""
         return (x - self.zero) * self.counts
 
-    def nodes(self, tables: Sequence[CardTable]) -> FloatArray:
+    def points(self, tables: Sequence[CardTable]) -> FloatArray:
         """Return the machine coordinates of all entries of ``tables`` and of motor zero, ascending.
 
         Each table contributes the entries of one length; its repetitions are left out.
@@ -100,9 +100,9 @@ class Motor:
 
 def looked_up(table: CardTable, position: FloatArray) -> FloatArray:
     """Return a table's value (target counts) at ``position`` of its source motor (counts)."""
-    nodes = table.length * np.arange(table.announced + 1) / table.announced
+    points = table.length * np.arange(table.announced + 1) / table.announced
     values = np.array([0, *table.entries], dtype=np.float64) / PER_COUNT
-    return np.asarray(np.interp(np.mod(position, table.length), nodes, values), dtype=np.float64)
+    return np.asarray(np.interp(np.mod(position, table.length), points, values), dtype=np.float64)
 
 
 class Judged:

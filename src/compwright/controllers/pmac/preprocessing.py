@@ -187,16 +187,16 @@ def calculated(text: str) -> float | None:
         return None
 
 
-def _number(node: ast.expr) -> float:
-    if isinstance(node, ast.Constant) and isinstance(node.value, int | float):
-        return node.value
-    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.UAdd | ast.USub):
-        value = _number(node.operand)
-        return -value if isinstance(node.op, ast.USub) else value
-    if isinstance(node, ast.BinOp):
-        left, right = _number(node.left), _number(node.right)
-        if type(node.op) in _OPERATORS:
-            return _OPERATORS[type(node.op)](left, right)
-        if type(node.op) in _OF_BITS and left == int(left) and right == int(right):
-            return _OF_BITS[type(node.op)](int(left), int(right))
-    raise ValueError(ast.dump(node))
+def _number(point: ast.expr) -> float:
+    if isinstance(point, ast.Constant) and isinstance(point.value, int | float):
+        return point.value
+    if isinstance(point, ast.UnaryOp) and isinstance(point.op, ast.UAdd | ast.USub):
+        value = _number(point.operand)
+        return -value if isinstance(point.op, ast.USub) else value
+    if isinstance(point, ast.BinOp):
+        left, right = _number(point.left), _number(point.right)
+        if type(point.op) in _OPERATORS:
+            return _OPERATORS[type(point.op)](left, right)
+        if type(point.op) in _OF_BITS and left == int(left) and right == int(right):
+            return _OF_BITS[type(point.op)](int(left), int(right))
+    raise ValueError(ast.dump(point))

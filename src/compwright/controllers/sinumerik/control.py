@@ -102,12 +102,12 @@ class SinumerikControl:
         """
         return tuple(self.axes)
 
-    def nodes(self, address: str) -> FloatArray:
+    def points(self, address: str) -> FloatArray:
         """Return the positions (k,) of all table points of an axis, active or not, mm or deg."""
         name, axis = self._axis(address)
         return union(
             [
-                self.sag.nodes((name, name)),
+                self.sag.points((name, name)),
                 *([] if axis.table is None else [axis.table.positions()]),
             ]
         )

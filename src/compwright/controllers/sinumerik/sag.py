@@ -98,7 +98,7 @@ class Sag:
         """
         return tuple(self.by_pair)
 
-    def nodes(self, pair: Pair) -> FloatArray:
+    def points(self, pair: Pair) -> FloatArray:
         """Return the positions (k,) of the points of all tables of an axis pair, ascending."""
         return union([table.table.positions() for table in self._of(pair)])
 
@@ -166,7 +166,7 @@ class Sag:
         own = self._of(pair)
         if any(table.table.modulo for table in own):
             return sum(table.bound(direction) for table in own)
-        return float(np.max(np.abs(self._total(pair, self.nodes(pair), direction))))
+        return float(np.max(np.abs(self._total(pair, self.points(pair), direction))))
 
     def _total(self, pair: Pair, positions: FloatArray, direction: Direction) -> FloatArray:
         return sum(
@@ -180,7 +180,7 @@ class Sag:
 
 def union(positions: Sequence[FloatArray]) -> FloatArray:
     """Return the points (k,) of several tables, ascending, equal ones (within 1e-9) once."""
-    filled = [nodes for nodes in positions if nodes.size]
+    filled = [points for points in positions if points.size]
     if len(filled) < 2:
         return filled[0] if filled else np.empty(0)
     every = np.sort(np.concatenate(filled))

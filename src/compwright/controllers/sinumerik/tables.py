@@ -45,9 +45,9 @@ class CompensationTable:
 
     def positions(self) -> FloatArray:
         """Return the positions (k + 1,) of the points."""
-        nodes = np.asarray(self.lowest + self.step * np.arange(self.values.size), dtype=np.float64)
-        nodes[-1] = self.highest
-        return nodes
+        points = np.asarray(self.lowest + self.step * np.arange(self.values.size), dtype=np.float64)
+        points[-1] = self.highest
+        return points
 
     def value(self, positions: FloatArray) -> FloatArray:
         """Return the table's value at ``positions`` (any shape). Outside the table the end values

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import PurePath
 
-from compwright.formats.definition.extends import DefinitionText
+from compwright.formats.definition.inheritance import DefinitionText
 from compwright.formats.definition.vocabulary import (
     AddressType,
     Case,

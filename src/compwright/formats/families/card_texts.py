@@ -82,21 +82,21 @@ def table_values(
     definition: Definition,
     scale: NumberScale,
     compensation: AxisCompensation,
-    node: str | None = None,
+    point: str | None = None,
 ) -> dict[str, str]:
     """Return a table's values for the card as texts by field name, in the control's units: points,
-    start, end, spacing, backlash. ``node``: the quantity of the table's positions, needed only for
+    start, end, spacing, backlash. ``point``: the quantity of the table's positions, needed only for
     a cross-axis table.
 
     The backlash may have another unit than the positions; both units are returned too.
     """
-    node = node or ("table_start" if "table_start" in definition.bindings else "node_position")
-    lost = "backlash" if "backlash" in definition.bindings else node
-    factor = float(scale.factor(node))
+    point = point or ("table_start" if "table_start" in definition.bindings else "node_position")
+    lost = "backlash" if "backlash" in definition.bindings else point
+    factor = float(scale.factor(point))
     positions = compensation.positions
     values = {
         "points": str(positions.size),
-        "unit": scale.unit(node),
+        "unit": scale.unit(point),
         "backlash": typed_number(compensation.backlash / float(scale.factor(lost))),
         "backlash_unit": scale.unit(lost),
     }

@@ -294,10 +294,10 @@ def note_twin(address: str, other: str, notes: Notes, *, single: bool = False) -
 
 
 def _same(one: AxisCompensation, other: AxisCompensation) -> bool:
-    nodes: FloatArray = np.union1d(one.positions, other.positions)
-    nodes = nodes if nodes.size else np.zeros(1)
+    points: FloatArray = np.union1d(one.positions, other.positions)
+    points = points if points.size else np.zeros(1)
     return all(
-        float(np.max(np.abs(one.at(nodes, d) - other.at(nodes, d)))) <= SAME_TABLE
+        float(np.max(np.abs(one.at(points, d) - other.at(points, d)))) <= SAME_TABLE
         for d in Direction
     )
 

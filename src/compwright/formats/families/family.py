@@ -18,7 +18,7 @@ import numpy as np
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.between import Between, BetweenRequest
+from compwright.formats.families.axis_pairs import Between, BetweenRequest
 from compwright.formats.families.card_texts import AxisCard, CardRequest
 from compwright.formats.families.resolved_definition import ResolvedDefinition
 from compwright.formats.text.addresses import normal_text

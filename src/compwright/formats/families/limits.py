@@ -181,11 +181,11 @@ def ends(definition: Definition, compensation: AxisCompensation, label: str) -> 
     faults: list[Fault] = []
     if not compensation.positions.size:
         return faults
-    for side, meant, made, node in (
+    for side, meant, made, point in (
         ("below", compensation.below, definition.layout.below, 0),
         ("above", compensation.above, definition.layout.above, -1),
     ):
-        values = (compensation.positive[node], compensation.negative[node])
+        values = (compensation.positive[point], compensation.negative[point])
         end = "first" if side == "below" else "last"
         if meant != made and any(value != 0 for value in values):
             faults.append(

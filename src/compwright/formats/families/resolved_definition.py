@@ -67,7 +67,7 @@ class ResolvedDefinition:
         address, _ = self.address(axis)
         existing = self.state.axes.get(address)
         if existing is not None and existing.positions.size > 1:
-            return tuple(float(node) for node in existing.positions)
+            return tuple(float(point) for point in existing.positions)
         return self.state.facts_of(address).grid
 
     def scale_of(self, axis: Axis) -> NumberScale:

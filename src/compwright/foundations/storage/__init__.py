@@ -8,6 +8,14 @@ A file that a command has read is never overwritten or deleted by it, under what
 `Session` records these files; every function that reads, writes or restores files takes it.
 """
 
+from compwright.foundations.storage.file_status import (
+    is_folder,
+    named_from,
+    relative,
+    resolved,
+    size_of,
+    way_to,
+)
 from compwright.foundations.storage.hindrances import refuse_overwriting
 from compwright.foundations.storage.listing import (
     folders_holding,
@@ -17,13 +25,10 @@ from compwright.foundations.storage.listing import (
     list_files,
     matching,
 )
-from compwright.foundations.storage.looking import (
-    is_folder,
-    named_from,
-    relative,
-    resolved,
-    size_of,
-    way_to,
+from compwright.foundations.storage.package_data import (
+    definition_files,
+    demo_files,
+    reference_files,
 )
 from compwright.foundations.storage.reading import (
     bytes_as_they_are,
@@ -32,7 +37,6 @@ from compwright.foundations.storage.reading import (
     state_of,
     was_read,
 )
-from compwright.foundations.storage.shipped import definition_files, demo_files, reference_files
 from compwright.foundations.storage.writing import Known, write_file, write_files
 
 __all__ = [

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from compwright.foundations.errors import Fault, StorageError
 from compwright.foundations.session import Session
-from compwright.foundations.storage.looking import identity, is_existing_file, reason, relative
+from compwright.foundations.storage.file_status import identity, is_existing_file, reason, relative
 from compwright.foundations.storage.reading import was_read
 
 _MOST_NAMED = 4  # files named in a line about several

@@ -10,8 +10,8 @@ from pathlib import Path
 
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.session import Session
+from compwright.foundations.storage.file_status import is_folder, reason
 from compwright.foundations.storage.journal import UNFINISHED
-from compwright.foundations.storage.looking import is_folder, reason
 from compwright.foundations.storage.recovery import put_right_above, put_right_in
 
 

@@ -14,7 +14,7 @@ from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.file_kinds import refuse_other_kind
 from compwright.foundations.input_sizes import ANY, InputKind, in_words
 from compwright.foundations.session import Session
-from compwright.foundations.storage.looking import identity, reason
+from compwright.foundations.storage.file_status import identity, reason
 from compwright.foundations.storage.recovery import put_right_above
 
 #: Opening what became a pipe since it was looked at must not wait for the other end (POSIX;

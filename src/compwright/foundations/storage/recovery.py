@@ -16,6 +16,7 @@ from pathlib import Path
 from compwright.foundations.errors import CompwrightError, Fault
 from compwright.foundations.session import Session
 from compwright.foundations.storage import disk
+from compwright.foundations.storage.file_status import reason, resolved
 from compwright.foundations.storage.journal import (
     JOURNAL,
     UNFINISHED,
@@ -29,7 +30,6 @@ from compwright.foundations.storage.journal import (
     read_journal,
 )
 from compwright.foundations.storage.locking import PATIENCE, Lock, take
-from compwright.foundations.storage.looking import reason, resolved
 
 #: A folder with its journal.
 Set = tuple[Path, Journal]

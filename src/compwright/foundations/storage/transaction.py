@@ -19,6 +19,7 @@ from pathlib import Path
 from compwright.foundations.errors import Fault, StorageError
 from compwright.foundations.session import Session
 from compwright.foundations.storage import disk
+from compwright.foundations.storage.file_status import reason, relative, resolved
 from compwright.foundations.storage.journal import (
     JOURNAL,
     UNFINISHED,
@@ -32,7 +33,6 @@ from compwright.foundations.storage.journal import (
     put_journal,
 )
 from compwright.foundations.storage.locking import Lock, take
-from compwright.foundations.storage.looking import reason, relative, resolved
 from compwright.foundations.storage.recovery import (
     NotPutRightError,
     clear,

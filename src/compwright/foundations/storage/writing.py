@@ -7,8 +7,13 @@ from pathlib import Path, PurePosixPath
 
 from compwright.foundations.errors import Fault, StorageError, raise_all
 from compwright.foundations.session import Session
+from compwright.foundations.storage.file_status import (
+    identity,
+    is_existing_file,
+    is_folder,
+    resolved,
+)
 from compwright.foundations.storage.hindrances import refuse_overwriting
-from compwright.foundations.storage.looking import identity, is_existing_file, is_folder, resolved
 from compwright.foundations.storage.reading import earlier_bytes, was_read
 from compwright.foundations.storage.recovery import put_right_above, put_right_in
 from compwright.foundations.storage.transaction import put

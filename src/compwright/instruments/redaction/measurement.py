@@ -20,9 +20,13 @@ from compwright.instruments.own_forms import is_plain_csv
 from compwright.instruments.profile import SIGNS, Profile
 from compwright.instruments.profile_of_file import proposed_profile
 from compwright.instruments.profile_reading import read_profile
-from compwright.instruments.profiled import at_its_header, has_columns
+from compwright.instruments.profile_tables import at_its_header, has_columns
 from compwright.instruments.redaction.cutting import kept_or_cut, redacted_lines
-from compwright.instruments.redaction.foreign import SIGN_TO_FILL_IN, profile_lines, redacted_table
+from compwright.instruments.redaction.foreign_tables import (
+    SIGN_TO_FILL_IN,
+    profile_lines,
+    redacted_table,
+)
 from compwright.instruments.redaction.words import KEPT_WORDS, RESULT_WORDS, is_axis, is_keywords
 from compwright.instruments.redaction.workbooks import other_parts, workbook_of
 from compwright.instruments.safe_xml import Element, read_xml

@@ -35,7 +35,7 @@ from compwright.records.job import AS_FOUND
 from compwright.records.plan import Plan, PlannedAxis
 from compwright.verification.read_back import SAME, judge_read_back
 from compwright.words.sentences import SentenceText, say
-from compwright.workflow.run.written import write_fitted
+from compwright.workflow.run.export_stage import write_fitted
 
 #: Why values cannot be read: a fault, or a question that the changed values raise.
 _Refused = InputError | UsageError
@@ -233,7 +233,7 @@ def _compared(
         judged_correction(wish, axis),
         judged_correction(found, axis),
         judged_correction(as_found, axis),
-        *_nodes(entry),
+        *_points(entry),
     )
     look_at = _look_at(control, entry, read_back.verdict)
     if partly is not None and read_back.verdict != "loaded":
@@ -288,7 +288,7 @@ def _unsaid(name: str, address: str, loaded: Sequence[Path]) -> Fault:
     )
 
 
-def _nodes(entry: PlannedAxis) -> tuple[FloatArray, float]:
+def _points(entry: PlannedAxis) -> tuple[FloatArray, float]:
     positions = entry.fitted.compensation.positions if entry.fitted is not None else np.empty(0)
     if positions.size < 2:
         return positions, 0.0

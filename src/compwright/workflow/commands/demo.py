@@ -11,13 +11,13 @@ from time import perf_counter
 
 from compwright.foundations import storage
 from compwright.foundations.input_sizes import JOB
+from compwright.foundations.parallel_work import Crew, alone
 from compwright.foundations.session import Session
-from compwright.foundations.side_by_side import Crew, alone
 from compwright.jobs.reading import read_job
 from compwright.workflow.commands.run import RunOutcome, planned, write_planned
 from compwright.workflow.commands.simulate import load_machine, simulate_files
 from compwright.workflow.commands.verify import VerifyOutcome, verify_job
-from compwright.workflow.ready import ready_for_axes
+from compwright.workflow.preloading import ready_for_axes
 from compwright.workflow.results.own_files import write_listed
 
 

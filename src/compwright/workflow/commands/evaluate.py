@@ -24,11 +24,11 @@ from compwright.foundations.errors import (
 )
 from compwright.foundations.input_sizes import MEASUREMENT
 from compwright.foundations.own_faults import OWN_FAULT
+from compwright.foundations.parallel_work import Crew, alone, in_order
 from compwright.foundations.session import Session
-from compwright.foundations.side_by_side import Crew, alone, in_order
 from compwright.foundations.utf8 import encoded, shown_path
 from compwright.words.sentences import Language
-from compwright.workflow.inputs.evaluated import (
+from compwright.workflow.inputs.file_evaluation import (
     CirclesEvaluator,
     Evaluated,
     EvaluationRequest,

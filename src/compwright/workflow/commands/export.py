@@ -30,12 +30,12 @@ from compwright.planning.practical_tables import planned_request
 from compwright.planning.tables import fit_within
 from compwright.records.axis import Axis
 from compwright.records.correction import Assumption, ControlFile
-from compwright.records.fitted import FittedTable
+from compwright.records.fitted_table import FittedTable
 from compwright.records.job import AS_FOUND
 from compwright.records.plan import Plan, PlannedCross
 from compwright.workflow.inputs.own_output import refuse_added_again
 from compwright.workflow.results.own_files import write_listed
-from compwright.workflow.run.written import write_fitted
+from compwright.workflow.run.export_stage import write_fitted
 
 #: ``--option address.X=0``: how the control names axis X of the plan.
 ADDRESS = "address."

@@ -16,19 +16,19 @@ from compwright.documents.findings import finding_documents
 from compwright.documents.record import RECORD, listed_in_record
 from compwright.foundations import storage
 from compwright.foundations.errors import UsageError
+from compwright.foundations.parallel_work import Each, in_turn
 from compwright.foundations.session import Session
-from compwright.foundations.side_by_side import Each, in_turn
 from compwright.foundations.utf8 import encoded
 from compwright.jobs.assumed_job import assumed_job, assumed_of
 from compwright.records.job import Job
 from compwright.records.prediction import AxisPrediction, CirclePrediction
 from compwright.workflow.inputs.input_copies import files_of_job, given_job
-from compwright.workflow.results.recorded import folders_of_copies, known_results, recorded_run
+from compwright.workflow.results.folder_record import folders_of_copies, known_results, recorded_run
 from compwright.workflow.results.report_file import answer_files
 from compwright.workflow.results.result_files import NO_STATE, PLAN, Results, result_files
 from compwright.workflow.results.single_files import refuse_other_kinds
-from compwright.workflow.run.finished import Finished
 from compwright.workflow.run.pipeline import run_stages
+from compwright.workflow.run.run_results import Finished
 from compwright.workflow.verify.next_files import JOB
 from compwright.workflow.verify.next_round import FOLDER as ROUND
 

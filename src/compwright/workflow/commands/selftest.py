@@ -27,7 +27,7 @@ from compwright.foundations.session import Session
 from compwright.foundations.utf8 import encoded
 from compwright.planning.circle_diagnosis import diagnose_circle
 from compwright.records.positioning import PositioningTest
-from compwright.workflow.inputs.evaluated import tests_in
+from compwright.workflow.inputs.file_evaluation import tests_in
 from compwright.workflow.results.single_files import refuse_other_kinds
 
 SCHEMA: Final = "compwright/selftest/1"

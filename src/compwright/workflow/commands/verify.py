@@ -34,8 +34,8 @@ from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import PLAN
+from compwright.foundations.parallel_work import Each, in_turn
 from compwright.foundations.session import Session
-from compwright.foundations.side_by_side import Each, in_turn
 from compwright.records.axis import Direction
 from compwright.records.circular import CircularTest
 from compwright.records.job import AS_FOUND, Job
@@ -52,7 +52,7 @@ from compwright.verification.stale_plan import stale_fault, stale_plan
 from compwright.workflow.commands.compare import compare_plan, planned_files
 from compwright.workflow.inputs.after_tests import after_tests, read_again
 from compwright.workflow.inputs.input_copies import BY_VERIFY, INPUTS, files_of_verify
-from compwright.workflow.results.recorded import (
+from compwright.workflow.results.folder_record import (
     RunResult,
     known_results,
     recorded_verification,
@@ -69,8 +69,8 @@ from compwright.workflow.verify.next_round import (
     next_round,
     refuse_later_rounds,
 )
-from compwright.workflow.verify.proven import FOLDER as PROVEN
-from compwright.workflow.verify.proven import proven_files
+from compwright.workflow.verify.proof_export import FOLDER as PROVEN
+from compwright.workflow.verify.proof_export import proven_files
 from compwright.workflow.verify.verified_axis import differs_from_plan, verified_axis
 from compwright.workflow.verify.verify_circles import (
     split_after,

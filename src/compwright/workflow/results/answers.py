@@ -28,7 +28,7 @@ def write_document(
 
 def show(renderables: list[Any]) -> None:
     """Print texts and tables of the ``rich`` library on standard output."""
-    from compwright.reporting.shown import print_renderables
+    from compwright.reporting.safe_text import print_renderables
 
     print_renderables(renderables)
 
@@ -82,16 +82,16 @@ def decode_summary(document: Mapping[str, Any]) -> list[Any]:
 
 def compare_summary(document: Mapping[str, Any]) -> list[Any]:
     """Return the terminal output of ``compare``."""
-    from compwright.reporting import differing
+    from compwright.reporting import difference_output
 
-    return differing.compare_tables(document)
+    return difference_output.compare_tables(document)
 
 
 def diff_summary(document: Mapping[str, Any]) -> list[Any]:
     """Return the terminal output of ``diff``."""
-    from compwright.reporting import differing
+    from compwright.reporting import difference_output
 
-    return differing.diff_tables(document)
+    return difference_output.diff_tables(document)
 
 
 def verify_summary(outcome: Any) -> list[Any]:

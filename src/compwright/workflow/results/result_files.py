@@ -14,15 +14,15 @@ from compwright.documents.json_text import to_json
 from compwright.documents.plan import plan_document
 from compwright.documents.prediction import prediction_document
 from compwright.foundations.errors import UsageError
+from compwright.foundations.parallel_work import Each, in_turn
 from compwright.foundations.provenance import fingerprint
-from compwright.foundations.side_by_side import Each, in_turn
 from compwright.foundations.utf8 import encoded
 from compwright.records.correction import ControlFile
 from compwright.words.sentences import SentenceText, say
 from compwright.workflow.results.card import card_document, changes_csv
 from compwright.workflow.results.view import evaluations, run_view
-from compwright.workflow.run.finished import Finished
-from compwright.workflow.run.written import tables_of
+from compwright.workflow.run.export_stage import tables_of
+from compwright.workflow.run.run_results import Finished
 
 NO_STATE = SentenceText(say("run.no_state"))
 

@@ -23,12 +23,12 @@ from compwright.records.circular import CircularResult
 from compwright.records.job import Job
 from compwright.records.result import PositioningResult
 from compwright.words.sentences import ControlText, say
-from compwright.workflow.results.stated import (
+from compwright.workflow.results.test_facts import (
     report_document,
     stated_of_axes,
     stated_of_circles,
 )
-from compwright.workflow.run.predicted import after_loading
+from compwright.workflow.run.prediction_stage import after_loading
 
 JOB = "job.yaml"
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from compwright.foundations.findings import Finding
-from compwright.foundations.side_by_side import Each
+from compwright.foundations.parallel_work import Each
 from compwright.planning.axis_work import AxisWork
 from compwright.planning.motions import with_backlash
 from compwright.planning.wanted_correction import (
@@ -28,7 +28,7 @@ from compwright.verification.loading import judge_loading
 from compwright.verification.loading_hypotheses import loading_hypotheses
 from compwright.verification.measurement_cases import MeasurementCase, measurement_cases
 from compwright.words.sentences import say
-from compwright.workflow.run.measured import Measured
+from compwright.workflow.run.input_stage import Measured
 
 #: Two corrections are the same below this many mm or deg.
 _SAME = 1e-6

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from compwright.foundations.parallel_work import Each, in_turn
 from compwright.foundations.session import Session
-from compwright.foundations.side_by_side import Each, in_turn
 from compwright.records.job import Job
-from compwright.workflow.run.finished import Finished
-from compwright.workflow.run.fitted import fitted
-from compwright.workflow.run.measured import measured
-from compwright.workflow.run.predicted import predicted
-from compwright.workflow.run.wanted import wanted
-from compwright.workflow.run.written import written
+from compwright.workflow.run.estimate_stage import wanted
+from compwright.workflow.run.export_stage import written
+from compwright.workflow.run.input_stage import measured
+from compwright.workflow.run.prediction_stage import predicted
+from compwright.workflow.run.run_results import Finished
+from compwright.workflow.run.table_stage import fitted
 
 
 def run_stages(

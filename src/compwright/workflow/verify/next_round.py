@@ -28,9 +28,9 @@ from compwright.foundations.errors import (
     UsageError,
 )
 from compwright.foundations.findings import Finding
+from compwright.foundations.parallel_work import Each, in_turn
 from compwright.foundations.provenance import fingerprint, share_a_file
 from compwright.foundations.session import Session
-from compwright.foundations.side_by_side import Each, in_turn
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.foundations.utf8 import encoded
 from compwright.records.axis import Axis
@@ -42,10 +42,10 @@ from compwright.verification.proof import AfterTest
 from compwright.words.sentences import SentenceText, say
 from compwright.workflow.inputs.input_copies import files_of_job
 from compwright.workflow.inputs.jobs import read_job_file
-from compwright.workflow.results.recorded import known_results, recorded_run
+from compwright.workflow.results.folder_record import known_results, recorded_run
 from compwright.workflow.results.result_files import result_files
-from compwright.workflow.run.finished import Finished
 from compwright.workflow.run.pipeline import run_stages
+from compwright.workflow.run.run_results import Finished
 from compwright.workflow.verify.next_files import JOB, Looped, next_files
 
 #: The folder of the next round, in that of the results.

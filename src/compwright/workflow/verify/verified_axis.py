@@ -30,7 +30,7 @@ from compwright.prediction.active_corrections import Correction, difference, no_
 from compwright.prediction.dead_zone import applied_compensation
 from compwright.records.axis import Axis, AxisKind, Direction, partner_of
 from compwright.records.correction import AxisCompensation, ControlState
-from compwright.records.fitted import FittedTable
+from compwright.records.fitted_table import FittedTable
 from compwright.records.job import Acknowledged, Job
 from compwright.records.plan import PlannedAxis, PlannedTest
 from compwright.records.prediction import AcceptDecision
@@ -40,7 +40,7 @@ from compwright.records.verification import LoadingName, LoadingVerdict
 from compwright.verification.loading_hypotheses import OF_VALUES
 from compwright.verification.measurement_faults import NamedFault, measurement_fault, proof_findings
 from compwright.verification.proof import AfterTest, doubt_warnings, doubts_after
-from compwright.workflow.verify.judged_loading import judged_loading
+from compwright.workflow.verify.loading_decision import judged_loading
 
 
 def verified_axis(

@@ -75,7 +75,7 @@ class ColumnAxisReader:
         """The positions of the points of an inactive table, mm or deg."""
         if self.curves is None or self.facts["enabled"]:
             return ()
-        return tuple(float(node) for node in self.curves[0])
+        return tuple(float(point) for point in self.curves[0])
 
     def read(self) -> AxisCompensation:
         """Return the active compensation of the axis. Faults are added to the notes."""
@@ -176,13 +176,13 @@ class ColumnAxisReader:
             )
         if len(self.notes.faults) > known:
             return None
-        nodes, curve, period = self.values.turned(
+        points, curve, period = self.values.turned(
             self.address,
             np.array([float(point.position) for point in self.points]),
             np.array(values),
             sheet.name,
         )
-        return nodes, curve, curve, period
+        return points, curve, curve, period
 
     def _own_column(self) -> tuple[FloatArray, FloatArray, FloatArray, float | None] | None:
         if self.table is None or self.column is None:
@@ -209,13 +209,13 @@ class ColumnAxisReader:
         if positive is None:
             return None
         where = np.array([float(position) for position in positions])
-        nodes, curve, period = self.values.turned(self.address, where, positive, self.table.file)
+        points, curve, period = self.values.turned(self.address, where, positive, self.table.file)
         negative = (
             curve
             if second is None
             else self.values.turned(self.address, where, second, self.table.file)[1]
         )
-        return nodes, curve, negative, period
+        return points, curve, negative, period
 
     def _second_refused(self, second: FloatArray, positive: FloatArray) -> bool:
         allowed = self.values.own_options(self.address).get("backlash_column") == "second_curve"

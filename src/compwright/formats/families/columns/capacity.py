@@ -62,7 +62,7 @@ def columns_capacity(control: Family, axis: Axis) -> Capacity:
         anchored=endless,
         period=TURN if endless else None,
         line=slope.quantum("slope") if line else None,
-        nodes=None if fixed is None else tuple(float(node) for node in fixed),
+        points=None if fixed is None else tuple(float(point) for point in fixed),
         there=control.existing_grid(axis),
         cover=(
             0 if endless or line or axis.kind is AxisKind.ROTARY else 1
@@ -155,10 +155,10 @@ def broken_limits(
             hint="set `table: {mode: single}` for this axis",
         )
     yield from _line_faults(label, axis, compensation, capacity)
-    nodes = compensation.positions
-    if nodes.size < 2:
+    points = compensation.positions
+    if points.size < 2:
         return
-    yield from _grid_faults(label, unit, np.diff(nodes), capacity)
+    yield from _grid_faults(label, unit, np.diff(points), capacity)
     rule = control.definition.limit_number("spacing_per_step")
     if rule is not None:
         yield from _steep_faults(label, unit, compensation, rule)
@@ -205,13 +205,13 @@ def _line_faults(
 def _steep_faults(
     label: str, unit: str, compensation: AxisCompensation, rule: int
 ) -> Iterator[Fault]:
-    nodes, values = compensation.positions, compensation.positive
-    steps = np.diff(nodes)
+    points, values = compensation.positions, compensation.positive
+    steps = np.diff(points)
     worst = int(np.argmax(np.abs(np.diff(values)) - steps / rule))
     step = float(abs(values[worst + 1] - values[worst]))
     if step > float(steps[worst]) / rule * (1 + 1e-9):
         yield Fault(
-            message=f"{label}: neighbouring values at {nodes[worst]:g} {unit} differ by more "
+            message=f"{label}: neighbouring values at {points[worst]:g} {unit} differ by more "
             "than the control allows",
             expected=f"at most spacing / {rule} = {float(steps[worst]) / rule:.6g} {unit}",
             found=f"{step:.6g} {unit}",
@@ -231,7 +231,7 @@ def _grid_faults(label: str, unit: str, steps: np.ndarray, capacity: Capacity) -
                 "measure again, then run the job again"
             ),
         )
-    elif capacity.spacings is not None and capacity.nodes is None:
+    elif capacity.spacings is not None and capacity.points is None:
         near = min(capacity.spacings, key=lambda one: abs(one - float(steps[0])))
         if abs(near - float(steps[0])) > slack:
             yield Fault(
@@ -246,21 +246,21 @@ def _grid_faults(label: str, unit: str, steps: np.ndarray, capacity: Capacity) -
 
 
 def _turn_faults(label: str, compensation: AxisCompensation, capacity: Capacity) -> Iterator[Fault]:
-    nodes = compensation.positions
+    points = compensation.positions
     if capacity.period is None:
-        if nodes[0] < 0 or nodes[-1] > TURN:
+        if points[0] < 0 or points[-1] > TURN:
             yield Fault(
                 message=(
                     f"{label}: the control uses only the entries from 0 to 360 degrees of a rotary"
                     " axis"
                 ),
                 expected="a travel within 0 to 360, or modulo: 360 in the job",
-                found=f"a table from {nodes[0]:g} to {nodes[-1]:g}",
+                found=f"a table from {points[0]:g} to {points[-1]:g}",
                 hint="set a `travel` within 0 to 360, or `modulo: 360`, for this axis in the job",
             )
         return
     ends = [(curve[0], curve[-1]) for curve in (compensation.positive, compensation.negative)]
-    if abs(nodes[-1] - nodes[0] - TURN) > EXACTNESS * capacity.position_quantum or any(
+    if abs(points[-1] - points[0] - TURN) > EXACTNESS * capacity.position_quantum or any(
         first != last for first, last in ends
     ):
         yield Fault(
@@ -269,7 +269,8 @@ def _turn_faults(label: str, compensation: AxisCompensation, capacity: Capacity)
                 " at both ends"
             ),
             expected=f"{TURN:g} degrees, equal end values",
-            found=f"{nodes[-1] - nodes[0]:g} degrees, end values {ends[0][0]:g} and {ends[0][1]:g}",
+            found=f"{points[-1] - points[0]:g} degrees, "
+            f"end values {ends[0][0]:g} and {ends[0][1]:g}",
             hint="run the job again, so that the table is made for a whole turn",
         )
 
@@ -284,26 +285,26 @@ def card_values(control: Family, axis: Axis, compensation: AxisCompensation) -> 
     address, _ = control.address(axis)
     number = AxisNumbers(control.definition, [axis]).number(address)
     unit = axis.kind.unit
-    nodes = compensation.positions
+    points = compensation.positions
     values = {
         "number": _NO_NUMBER if number is None else str(number),
         "bit": _NO_NUMBER if number is None else str(number - 1),
-        "nonlinear": "1" if nodes.size else "0",
+        "nonlinear": "1" if points.size else "0",
         "linear": column_scale(control.definition, AxisKind.LINEAR, own).write(
             "slope", compensation.slope
         ),
         "table_values": str(own["table_values"]),
         "table": control_text("no table"),
     }
-    if nodes.size:
-        spacing = (nodes[-1] - nodes[0]) / max(nodes.size - 1, 1)
+    if points.size:
+        spacing = (points[-1] - points[0]) / max(points.size - 1, 1)
         every = control_text(", every {spacing} {unit}", spacing=f"{spacing:.10g}", unit=unit)
         values["table"] = control_text(
             "{points} points from {start} to {end} {unit}{every}",
-            points=str(nodes.size),
-            start=f"{nodes[0]:.10g}",
-            end=f"{nodes[-1]:.10g}",
+            points=str(points.size),
+            start=f"{points[0]:.10g}",
+            end=f"{points[-1]:.10g}",
             unit=unit,
-            every=every if nodes.size > 1 else "",
+            every=every if points.size > 1 else "",
         )
     return values

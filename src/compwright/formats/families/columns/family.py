@@ -7,7 +7,7 @@ from typing import Final
 
 from compwright.formats.definition.shape_rules import AXIS, NUMBER, KeptLines, ShapeRules
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.between import Between, BetweenRequest
+from compwright.formats.families.axis_pairs import Between, BetweenRequest
 from compwright.formats.families.card_texts import (
     AxisCard,
     CardRequest,
@@ -15,7 +15,7 @@ from compwright.formats.families.card_texts import (
     numbered_files,
     table_values,
 )
-from compwright.formats.families.columns.between import columns_between
+from compwright.formats.families.columns.axis_pairs import columns_between
 from compwright.formats.families.columns.capacity import (
     broken_limits,
     card_values,

@@ -50,7 +50,7 @@ class ColumnEntry:
         self.options = control.options_of(axis)
         self.scale = column_scale(self.definition, axis.kind, self.options)
         self.line = by_line(self.options)
-        self.nodes, self.positive, self.negative = _one_turn(axis, compensation)
+        self.points, self.positive, self.negative = _one_turn(axis, compensation)
 
     def value(self, correction: float) -> str:
         """Return a correction in mm or deg as text for a table cell. Raises NotHeld if it cannot be
@@ -61,8 +61,8 @@ class ColumnEntry:
     def rows(self) -> list[SheetRow]:
         """Return the table points as rows of the entry sheet."""
         rows = []
-        for number, (node, correction) in enumerate(zip(self.nodes, self.positive, strict=True)):
-            position = self.scale.write("node_position", float(node))
+        for number, (point, correction) in enumerate(zip(self.points, self.positive, strict=True)):
+            position = self.scale.write("node_position", float(point))
             rows.append(
                 SheetRow(str(number), position, self.value(float(correction)), self.axis.kind.unit)
             )
@@ -104,10 +104,14 @@ def _one_turn(
 
     Raises NotHeld if no table point is at 0 degrees.
     """
-    nodes, positive, negative = compensation.positions, compensation.positive, compensation.negative
-    if axis.modulo is None or not nodes.size:
-        return nodes, positive, negative
-    turned = np.round(np.mod(nodes[:-1], TURN), 9) % TURN
+    points, positive, negative = (
+        compensation.positions,
+        compensation.positive,
+        compensation.negative,
+    )
+    if axis.modulo is None or not points.size:
+        return points, positive, negative
+    turned = np.round(np.mod(points[:-1], TURN), 9) % TURN
     order = np.argsort(turned)
     if turned[order[0]] != 0:
         raise NotHeld(
@@ -145,12 +149,12 @@ class TableFiller:
         if others:
             self._rows(np.array(positions), self._on_the_grid(positions, others))
             return
-        nodes = self.entry.nodes
+        points = self.entry.points
         extra = max(
-            0, len(self.table.rows) - nodes.size
+            0, len(self.table.rows) - points.size
         )  # rows that stay: the end value goes on over them
-        step = float(nodes[-1] - nodes[-2]) if nodes.size > 1 else 1.0
-        grid = np.concatenate([nodes, nodes[-1] + step * np.arange(1, extra + 1)])
+        step = float(points[-1] - points[-2]) if points.size > 1 else 1.0
+        grid = np.concatenate([points, points[-1] + step * np.arange(1, extra + 1)])
         if (
             extra
             and self.entry.axis.kind is AxisKind.ROTARY
@@ -161,7 +165,7 @@ class TableFiller:
                 f"{self.table.file} has {extra} rows too many, and there is no room behind 360"
                 " degrees; delete these rows"
             )
-        held = np.concatenate([np.arange(nodes.size), np.full(extra, nodes.size - 1)])
+        held = np.concatenate([np.arange(points.size), np.full(extra, points.size - 1)])
         self._head(grid)
         self._rows(grid, held)
 
@@ -192,11 +196,11 @@ class TableFiller:
         the row its value. Raises CapacityError if rows would need new positions, because the
         columns ``others`` depend on the old ones.
         """
-        nodes = self.entry.nodes
+        points = self.entry.points
         slack = EXACTNESS * self.entry.scale.quantum("node_position")
-        first = int(np.argmin(np.abs(np.array(positions) - nodes[0])))
-        part = np.array(positions[first : first + nodes.size])
-        if part.size != nodes.size or np.max(np.abs(part - nodes)) > slack:
+        first = int(np.argmin(np.abs(np.array(positions) - points[0])))
+        part = np.array(positions[first : first + points.size])
+        if part.size != points.size or np.max(np.abs(part - points)) > slack:
             unit = self.entry.axis.kind.unit
             steps = np.diff(positions)
             even = steps.size and np.ptp(steps) <= slack
@@ -213,14 +217,14 @@ class TableFiller:
                         f"table: {{start: {positions[0]:.10g}, end: {positions[-1]:.10g}{spacing}}}"
                         f" in the job ({unit})"
                     ),
-                    found=f"{nodes.size} points from {nodes[0]:.10g} to {nodes[-1]:.10g}",
+                    found=f"{points.size} points from {points[0]:.10g} to {points[-1]:.10g}",
                     hint=(
                         f"set `table: {{start: {positions[0]:.10g}, end: {positions[-1]:.10g}}}` "
                         "for this axis in the job"
                     ),
                 )
             )
-        return np.clip(np.arange(len(positions)) - first, 0, nodes.size - 1)
+        return np.clip(np.arange(len(positions)) - first, 0, points.size - 1)
 
     def _head(self, grid: FloatArray) -> None:
         """Write the first position and the spacing into the table's first line, if tables of this
@@ -251,9 +255,9 @@ class TableFiller:
         """
         rows = self.table.rows
         content = self.patches.files[self.number].content
-        for row, position, node in zip(rows, grid, held, strict=False):
+        for row, position, point in zip(rows, grid, held, strict=False):
             line = content[row.start : row.end].decode("latin-1")
-            cells = self._cells(float(position), int(node), row)
+            cells = self._cells(float(position), int(point), row)
             self.patches.replace(self.number, *cell_changes(self.table, row, line, cells))
         last = content[rows[-1].start : rows[-1].end].decode("latin-1")
         added = []
@@ -264,16 +268,16 @@ class TableFiller:
             added.append(line)
         self.patches.add_lines(self.number, rows[-1].start, added)
 
-    def _cells(self, position: float, node: int, row: Row | None) -> dict[str, str]:
+    def _cells(self, position: float, point: int, row: Row | None) -> dict[str, str]:
         """Return the new texts of a row's cells by column, for the table point with the index
-        ``node``; cells whose number does not change are left out.
+        ``point``; cells whose number does not change are left out.
         """
         entry = self.entry
         cells = {
-            self.column: signed(self.table, entry.value(float(entry.positive[node])), self.column)
+            self.column: signed(self.table, entry.value(float(entry.positive[point])), self.column)
         }
         if self._two_columns():
-            cells[SECOND] = signed(self.table, entry.value(float(entry.negative[node])), SECOND)
+            cells[SECOND] = signed(self.table, entry.value(float(entry.negative[point])), SECOND)
         if not self.sources.numbered:
             text = f"{Decimal(entry.scale.write('node_position', position)).normalize():f}"
             cells[POSITION] = signed(self.table, text, POSITION)

@@ -215,18 +215,18 @@ class _ColumnStateReader:
                 )
                 if positions is None or values is None:
                     continue
-                nodes, curve, period = self.values.turned(
+                points, curve, period = self.values.turned(
                     moving, np.array([float(one) for one in positions]), values, table.file
                 )
                 if self._off(output):  # no table is active on this axis, but it has a column
-                    curve = np.zeros(nodes.size)
+                    curve = np.zeros(points.size)
                 found.append(
                     CrossCompensation(
                         input=moving,
                         output=output,
                         input_kind=self.values.kind(moving),
                         output_kind=self.values.kind(output),
-                        positions=nodes,
+                        positions=points,
                         positive=curve,
                         negative=curve,
                         below=layout.below,

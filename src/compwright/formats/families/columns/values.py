@@ -184,14 +184,14 @@ class TableValues:
     def _checked(
         self, table: UserTable, positions: list[Decimal], scale: NumberScale
     ) -> tuple[Decimal, ...] | None:
-        node = self.definition.measure("node_position")
+        point = self.definition.measure("node_position")
         for row, position, before in zip(
             table.rows, positions, [None, *positions[:-1]], strict=True
         ):
             why = expected = ""
             if before is not None and position <= before:
                 why, expected = "the positions do not ascend", f"more than {before}"
-            elif not in_range(node, scale, position):
+            elif not in_range(point, scale, position):
                 why, expected = "a position this large is not plausible", "see formats show"
             if why:
                 self._fault(table, row.line, why, expected, str(position))
@@ -297,11 +297,11 @@ class TableValues:
                     )
                 )
             return positions, values, None
-        nodes = np.concatenate([[0.0], positions[(positions > 0) & (positions < TURN)], [TURN]])
-        curve = np.interp(nodes, positions, values)
+        points = np.concatenate([[0.0], positions[(positions > 0) & (positions < TURN)], [TURN]])
+        curve = np.interp(points, positions, values)
         if curve[0] != curve[-1]:
             self.notes.find("CW-S017", "warning", axis=address, file=file)
-        return nodes, curve, TURN
+        return points, curve, TURN
 
     def fault(self, file: str, place: str, message: str, expected: str, found: str) -> None:
         """Add an error in a file to the notes, unless it is there already."""

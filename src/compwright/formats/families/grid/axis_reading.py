@@ -117,7 +117,7 @@ class GridAxisReader:
         if repeats and table is not None:
             period = period_of(self.values, self.axis, self.rows, table)
         if has_table and table is None and scale is not None:
-            facts = replace(facts, grid=self._idle_nodes(scale))
+            facts = replace(facts, grid=self._idle_points(scale))
         if constant:
             facts = replace(facts, stated={**facts.stated, "backlash_in_curves": 2.0 * constant})
         if table is None:
@@ -359,7 +359,7 @@ class GridAxisReader:
             source.fault(message, max_points, expected=f"{reserved}", what=str(size))
         return table
 
-    def _idle_nodes(self, scale: NumberScale) -> tuple[float, ...]:
+    def _idle_points(self, scale: NumberScale) -> tuple[float, ...]:
         """Return the positions of an inactive table's points, mm or deg; empty if invalid."""
         quiet = replace(self.values, notes=Notes())
         singles = {
@@ -369,7 +369,7 @@ class GridAxisReader:
         }
         source = TableSource(self.label, self.rows, singles, scale, quiet.notes)
         table = shape_of(self.definition).read(source)
-        return () if table is None else tuple(float(node) for node in table.positions)
+        return () if table is None else tuple(float(point) for point in table.positions)
 
     def _backlash(self, scale: NumberScale, *, has_table: bool) -> tuple[float, float]:
         """Return two values in mm or deg: the backlash, and half the backlash as a constant

@@ -14,7 +14,7 @@ from typing import ClassVar
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.between import Between, BetweenRequest, alternative_answer
+from compwright.formats.families.axis_pairs import Between, BetweenRequest, alternative_answer
 from compwright.formats.families.card_texts import (
     AxisCard,
     CardRequest,

@@ -22,14 +22,14 @@ from compwright.records.correction import AxisCompensation
 
 #: The quantity by which a control says where its modulo range begins.
 RANGE_QUANTITY = "modulo_start"
-#: A node counts as lying on the beginning of the range when it misses it by less than this part of
+#: A point counts as lying on the beginning of the range when it misses it by less than this part of
 #: a spacing.
-_SAME_NODE = 1e-6
+_SAME_POINT = 1e-6
 #: Rows beyond whole sections: the first one, and one that begins beyond each end of the travel.
 _EXTRA_ROWS = 2
 #: Fewer sections show nothing of a turn.
 _LEAST_SECTIONS = 3
-#: Places of nodes that were repeated are rounded to this, deg.
+#: Places of points that were repeated are rounded to this, deg.
 _DECIMALS = 9
 
 
@@ -49,7 +49,7 @@ def in_modulo_range(
     step = float(positions[-1] - positions[0]) / (positions.size - 1)
     ahead = float(np.mod(start - positions[0], period)) / step
     shift = round(ahead)
-    if abs(ahead - shift) > _SAME_NODE:
+    if abs(ahead - shift) > _SAME_POINT:
         common = _common(period, float(np.mod(positions[0] - start, period)))
         faults.append(
             Fault(
@@ -64,12 +64,12 @@ def in_modulo_range(
             )
         )
         return compensation
-    if shift % (positions.size - 1) == 0 and abs(float(positions[0]) - start) <= _SAME_NODE * step:
+    if shift % (positions.size - 1) == 0 and abs(float(positions[0]) - start) <= _SAME_POINT * step:
         return compensation
-    nodes = start + step * np.arange(positions.size)
+    points = start + step * np.arange(positions.size)
     return replace(
         compensation,
-        positions=np.asarray(np.round(nodes, 9), dtype=np.float64),
+        positions=np.asarray(np.round(points, 9), dtype=np.float64),
         positive=_rolled(compensation.positive, shift),
         negative=_rolled(compensation.negative, shift),
     )

@@ -28,9 +28,9 @@ from compwright.foundations.errors import Fault
 #: as a step that was rounded when it was written (770 / 39 = 19.7436).
 WHOLE_STEPS = Decimal("1e-6")
 ROUNDED_STEPS = Decimal("1e-3")
-#: Nodes closer together than this are one, mm or deg: far below what a control resolves, far above
+#: Points closer together than this are one, mm or deg: far below what a control resolves, far above
 #: the rounding of doubles.
-SAME_NODE = 1e-9
+SAME_POINT = 1e-9
 _GRID = ("table_start", "table_end", "table_spacing")
 
 
@@ -126,7 +126,7 @@ def _stays(text: TableText) -> bool:
         # an end between two points would leave it to the control which of them is the last one
         return False
     there = np.array([float(start + index * step) for index in range(positions.size)])
-    return bool(np.all(np.abs(there - positions) < SAME_NODE))
+    return bool(np.all(np.abs(there - positions) < SAME_POINT))
 
 
 def is_blank(source: TableSource) -> bool:

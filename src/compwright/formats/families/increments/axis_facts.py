@@ -19,7 +19,7 @@ from compwright.formats.families.increments.neighbour_functions import (
     straightness_functions,
 )
 from compwright.formats.families.increments.parameters import AxisParameters
-from compwright.formats.families.increments.sections import idle_nodes
+from compwright.formats.families.increments.sections import idle_points
 from compwright.formats.text.notes import Notes
 from compwright.records.axis import AxisKind
 from compwright.records.facts import AxisFacts
@@ -71,7 +71,7 @@ def facts_of(values: IncrementAxisValues) -> AxisFacts:
         reference_return=values.returning(),
         absolute_encoder=absolute,
         diameter=diameter,
-        grid=idle_nodes(values, kind),
+        grid=idle_points(values, kind),
         unit_evidence="" if unit is None else unit.evidence,
         lead=None if lead is None else lead.size,
         lead_evidence="" if lead is None else lead.evidence,

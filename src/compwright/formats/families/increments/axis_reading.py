@@ -82,7 +82,7 @@ class IncrementReader:
         if repeats(values, kind, sections):
             turning = self._endless(kind, sections, own, backlash)
             return None if turning is None else self._with_counted(kind, sections, turning)
-        positions = sections.nodes(self._reference(), round_turn=False)
+        positions = sections.points(self._reference(), round_turn=False)
         scale = float(self._unit(kind)) * sections.magnification * self._sign("pitch_sign")
         positive, negative = (totals(each, sections) * scale for each in (own, other))
         if sections.negative is not None:
@@ -102,9 +102,9 @@ class IncrementReader:
         """
         functions = counted(self.values, kind, self.options, self._increments)
         unit = float(self._unit(kind)) * self._sign("pitch_sign")
-        nodes = table.positions
+        points = table.positions
         others = []
-        for places, sums, period in functions.curves(sections, nodes, self._reference(), unit):
+        for places, sums, period in functions.curves(sections, points, self._reference(), unit):
             if table.period is not None and period is None and sums[0] != sums[-1]:
                 self.values.wrong(
                     "last_number",
@@ -321,7 +321,7 @@ class IncrementReader:
             )
         sums = np.concatenate([[0.0], np.cumsum(counts[skipped:])])
         curve = sums * unit * self._sign("pitch_sign")
-        positions = sections.nodes(self._reference(), round_turn=True)
+        positions = sections.points(self._reference(), round_turn=True)
         return self._compensation(kind, (positions, curve, curve), backlash, turn)
 
 

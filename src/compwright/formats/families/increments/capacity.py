@@ -68,7 +68,7 @@ class IncrementLimits:
             backlash_quantum=scale.quantum("backlash"),
             backlash_range=scale.range("backlash"),
             min_points=definition.limit_number("min_points") or 2,
-            max_points=max(2, self._nodes(gap), 0 if self.shares else len(self.there)),
+            max_points=max(2, self._points(gap), 0 if self.shares else len(self.there)),
             shared_points=self._shared_numbers(),
             own_points=self._own_points(),
             lattice=Lattice(
@@ -94,7 +94,7 @@ class IncrementLimits:
             assumed=tuple(self.assumed),
         )
 
-    def _nodes(self, numbers: int) -> int:
+    def _points(self, numbers: int) -> int:
         """Return how many table points the axis can have with so many successive point numbers.
 
         Each point number belongs to one section, the interval between two table points. So k
@@ -114,7 +114,7 @@ class IncrementLimits:
             for claimed in self.facts.claimed
         )
         most = max(rows, default=0)
-        return self._nodes(most) if most else 0
+        return self._points(most) if most else 0
 
     def _shared_numbers(self) -> int:
         """Return the length of the longest block of point numbers that no axis uses."""

@@ -38,7 +38,8 @@ from compwright.foundations.errors import CapacityError, Fault, UsageError, rais
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
 
-#: How far a node may be from its place on the grid, in spacings: arithmetic dust, not a wrong grid.
+#: How far a point may be from its place on the grid, in spacings: arithmetic dust, not a wrong
+#: grid.
 _ON_GRID = 1e-6
 #: 3627 is a 16-bit number.
 OFFSETS = (-32767, 32767)

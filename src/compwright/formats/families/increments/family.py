@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from compwright.formats.definition.shape_rules import NUMBER, KeptLines, ShapeRules
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.between import Between, BetweenRequest
+from compwright.formats.families.axis_pairs import Between, BetweenRequest
 from compwright.formats.families.card_texts import (
     AxisCard,
     CardRequest,
@@ -14,7 +14,7 @@ from compwright.formats.families.card_texts import (
     sign_check,
 )
 from compwright.formats.families.family import Family, Listing, check_tables, writable_tables
-from compwright.formats.families.increments.between import straightness_between
+from compwright.formats.families.increments.axis_pairs import straightness_between
 from compwright.formats.families.increments.capacity import IncrementLimits
 from compwright.formats.families.increments.card import increment_values, numbered_sections
 from compwright.formats.families.increments.entries import free_numbers_question

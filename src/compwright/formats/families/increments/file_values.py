@@ -165,7 +165,7 @@ def value_location(
             if number not in claimed:
                 continue
             owners.append(address)
-            nodes = state.axes[address].positions if address in state.axes else ()
-            place = number - claimed.start + (1 if len(nodes) == len(claimed) + 1 else 0)
-            at = float(nodes[place]) if place < len(nodes) else None
+            points = state.axes[address].positions if address in state.axes else ()
+            place = number - claimed.start + (1 if len(points) == len(claimed) + 1 else 0)
+            at = float(points[place]) if place < len(points) else None
     return tuple(owners), at if len(owners) == 1 else None

@@ -36,7 +36,8 @@ from compwright.formats.text.scale import NotHeld
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.correction import AxisCompensation
 
-#: Nodes and totals there, both (k,) mm or deg, and the period after which they repeat; None: never.
+#: Points and totals there, both (k,) mm or deg, and the period after which they repeat; None:
+#: never.
 Curve = tuple[FloatArray, FloatArray, float | None]
 #: Returns the increments (k,) of some numbers; None where one is missing.
 Increments = Callable[[range], FloatArray | None]
@@ -99,18 +100,18 @@ class Counted:
         self.increments = increments
 
     def curves(
-        self, sections: IncrementSections | None, nodes: FloatArray, zero: float, scale: float
+        self, sections: IncrementSections | None, points: FloatArray, zero: float, scale: float
     ) -> Iterator[Curve]:
         """Yield the corrections by inclination compensation and by the cyclic table, which the
-        control adds to the correction by the table at its points ``nodes``. ``zero``: the reference
-        position; ``scale``: mm or deg per detection unit, with sign.
+        control adds to the correction by the table at its points ``points``. ``zero``: the
+        reference position; ``scale``: mm or deg per detection unit, with sign.
 
         If one of these corrections cannot be calculated, a fault is added to the notes.
         """
         try:
             if "inclination" in self.functions:
                 function = self.functions["inclination"]
-                yield nodes, self._inclination(function, sections, nodes, zero) * scale, None
+                yield points, self._inclination(function, sections, points, zero) * scale, None
             if "cyclic" in self.functions:
                 interval, sums = self._cyclic(self.functions["cyclic"])
                 places = np.round(zero + interval * np.arange(sums.size), 9)
@@ -122,10 +123,14 @@ class Counted:
             self.values.notes.once(error.value.fault(message, error.expected))
 
     def _inclination(
-        self, function: Function, sections: IncrementSections | None, nodes: FloatArray, zero: float
+        self,
+        function: Function,
+        sections: IncrementSections | None,
+        points: FloatArray,
+        zero: float,
     ) -> FloatArray:
-        """Return the correction by inclination at the table's points ``nodes``, in detection units;
-        it is zero at the reference position ``zero``.
+        """Return the correction by inclination at the table's points ``points``, in detection
+        units; it is zero at the reference position ``zero``.
         """
         own = self.values.own
         corners, amounts = (
@@ -144,7 +149,7 @@ class Counted:
         pairs = pairwise(zip(at, levels, strict=True))
         if any(one[0] > two[0] or (one[0] == two[0] and one != two) for one, two in pairs):
             raise _NotCountedError(function.values[0], "not in order", "numbers that ascend")
-        numbers = sections.reference + np.round((nodes - zero) / sections.interval)
+        numbers = sections.reference + np.round((points - zero) / sections.interval)
         keep = np.concatenate([[True], np.diff(at) > 0])
         line = np.interp(
             np.append(numbers, sections.reference), np.compress(keep, at), np.compress(keep, levels)

@@ -14,7 +14,7 @@ from compwright.formats.families.increments.numbering import NumberPlace
 from compwright.formats.text.scale import NotHeld
 from compwright.records.axis import Axis
 
-#: Tolerance of a position at a node, in spacings: rounding of floating point.
+#: Tolerance of a position at a point, in spacings: rounding of floating point.
 _ON_GRID = 1e-6
 _HELP = (
     "leave `spacing`, `start` and `end` out of `table`, so that the existing points stay, or"
@@ -132,14 +132,16 @@ def _point_in_place(
     )
     steps = (point.number - old) * float(facts.interval or 0.0) / interval
     new = place.reference + round(steps)
-    on_node = abs(steps - round(steps)) <= _ON_GRID
+    on_point = abs(steps - round(steps)) <= _ON_GRID
     inside = first - 1 <= point.number <= last and place.first - 1 <= new <= place.last
-    if on_node and inside:
+    if on_point and inside:
         return new
     why = (
-        "is not a point of the new table" if not on_node else "lies outside the old or the new grid"
+        "is not a point of the new table"
+        if not on_point
+        else "lies outside the old or the new grid"
     )
-    help_ = _old_ends(axis, facts, interval) if on_node else _HELP
+    help_ = _old_ends(axis, facts, interval) if on_point else _HELP
     raise NotHeld(
         f"{each.label}, is active in addition to the table: the position of {point.label} {why}"
         f" ({_grids(facts, place, interval)}); {help_}"

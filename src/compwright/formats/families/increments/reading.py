@@ -166,7 +166,7 @@ class StateReader:
                 continue
             axis = self.wanted.get(pair.moving)
             zero = axis.reference if axis else float(str(self.family.options[REFERENCE]))
-            nodes = sections.nodes(zero, round_turn=False)
+            points = sections.points(zero, round_turn=False)
             numbers = np.arange(sections.first - 1, sections.last + 1, dtype=np.float64)
             moved = pair.at(numbers, sections.reference) * unit
             self.notes.assume(
@@ -179,7 +179,7 @@ class StateReader:
                 output=pair.bent,
                 input_kind=moving.kind(quiet=True),
                 output_kind=bent.kind(quiet=True),
-                positions=nodes,
+                positions=points,
                 positive=moved,
                 negative=moved,
             )

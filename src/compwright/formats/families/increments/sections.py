@@ -43,7 +43,7 @@ class IncrementSections:
         negative = self.negative
         return None if negative is None else range(negative, negative + len(self.numbers))
 
-    def nodes(self, zero: float, *, round_turn: bool) -> FloatArray:
+    def points(self, zero: float, *, round_turn: bool) -> FloatArray:
         """Return the section ends, mm or deg, with the reference at ``zero``. ``round_turn``: the
         sections cover one turn that begins at the reference.
         """
@@ -128,7 +128,7 @@ def repeats(values: IncrementAxisValues, kind: AxisKind, sections: IncrementSect
     return from_reference and sections.spans_turn(values.turn(kind))
 
 
-def idle_nodes(values: IncrementAxisValues, kind: AxisKind) -> tuple[float, ...]:
+def idle_points(values: IncrementAxisValues, kind: AxisKind) -> tuple[float, ...]:
     """Return the section ends (mm or deg) of an inactive table (3623 = 0); empty if unknown.
 
     They are unknown if the parameters do not describe a table, or if there is no job that states
@@ -142,8 +142,8 @@ def idle_nodes(values: IncrementAxisValues, kind: AxisKind) -> tuple[float, ...]
     if values.axis is None or magnification or not whole or not interval or interval < 0:
         return ()
     sections = IncrementSections(reference, first, last, float(interval), 0, None)
-    nodes = sections.nodes(values.axis.reference, round_turn=repeats(values, kind, sections))
-    return tuple(float(node) for node in nodes)
+    points = sections.points(values.axis.reference, round_turn=repeats(values, kind, sections))
+    return tuple(float(point) for point in points)
 
 
 def _checked(values: IncrementAxisValues, kind: AxisKind) -> IncrementSections | None:

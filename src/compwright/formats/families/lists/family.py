@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from compwright.formats.definition.shape_rules import NUMBER, KeptLines, ShapeRules
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.between import Between, BetweenRequest
+from compwright.formats.families.axis_pairs import Between, BetweenRequest
 from compwright.formats.families.card_texts import (
     AxisCard,
     CardRequest,
@@ -22,7 +22,7 @@ from compwright.formats.families.family import (
     in_patched_files,
     writable_tables,
 )
-from compwright.formats.families.lists.between import lists_between
+from compwright.formats.families.lists.axis_pairs import lists_between
 from compwright.formats.families.lists.file_values import file_values
 from compwright.formats.families.lists.reading import ListStateReader
 from compwright.formats.families.lists.table import COUNTS, TENTH, VALUE_TYPES, counted

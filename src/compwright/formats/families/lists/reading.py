@@ -84,7 +84,7 @@ def read_axis(of: AxisStatements) -> AxisList:
         above=of.definition.layout.above,
         period=shown.period,
     )
-    idle = () if table is None or active else tuple(float(node) for node in table.positions)
+    idle = () if table is None or active else tuple(float(point) for point in table.positions)
     return AxisList(compensation, active, idle)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from compwright.formats.definition.statements import Occurrence
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.between import Between, BetweenRequest
+from compwright.formats.families.axis_pairs import Between, BetweenRequest
 from compwright.formats.families.card_texts import (
     CURVES,
     AxisCard,
@@ -25,7 +25,7 @@ from compwright.formats.families.card_texts import (
 from compwright.formats.families.control_texts import is_listing, texts_of
 from compwright.formats.families.family import Family, Listing
 from compwright.formats.families.grid.family import GridFamily
-from compwright.formats.families.pairs.between import pairs_between
+from compwright.formats.families.pairs.axis_pairs import pairs_between
 from compwright.formats.families.pairs.capacity import PairLimits
 from compwright.formats.families.pairs.file_values import file_values, value_location
 from compwright.formats.families.pairs.options import (

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from compwright.formats.definition.statements import Occurrence, print_form
 from compwright.formats.definition.vocabulary import When
 from compwright.formats.families.axis_names import axis_names
-from compwright.formats.families.between import merged_files
+from compwright.formats.families.axis_pairs import merged_files
 from compwright.formats.families.family import Family
 from compwright.formats.text.addresses import (
     NAMES,

@@ -86,16 +86,16 @@ def _merged(
         groups.setdefault((table.period, start), []).append(table)
     merged = []
     for (period, _), members in groups.items():
-        nodes: FloatArray = np.unique(np.concatenate([table.positions for table in members]))
+        points: FloatArray = np.unique(np.concatenate([table.positions for table in members]))
         curves = []
         for direction in Direction:
             active = [
-                np.interp(nodes, table.positions, table.values)
+                np.interp(points, table.positions, table.values)
                 for table in members
                 if direction in table.directions
             ]
-            curves.append(np.sum(active, axis=0) if active else np.zeros(nodes.size))
-        merged.append((period, nodes, curves[0], curves[1]))
+            curves.append(np.sum(active, axis=0) if active else np.zeros(points.size))
+        merged.append((period, points, curves[0], curves[1]))
     return merged
 
 
@@ -126,7 +126,7 @@ def _as_tables(
     return tuple(
         replace(
             compensation,
-            positions=nodes,
+            positions=points,
             positive=positive,
             negative=negative,
             backlash=0.0,
@@ -135,7 +135,7 @@ def _as_tables(
             above="hold",
             others=(),
         )
-        for period, nodes, positive, negative in _merged(tables)
+        for period, points, positive, negative in _merged(tables)
     )
 
 
@@ -152,11 +152,11 @@ def cross_tables(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompen
             output=pair[1],
             input_kind=kind(pair[0]),
             output_kind=kind(pair[1]),
-            positions=nodes,
+            positions=points,
             positive=positive,
             negative=negative,
             period=period,
         )
         for pair in pairs
-        for period, nodes, positive, negative in _merged(cec.active(pair))
+        for period, points, positive, negative in _merged(cec.active(pair))
     )

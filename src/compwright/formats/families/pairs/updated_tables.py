@@ -72,11 +72,11 @@ def over_own_points(control: Family, entry: CrossCompensation) -> CrossCompensat
     for index in own_tables(control, (entry.input, entry.output)) if straight else ():
         old = np.array(tables.curves.get(index, ((), ()))[0])
         below, above = old[old <= ends[0] + _SAME], old[old >= ends[1] - _SAME]
-        nodes = np.array([*below[-1:], *above[:1]])
+        points = np.array([*below[-1:], *above[:1]])
         slope = (values[1] - values[0]) / (ends[1] - ends[0])
-        if nodes.size == len(ends):
-            curve = np.round((values[0] + slope * (nodes - ends[0])) / _QUANTUM) * _QUANTUM
-            wider = replace(entry, positions=nodes, positive=curve, negative=curve)
+        if points.size == len(ends):
+            curve = np.round((values[0] + slope * (points - ends[0])) / _QUANTUM) * _QUANTUM
+            wider = replace(entry, positions=points, positive=curve, negative=curve)
             if updated_table(control, wider) is not None:
                 return wider
     return entry

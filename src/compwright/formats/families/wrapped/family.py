@@ -8,7 +8,7 @@ from dataclasses import replace
 from compwright.formats.definition.shape_rules import NUMBER, KeptLines, ShapeRules
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.between import Between, BetweenRequest, alternative_answer
+from compwright.formats.families.axis_pairs import Between, BetweenRequest, alternative_answer
 from compwright.formats.families.card_texts import (
     AxisCard,
     CardRequest,
@@ -144,7 +144,7 @@ class WrappedFamily(Family):
         del one_curve
         self.address(axis)
         counts = self._counts(axis)
-        there, unfit = self._existing_nodes(axis)
+        there, unfit = self._existing_points(axis)
         value, backlash = (
             self.definition.measure(name).range for name in ("value_positive", "backlash")
         )
@@ -166,7 +166,7 @@ class WrappedFamily(Family):
             above=self.definition.layout.above,
         )
 
-    def _existing_nodes(self, axis: Axis) -> tuple[tuple[float, ...], str]:
+    def _existing_points(self, axis: Axis) -> tuple[tuple[float, ...], str]:
         """Return the positions of the table points in the scripts, and the reason why a new table
         cannot use them (empty: it can).
 
@@ -176,9 +176,9 @@ class WrappedFamily(Family):
         ring = self.existing_grid(axis)
         if axis.modulo is not None or len(ring) < 2:
             return ring, ""
-        nodes = over_travel(ring, axis)
-        short = "" if len(nodes) < len(ring) else "it repeats within the travel"
-        return nodes, short
+        points = over_travel(ring, axis)
+        short = "" if len(points) < len(ring) else "it repeats within the travel"
+        return points, short
 
     def _counts(self, axis: Axis) -> Counts:
         return counts_of(self.definition, self.options_of(axis), axis.name)

@@ -251,7 +251,7 @@ class WrappedStateReader:
                 self._by_actual(table)
         rate = self.script.setting("take_up_rate", motor)
         stated = {} if rate is None else {"take_up_rate": number_of(rate)}
-        named, idle = self.letters.get(motor, AxisFacts()), self._idle_nodes(motor, both)
+        named, idle = self.letters.get(motor, AxisFacts()), self._idle_points(motor, both)
         facts = replace(named, enabled=on, grid=idle, stated=stated)
         grids: dict[tuple[int, int], tuple[FloatArray, FloatArray]] = {}
         if (on and any(any(table.numbers) for table in both)) or (lost and constant):
@@ -310,7 +310,7 @@ class WrappedStateReader:
             return replace(empty, backlash=amount, reference_return=counts.forward)
         return replace(parts[0], others=tuple(parts[1:]))
 
-    def _idle_nodes(self, motor: int, tables: Sequence[MemoryTable]) -> tuple[float, ...]:
+    def _idle_points(self, motor: int, tables: Sequence[MemoryTable]) -> tuple[float, ...]:
         """Return an inactive table's positions over one period, mm or deg; empty if unknown."""
         axis = self.axes.get(str(motor))
         if not tables or axis is None:
@@ -321,7 +321,7 @@ class WrappedStateReader:
             return ()
         needed, length = tables[0].needed, tables[0].counts * counts.count
         begin, _ = around(axis, self._zero(axis), length / needed)
-        return tuple(float(node) for node in begin + np.arange(needed + 1) * length / needed)
+        return tuple(float(point) for point in begin + np.arange(needed + 1) * length / needed)
 
     def _zero(self, axis: Axis | None) -> float:
         return axis.reference if axis is not None else float(str(self.options[REFERENCE]))

@@ -55,7 +55,7 @@ class MotorTable:
 
 
 @dataclass(frozen=True, slots=True)
-class _Nodes:
+class _Points:
     """The points of a table, numbered from the reference.
 
     ``first``, ``last``: the numbers of the first and last point of the correction. ``low``,
@@ -103,23 +103,23 @@ def motor_table(
     its number of entries.
     """
     label = f"axis {axis.name} ({compensation.address})"
-    nodes, wrong = _nodes(axis, compensation, label, ring)
-    if nodes is None:
+    points, wrong = _points(axis, compensation, label, ring)
+    if points is None:
         faults.extend(wrong)
         return None
-    length = nodes.step * (nodes.high - nodes.low + 1) * abs(counts.per_unit)
+    length = points.step * (points.high - points.low + 1) * abs(counts.per_unit)
     if abs(length - round(length)) > EXACTNESS:
         faults.append(
             Fault(
                 message=f"{label}: the length of the table is not a whole number of counts",
                 expected=f"a spacing that is a multiple of {counts.count:.9g} {axis.kind.unit}",
-                found=f"{nodes.step:.10g} {axis.kind.unit}, {length:.6f} counts",
+                found=f"{points.step:.10g} {axis.kind.unit}, {length:.6f} counts",
                 hint="set `table: {spacing: ...}` to such a multiple",
             )
         )
         return None
     try:
-        entries, lost, constant = _numbers(compensation, nodes, counts, label)
+        entries, lost, constant = _numbers(compensation, points, counts, label)
     except NotHeld as error:
         faults.append(
             Fault(
@@ -128,17 +128,17 @@ def motor_table(
             )
         )
         return None
-    ends = (axis.reference + nodes.high * nodes.step, axis.reference + nodes.low * nodes.step)
+    ends = (axis.reference + points.high * points.step, axis.reference + points.low * points.step)
     gap = None if compensation.period is not None else ends
     return MotorTable(int(compensation.address), round(length), entries, lost, constant, gap)
 
 
 def _numbers(
-    compensation: AxisCompensation, nodes: _Nodes, counts: Counts, label: str
+    compensation: AxisCompensation, points: _Points, counts: Counts, label: str
 ) -> tuple[tuple[int, ...], tuple[int, ...], int]:
     """Return the entries of correction table and backlash table, and the constant backlash."""
     ahead, against = (
-        _entries_of(compensation.curve(direction), nodes, counts)
+        _entries_of(compensation.curve(direction), points, counts)
         for direction in (counts.forward, counts.forward.opposite)
     )
     if abs(ahead[-1]) > EXACTNESS * counts.quantum:
@@ -157,9 +157,9 @@ def _numbers(
     )
 
 
-def _nodes(
+def _points(
     axis: Axis, compensation: AxisCompensation, label: str, ring: Sequence[float]
-) -> tuple[_Nodes | None, list[Fault]]:
+) -> tuple[_Points | None, list[Fault]]:
     positions, unit = compensation.positions, axis.kind.unit
     faults = _beyond_shape(compensation, label)
     steps = np.diff(positions)
@@ -194,7 +194,7 @@ def _nodes(
             ),
         ]
     if compensation.period is not None:
-        return (None if faults else _Nodes(step, first, last - 1, first, last - 1)), faults
+        return (None if faults else _Points(step, first, last - 1, first, last - 1)), faults
     low = min(first, int(np.floor((axis.travel[0] - axis.reference) / step + EXACTNESS))) - HELD
     high = max(last, int(np.ceil((axis.travel[1] - axis.reference) / step - EXACTNESS))) + HELD
     size = len(ring) - 1
@@ -202,7 +202,7 @@ def _nodes(
         # the gap is what the table that is there leaves of it, as much on either side
         low = first - (size - (last - first + 1)) // 2
         high = low + size - 1
-    return (None if faults else _Nodes(step, first, last, low, high)), faults
+    return (None if faults else _Points(step, first, last, low, high)), faults
 
 
 def _beyond_shape(compensation: AxisCompensation, label: str) -> list[Fault]:
@@ -222,14 +222,14 @@ def _beyond_shape(compensation: AxisCompensation, label: str) -> list[Fault]:
     ]
 
 
-def _entries_of(curve: FloatArray, nodes: _Nodes, counts: Counts) -> FloatArray:
+def _entries_of(curve: FloatArray, points: _Points, counts: Counts) -> FloatArray:
     """Return the correction (size,), mm or deg, at the positions of the table entries 1 to size.
 
     The last entry is at motor zero. Beyond the ends of ``curve`` the correction at the nearer end
     is used.
     """
-    size = nodes.high - nodes.low + 1
+    size = points.high - points.low + 1
     along = np.arange(1, size + 1) * (1 if counts.forward is Direction.POSITIVE else -1)
-    places = nodes.low + np.mod(along - nodes.low, size)
-    held: FloatArray = curve[np.clip(places, nodes.first, nodes.last) - nodes.first]
+    places = points.low + np.mod(along - points.low, size)
+    held: FloatArray = curve[np.clip(places, points.first, points.last) - points.first]
     return held

@@ -8,11 +8,11 @@ from typing import Final
 
 from compwright.words.german.controls import (
     columns,
+    common,
     grid,
     increments,
     lists,
     pairs,
-    shared,
     wrapped,
 )
 
@@ -22,6 +22,6 @@ TEXTS: Final[dict[str, str]] = {
     **increments.TEXTS,
     **lists.TEXTS,
     **pairs.TEXTS,
-    **shared.TEXTS,
+    **common.TEXTS,
     **wrapped.TEXTS,
 }

@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from compwright.controls.control import Control
-from compwright.foundations.side_by_side import Each, in_turn
+from compwright.foundations.parallel_work import Each, in_turn
 from compwright.planning.axis_fits import fit_all
 from compwright.planning.axis_work import AxisWork
 from compwright.planning.scale import ScaleCorrection, correct_scales
 from compwright.records.plan import PlannedAxis
-from compwright.workflow.run.measured import Measured
-from compwright.workflow.run.wanted import Wanted
+from compwright.workflow.run.estimate_stage import Wanted
+from compwright.workflow.run.input_stage import Measured
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -42,7 +42,7 @@ class VirtualControl(Protocol):
         """Return the axes in the files, by the control's own names."""
         ...
 
-    def nodes(self, address: str) -> FloatArray:
+    def points(self, address: str) -> FloatArray:
         """Return the positions (k,) of an axis' table points, mm or deg; empty without a table."""
         ...
 

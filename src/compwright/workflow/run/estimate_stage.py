@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from compwright.controls.judged_corrections import applied_correction
 from compwright.evaluation.same_error import same_error_findings
 from compwright.foundations.findings import Finding
-from compwright.foundations.side_by_side import Each, in_turn
+from compwright.foundations.parallel_work import Each, in_turn
 from compwright.planning import axis_tasks
 from compwright.planning.axis_work import AxisWork
 from compwright.planning.circle_checks import CircleChecks
@@ -18,7 +18,7 @@ from compwright.planning.header_statements import with_statements
 from compwright.planning.mirror_image import MIRRORED
 from compwright.records.job import Job
 from compwright.records.positioning import PositioningTest
-from compwright.workflow.run.measured import Measured
+from compwright.workflow.run.input_stage import Measured
 from compwright.workflow.run.old_tables import with_old_tables
 
 

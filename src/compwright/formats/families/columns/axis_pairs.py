@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from compwright.formats.families.between import (
+from compwright.formats.families.axis_pairs import (
     Between,
     BetweenRequest,
     cannot_hold,

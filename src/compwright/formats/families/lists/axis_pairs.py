@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from compwright.formats.families.between import (
+from compwright.formats.families.axis_pairs import (
     Between,
     BetweenRequest,
     cannot_hold,

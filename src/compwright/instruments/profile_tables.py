@@ -23,7 +23,7 @@ from compwright.instruments.foreign_table import (
 from compwright.instruments.foreign_units import ANGLES, LENGTHS
 from compwright.instruments.header_words import axis_above, difference_of, stated_unit, unit_of
 from compwright.instruments.numbers import parse_number, plain_numbers
-from compwright.instruments.parsed import Parsed
+from compwright.instruments.parsed_test import Parsed
 from compwright.instruments.parts import TestPart, parts_by_axis
 from compwright.instruments.profile import Profile
 from compwright.instruments.reading_findings import (

@@ -9,7 +9,7 @@ from rich.console import RenderableType
 from rich.table import Table
 
 from compwright.reporting.numbers import number, plain, unit_text
-from compwright.reporting.shown import Text
+from compwright.reporting.safe_text import Text
 from compwright.reporting.summaries import doubt_lines, finding_lines, plain_table
 from compwright.words.sentences import say
 

@@ -175,7 +175,7 @@ class CirclesEvaluator:
 
 
 def _stand_still(given: FileToEvaluate) -> Entry:
-    from compwright.documents.stand_still import stand_still_document
+    from compwright.documents.standstill import stand_still_document
     from compwright.evaluation.environmental_variation import environmental_variation
     from compwright.instruments.drift_csv import read_drift
 
@@ -184,7 +184,7 @@ def _stand_still(given: FileToEvaluate) -> Entry:
 
 
 def _lost_motion(given: FileToEvaluate) -> Entry:
-    from compwright.documents.stand_still import lost_motion_document
+    from compwright.documents.standstill import lost_motion_document
     from compwright.evaluation.lost_motion import lost_motion_result
     from compwright.instruments.drift_csv import read_lost_motion
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from compwright.formats.definition.statements import print_form
-from compwright.formats.families.between import (
+from compwright.formats.families.axis_pairs import (
     Between,
     BetweenRequest,
     cannot_hold,
@@ -239,8 +239,8 @@ def _unsound(entry: CrossCompensation) -> list[Fault]:
                 )
             )
     ends = (("below", "first", entry.below, 0), ("above", "last", entry.above, -1))
-    for side, end, beyond, node in ends:
-        if beyond != "hold" and any(curve[node] != 0 for curve in curves):
+    for side, end, beyond, point in ends:
+        if beyond != "hold" and any(curve[point] != 0 for curve in curves):
             faults.append(
                 Fault(
                     message=f"{label}: {side} its {end} point the control keeps the value of "

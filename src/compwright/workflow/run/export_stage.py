@@ -15,19 +15,19 @@ from compwright.controls.gantries import check_partners, with_partners
 from compwright.controls.judged_corrections import applied_correction
 from compwright.foundations.errors import CompwrightError, UsageError, raise_all
 from compwright.foundations.findings import Finding
-from compwright.foundations.side_by_side import Each, in_turn
+from compwright.foundations.parallel_work import Each, in_turn
 from compwright.planning import axis_tasks
 from compwright.planning.axis_work import AxisWork
 from compwright.planning.cross import plan_cross
 from compwright.planning.scale import scale_steps
 from compwright.records.axis import Axis
 from compwright.records.correction import ControlFile
-from compwright.records.fitted import FittedTable
+from compwright.records.fitted_table import FittedTable
 from compwright.records.job import AS_FOUND
 from compwright.records.plan import PlannedAxis
-from compwright.workflow.run.fitted import Fitted
-from compwright.workflow.run.measured import Measured
-from compwright.workflow.run.wanted import Wanted
+from compwright.workflow.run.estimate_stage import Wanted
+from compwright.workflow.run.input_stage import Measured
+from compwright.workflow.run.table_stage import Fitted
 
 _NOTHING_BETWEEN = CrossOutcome(files=())
 FittedAxes = Sequence[tuple[Axis, FittedTable]]

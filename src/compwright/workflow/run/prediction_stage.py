@@ -9,7 +9,7 @@ from compwright.controls.decoded_state import DecodedState
 from compwright.controls.gantries import skew_findings
 from compwright.controls.judged_corrections import active_corrections, applied_correction
 from compwright.foundations.findings import Finding
-from compwright.foundations.side_by_side import Each, in_turn
+from compwright.foundations.parallel_work import Each, in_turn
 from compwright.planning import axis_tasks
 from compwright.planning.axis_work import AxisWork
 from compwright.planning.circles import CircleWork, predicted_circle
@@ -18,10 +18,10 @@ from compwright.planning.predicted_gain import judged_parameter
 from compwright.prediction.active_corrections import NO_CORRECTIONS, ActiveCorrections, Correction
 from compwright.records.job import AS_FOUND
 from compwright.records.prediction import AxisPrediction, CirclePrediction, TestPrediction
-from compwright.workflow.run.fitted import Fitted
-from compwright.workflow.run.measured import Measured
-from compwright.workflow.run.wanted import Wanted
-from compwright.workflow.run.written import Written, tables_of
+from compwright.workflow.run.estimate_stage import Wanted
+from compwright.workflow.run.export_stage import Written, tables_of
+from compwright.workflow.run.input_stage import Measured
+from compwright.workflow.run.table_stage import Fitted
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -40,7 +40,7 @@ from compwright.workflow.inputs.input_copies import (
 )
 from compwright.workflow.results.result_files import PLAN, Results
 from compwright.workflow.results.scatter import errors_of
-from compwright.workflow.run.finished import Finished
+from compwright.workflow.run.run_results import Finished
 
 
 def recorded_run(

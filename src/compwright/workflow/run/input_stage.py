@@ -31,7 +31,7 @@ from compwright.records.job import AS_FOUND, Job
 from compwright.workflow.inputs.circles import read_circles
 from compwright.workflow.inputs.job_inputs import JobInputs, read_job_inputs
 from compwright.workflow.inputs.own_output import refuse_own_output
-from compwright.workflow.inputs.plausible import given_twice, impossible_tests, named_tests
+from compwright.workflow.inputs.plausibility import given_twice, impossible_tests, named_tests
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -15,11 +15,11 @@ from compwright.planning.limit_decisions import lacking_circle_guard
 from compwright.records.correction import Assumption
 from compwright.records.plan import Plan
 from compwright.words.sentences import say
-from compwright.workflow.run.fitted import Fitted
-from compwright.workflow.run.measured import Measured
-from compwright.workflow.run.predicted import Predicted
-from compwright.workflow.run.wanted import Wanted
-from compwright.workflow.run.written import Written
+from compwright.workflow.run.estimate_stage import Wanted
+from compwright.workflow.run.export_stage import Written
+from compwright.workflow.run.input_stage import Measured
+from compwright.workflow.run.prediction_stage import Predicted
+from compwright.workflow.run.table_stage import Fitted
 
 
 @dataclass(frozen=True, slots=True)

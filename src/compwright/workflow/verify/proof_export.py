@@ -12,7 +12,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from compwright.documents.proven import proven_lines
+from compwright.documents.proof_lines import proven_lines
 from compwright.documents.verification import VerifiedAxis
 from compwright.evaluation.statistics import count_readings, mean_deviation
 from compwright.foundations import storage

@@ -15,7 +15,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from compwright.formats.families.between import (
+from compwright.formats.families.axis_pairs import (
     Between,
     BetweenRequest,
     alternative_answer,
@@ -82,11 +82,11 @@ def _filled(family: Family, request: BetweenRequest, entry: PlannedCross) -> Bet
     if table is None or table.positions.size < 2 or table.period is not None:
         return None
     steps = [int(np.argmin(np.abs(table.positions - place))) for place in added.positions]
-    on_nodes = np.abs(table.positions[steps] - added.positions) <= 1e-6
+    on_points = np.abs(table.positions[steps] - added.positions) <= 1e-6
     alike = np.array_equal(added.positive, added.negative)
-    if not (np.all(on_nodes) and alike and steps[0] >= 1 and facts.first_number is not None):
+    if not (np.all(on_points) and alike and steps[0] >= 1 and facts.first_number is not None):
         return None
-    # The first node is the lower end of the first section, whose number stands for its upper end.
+    # The first point is the lower end of the first section, whose number stands for its upper end.
     points = [str(facts.first_number - 1 + step) for step in steps for _ in range(2)]
     amounts = [str(round(float(value / unit))) for value in added.positive for _ in range(2)]
     texts = [added.input, added.output, *points, *amounts]

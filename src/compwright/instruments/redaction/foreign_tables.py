@@ -26,7 +26,7 @@ from compwright.instruments.foreign_table import (
 )
 from compwright.instruments.header_words import axis_above, difference_of, stated_unit
 from compwright.instruments.profile import MARK, SIGNS, VERSION, Profile
-from compwright.instruments.profiled import columns_of
+from compwright.instruments.profile_tables import columns_of
 from compwright.instruments.redaction.cutting import redacted_comment
 from compwright.instruments.redaction.words import (
     is_axis,
