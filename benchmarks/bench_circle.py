@@ -25,6 +25,9 @@ instrument; a diagnosis knows none of them. What that alone costs (full circles,
   circles, seed 77001), and the stated error is 1.5 (creep), 2.0 (peak) and 3.1 (stand) times that.
   Without the share for edges the stated errors are 0.65 of these, and only 85 % of the spikes lie
   within two of them.
+- Spikes by raw peak: the instrument and the samples take off so much that of 91 spikes of 60 full
+  circles (seed 271129) 74 % of the true heights lie within 20 % of the raw peak. An estimate at the
+  bound does in 72 % with known and in 65 % with unknown shapes.
 - With unknown shapes, on the same circles: squareness 1.05, lost motion, lateral play, servo
   mismatch and straightness 1.1 to 1.2, spiral 1.2, vibration 1.3, scale mismatch 1.4, offset change
   2.4.
