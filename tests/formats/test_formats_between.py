@@ -126,7 +126,7 @@ def test_a_column_has_the_sign_of_the_moving_axis_table(whole: str, moving: str,
     ]
     ((severity, message),) = remarks(answer)
     assert severity == "warning"
-    assert f"+0.0000 mm at 0, {sign * 0.032:+.4f} mm at 800. The card" in message
+    assert f"+0.0000 mm at 0, {sign * 0.032:+.4f} mm at 800. The commissioning card" in message
     assert f"The values are {moving}s" in message
     assert message[:1].islower()
     assert answer.files is None

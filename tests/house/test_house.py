@@ -351,7 +351,7 @@ def test_rooms_of_workflow_import_only_what_their_table_allows() -> None:
 
 
 #: What another process loads first; it stands beside the rooms.
-START = "workflow.ready"
+START = "workflow.preloading"
 
 
 def in_workflow(module: str) -> bool:

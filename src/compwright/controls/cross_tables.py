@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
+from itertools import product
 
 import numpy as np
 
@@ -104,7 +105,7 @@ def write_planned(
     held = tuple(planned) if answer.held is None else answer.held
     between = {name for entry in held for name in (entry.input, entry.output)}
     after = read(merged_files(base, answer.files), written=True)
-    raise_all(CompwrightError, _wrong(held, read(base), after, answer.quantum))
+    raise_all(CompwrightError, _wrong(planned, held, read(base), after, answer.quantum))
     files, totals = merged_files(tables, answer.files), _totals(held, after, axes)
     pairs = {(entry.input, entry.output) for entry in held}
     rest = [entry for entry in outcome.planned if (entry.input, entry.output) not in pairs]
@@ -114,27 +115,32 @@ def write_planned(
 
 
 def _wrong(
-    planned: Sequence[PlannedCross], before: DecodedState, after: DecodedState, quantum: float
+    planned: Sequence[PlannedCross],
+    held: Sequence[PlannedCross],
+    before: DecodedState,
+    after: DecodedState,
+    quantum: float,
 ) -> list[Fault]:
     """Return a fault for each axis pair whose written correction (``after``) is not the sum of its
-    old (``before``) and its ``planned`` correction. Rounding by half a ``quantum`` is allowed.
+    old (``before``) and its new correction. Rounding by half a ``quantum`` is allowed.
+
+    The new correction is that of ``held`` everywhere and, independently of the family that returned
+    ``held``, that of ``planned`` at its positions.
     """
     old, new = (
         {(entry.input, entry.output): [entry] for entry in judged_cross(decoded)}
         for decoded in (before, after)
     )
-    added: dict[tuple[str, str], list[CrossCompensation]] = {}
-    for planned_entry in planned:
-        entry = planned_entry.added
-        added.setdefault((entry.input, entry.output), []).append(entry)
+    added, wanted = (_by_pair(entries) for entries in (held, planned))
     faults = []
     for pair in dict.fromkeys((*old, *new, *added)):
-        wanted, found = [*old.get(pair, ()), *added.get(pair, ())], new.get(pair, [])
-        where = np.unique(np.concatenate([entry.positions for entry in (*wanted, *found)]))
-        for direction in Direction:
-            worst = float(
-                np.max(np.abs(_sum(found, where, direction) - _sum(wanted, where, direction)))
-            )
+        first, found = old.get(pair, []), new.get(pair, [])
+        checks = [(added.get(pair, []), [*first, *added.get(pair, []), *found])]
+        checks += [(wanted.get(pair, []), wanted.get(pair, []))] if pair in added else []
+        for (entries, places), direction in product(checks, Direction):
+            where = np.unique(np.concatenate([entry.positions for entry in places] or [[]]))
+            apart = _sum(found, where, direction) - _sum([*first, *entries], where, direction)
+            worst = float(np.max(np.abs(apart), initial=0.0 if places else np.inf))
             if worst > READ_BACK_WITHIN + 0.5 * quantum:
                 faults.append(
                     Fault(
@@ -148,6 +154,14 @@ def _wrong(
                     )
                 )
     return faults
+
+
+def _by_pair(entries: Sequence[PlannedCross]) -> dict[tuple[str, str], list[CrossCompensation]]:
+    """Return the corrections of ``entries`` by the addresses of input and output axis."""
+    found: dict[tuple[str, str], list[CrossCompensation]] = {}
+    for entry in entries:
+        found.setdefault((entry.added.input, entry.added.output), []).append(entry.added)
+    return found
 
 
 def _sum(
