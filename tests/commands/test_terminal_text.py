@@ -75,7 +75,7 @@ def test_names_are_no_markup(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_nothing_is_printed_past_the_doors() -> None:
-    """Only `cli.saying` writes lines and only `reporting.shown` draws tables; rich's own text, which
+    """Only `cli.saying` writes lines and only `reporting.safe_text` draws tables; rich's own text, which
     shows what it is given, is used there alone.
     """
     ways: dict[str, set[str]] = {}
@@ -85,8 +85,8 @@ def test_nothing_is_printed_past_the_doors() -> None:
                 ways.setdefault(way, set()).add(module)
     assert ways == {
         "click.echo": {"cli.saying"},
-        "rich.console.Console": {"reporting.shown"},
-        "rich.text": {"reporting.shown"},
+        "rich.console.Console": {"reporting.safe_text"},
+        "rich.text": {"reporting.safe_text"},
         "sys.stdout": {"cli.saying", "cli.shell"},
         "sys.stderr": {"cli.saying", "cli.shell"},
     }

@@ -69,7 +69,7 @@ class _FanucAxis:
 @dataclass(frozen=True, slots=True)
 class FanucControl:
     """A FANUC with loaded files and all axes referenced; interface
-    ``controllers.virtual.VirtualControl``.
+    ``controllers.virtual_control.VirtualControl``.
 
     The axes move at cutting feed, or at rapid traverse if the option ``motion`` is ``rapid``. The
     address of an axis is its controlled axis number as text, ``"1"``.

@@ -46,7 +46,7 @@ from compwright.records.correction import Assumption, ControlFile
 @dataclass(frozen=True, slots=True)
 class HeidenhainControl:
     """A HEIDENHAIN control with loaded files and all axes referenced; interface
-    ``controllers.virtual.VirtualControl``.
+    ``controllers.virtual_control.VirtualControl``.
     """
 
     generation: Generation

@@ -47,7 +47,7 @@ class _ListAxis:
 @dataclass(frozen=True, slots=True)
 class IsgControl:
     """An ISG kernel with loaded lists and all axes referenced; interface
-    ``controllers.virtual.VirtualControl``.
+    ``controllers.virtual_control.VirtualControl``.
 
     The address of an axis is its logical axis number as text.
     """

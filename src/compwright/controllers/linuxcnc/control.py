@@ -73,7 +73,7 @@ class _Joint:
 @dataclass(frozen=True, slots=True)
 class LinuxCncControl:
     """LinuxCNC with loaded files and all joints homed; interface
-    ``controllers.virtual.VirtualControl``.
+    ``controllers.virtual_control.VirtualControl``.
 
     The address of an axis is its joint number as text. The correction is NaN if a number in the
     joint's table is not finite.

@@ -32,7 +32,7 @@ from compwright.records.correction import Assumption, ControlFile
 @dataclass(frozen=True, slots=True)
 class PmacControl:
     """A PMAC after executing its scripts, all motors homed; interface
-    ``controllers.virtual.VirtualControl``.
+    ``controllers.virtual_control.VirtualControl``.
 
     The address of an axis is its motor number as text.
     """

@@ -85,7 +85,7 @@ class _SinumerikAxis:
 @dataclass(frozen=True, slots=True)
 class SinumerikControl:
     """A SINUMERIK 840D sl with loaded files and all axes referenced; interface
-    ``controllers.virtual.VirtualControl``.
+    ``controllers.virtual_control.VirtualControl``.
     """
 
     axes: dict[str, _SinumerikAxis]
