@@ -206,6 +206,24 @@ def test_other_columns_of_a_logger_are_left_alone(tmp_path: Path) -> None:
     assert refused(tmp_path, readings(), "\n".join(lines)) == 2  # no state is given
 
 
+def test_columns_like_those_of_the_air_are_left_alone(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A record of the material alone, in a logger that has more channels."""
+    names = RECORD.partition("\n")[0].split(",")
+    kept = [names.index(name) for name in ("time", "material_c")]
+    lines = [
+        ",".join(line.split(",")[place] for place in kept) + more
+        for line, more in zip(
+            RECORD.splitlines(),
+            (",oil_pressure,airflow_m_s,air_humidity,serial", *([",4,1,40,7"] * 99)),
+            strict=False,
+        )
+    ]
+    assert refused(tmp_path, readings(), "\n".join(lines)) == 3
+    assert "only the temperature of the material" in capsys.readouterr().err  # it was read
+
+
 def test_a_record_in_the_place_of_a_test(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

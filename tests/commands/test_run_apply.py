@@ -216,23 +216,28 @@ def test_a_next_round_for_squareness_alone(
     assert then["reason"] == "stop here: the squareness of XY needs no further correction"
 
 
+def write_own_table(control: Path) -> None:
+    """Write files of a control whose CEC table 0 corrects Y over X by 15 µm/m."""
+    control.mkdir()
+    values = "".join(f"$AN_CEC[0,{i}]={0.0015 * i:.6f}\n" for i in range(9))
+    (control / "MD.INI").write_text(
+        "CHANDATA(1)\n$MA_CEC_ENABLE[AX2]=1\n$SN_CEC_TABLE_ENABLE[0]=1\n$SN_CEC_TABLE_WEIGHT[0]=1\n"
+        "$MN_MM_CEC_MAX_POINTS[0]=9\n$MA_BACKLASH[0,AX1]=0\n$MA_BACKLASH[0,AX2]=0\nM17\n"
+    )
+    (control / "CEC.INI").write_text(
+        f"CHANDATA(1)\n{values}$AN_CEC_INPUT_AXIS[0]=(AX1)\n$AN_CEC_OUTPUT_AXIS[0]=(AX2)\n"
+        "$AN_CEC_STEP[0]=100\n$AN_CEC_MIN[0]=0\n$AN_CEC_MAX[0]=800\n$AN_CEC_DIRECTION[0]=0\n"
+        "$AN_CEC_MULT_BY_TABLE[0]=0\n$AN_CEC_IS_MODULO[0]=0\nM17\n"
+    )
+
+
 def test_the_machine_s_own_table_takes_the_squareness(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """15 µm/m are in table 0, which alone may be written: its points stay, and hold 40 µm/m more;
     a second circle is then good, and no table is left to be written.
     """
-    (folder / "control").mkdir()
-    values = "".join(f"$AN_CEC[0,{i}]={0.0015 * i:.6f}\n" for i in range(9))
-    (folder / "control" / "MD.INI").write_text(
-        "CHANDATA(1)\n$MA_CEC_ENABLE[AX2]=1\n$SN_CEC_TABLE_ENABLE[0]=1\n$SN_CEC_TABLE_WEIGHT[0]=1\n"
-        "$MN_MM_CEC_MAX_POINTS[0]=9\n$MA_BACKLASH[0,AX1]=0\n$MA_BACKLASH[0,AX2]=0\nM17\n"
-    )
-    (folder / "control" / "CEC.INI").write_text(
-        f"CHANDATA(1)\n{values}$AN_CEC_INPUT_AXIS[0]=(AX1)\n$AN_CEC_OUTPUT_AXIS[0]=(AX2)\n"
-        "$AN_CEC_STEP[0]=100\n$AN_CEC_MIN[0]=0\n$AN_CEC_MAX[0]=800\n$AN_CEC_DIRECTION[0]=0\n"
-        "$AN_CEC_MULT_BY_TABLE[0]=0\n$AN_CEC_IS_MODULO[0]=0\nM17\n"
-    )
+    write_own_table(folder / "control")
     options = CEC.replace("[0, 1, 2, 3, 4, 5, 6, 7]", "[0]")
     write_circle(folder / "xy.csv", Bent().circle(2, judge_of(folder / "control")))
     assert run(folder, SIEMENS, options=options, states="[control]") == 0
@@ -252,6 +257,21 @@ def test_the_machine_s_own_table_takes_the_squareness(
     assert then["reason"] == "stop here: the squareness of XY needs no further correction"
     write_circle(folder / "after.csv", Bent().circle(8, judge_of(folder / "control")))
     assert compwright([*words, "--loaded", str(folder / "loaded"), "--force"]) == 1
+
+
+def test_nothing_to_add_to_the_own_table_is_nothing_to_load(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    write_own_table(folder / "control")
+    (folder / "job.yaml").write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl, options: {cec: available,"
+        " cec_sign: correction, cec_tables: [0]}}\nstates: {as_found: [control]}\naxes:\n"
+        "  X: {travel: [0, 800], address: AX1, before: []}\n"
+        "  Y: {travel: [-500, 0], address: AX2, before: []}\ncross:\n"
+        "  - {input: X, output: Y, positions: [0, 400, 800], deviations: [0, 0, 0], unit: um}\n"
+    )
+    assert compwright(["run", str(folder / "job.yaml")]) == 0
+    assert "Next: there is nothing to load" in capsys.readouterr().out
 
 
 def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(

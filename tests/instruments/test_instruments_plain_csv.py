@@ -288,6 +288,13 @@ def test_a_misspelt_column_of_times(name: str) -> None:
     )
 
 
+def test_no_second_column_of_times_is_suggested() -> None:
+    test = read(
+        "target_mm,direction,run,deviation_um,time,timestamp\n0.5,+,1,1,2026-11-27T12:00:00,1\n"
+    )
+    assert message(test, "CW-R005").endswith("left out: timestamp.")
+
+
 def test_deviation_beyond_a_millimetre() -> None:
     test = read(COMPLETE.replace("deviation_um", "deviation_mm"))
     # 10 * 2 + 2 + 0.5 = 22.5 is the largest of the twelve, and -4.5 to 22.5 are all beyond 1 mm.

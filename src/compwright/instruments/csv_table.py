@@ -170,16 +170,18 @@ def misspelt(columns: Sequence[str], known: Iterable[str]) -> dict[str, str]:
     """Return the columns whose names are probably misspelt, each with the ``known`` name that it
     resembles. Only known names that the file does not have are considered.
 
-    A column resembles a known name if one of its words is similar to the first word of that name,
-    or begins with it, as in ``materal_c``, ``air temp`` or ``timestamp``.
+    A column resembles a known name if the whole names are similar and the first word of the column
+    is similar to that of the known name, or begins with it, as in ``materal_c``, ``air temp`` or
+    ``timestamp``.
     """
     missing = {name.partition("_")[0]: name for name in known if name not in columns}
-    found: dict[str, str] = {}
+    found = {}
     for column in columns:
-        for word in re.findall(r"[^\W\d_]+", column):
-            near = next(filter(word.startswith, missing), None) or nearest(word, missing, 0.7)
-            if near is not None:
-                found.setdefault(column, missing[near])
+        word = next(iter(re.findall(r"[^\W\d_]+", column)), "")
+        begun = (one for one in missing if word == one or (len(one) > 3 and word.startswith(one)))
+        near = next(begun, None) or nearest(word, missing, 0.75)
+        if near is not None and nearest(column, [missing[near]], 0.55):
+            found[column] = missing[near]
     return found
 
 

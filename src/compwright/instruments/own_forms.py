@@ -79,13 +79,15 @@ def read_plain_csv(text: Sequence[str], faults: FaultList) -> Parsed:
     findings = (
         measured_findings(comments.header, sign_stated=read.sign_stated) if read.measured else []
     )
+    long = "direction" in table.columns and READING_TIME not in table.columns
+    optional = READING_TIME if long else ""
     width = len(row_cells(text[table.line - 1], table.delimiter) or ())
     hidden = rows_as_comments(
         text, table.line, lambda line: row_cells(line, table.delimiter), width
     )
     about = (
         doubtful_finding(read.doubtful),
-        left_out_finding(read.left_out, READING_TIME if "direction" in table.columns else ""),
+        left_out_finding(read.left_out, optional),
         read.unread,
         stray_finding(hidden),
     )

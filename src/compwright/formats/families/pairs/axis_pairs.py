@@ -343,6 +343,8 @@ def _steps(
         for index, axes in sorted(after.tables.used.items())
         if axes == pair and (index not in others.used or index in updated)
     ]
+    if not mine:  # nothing changes
+        return []
     which = tables_in_words([str(index) for index in mine])
     points = max(updated.get(index, added.positions.size) for index in mine)
     room = reserving(family.definition, points, which)

@@ -1,8 +1,8 @@
 """Write cross-axis tables (CEC) into the control's files.
 
-Only table indices in the option ``cec_tables`` are written. Of these, only unused ones are written,
-and those of tables by which the axis already corrects itself. Tables of the machine's builder stay
-as they are.
+Only table indices in the option ``cec_tables`` are written. Of these, three kinds are written:
+unused ones, tables by which the axis already corrects itself, and tables of the same two axes as a
+new correction between axes, which is added to them in place. All other tables stay as they are.
 """
 
 from __future__ import annotations
