@@ -401,8 +401,9 @@ def _checking(entry: PlannedCross, named: str, which: str, each: str) -> str:
 
 def _in_use(check: str, which: str) -> str:
     return control_text(
-        "{check} In use: {which}. The file holds its old values plus this correction. If the check"
-        " fails, load the old values of the folder rollback again.",
+        "{check} In use: {which}. The file holds its old values plus this correction. After"
+        " the check its values are 0.1 or 0: if you load nothing, load its old values of the folder"
+        " rollback again, and set MD32710 and SD41300 as they were.",
         check=check,
         which=which,
     )

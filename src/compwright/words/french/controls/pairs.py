@@ -174,11 +174,13 @@ TEXTS: Final[dict[str, str]] = {
         " {unit} pour cec_sign: error. Sinon : ne rien charger, et recommencer le calcul avec"
         " l'autre. Réécrire 0 et désactiver comme à l'étape précédente."
     ),
-    "{check} In use: {which}. The file holds its old values plus this correction. If the check"
-    " fails, load the old values of the folder rollback again.": (
+    "{check} In use: {which}. The file holds its old values plus this correction. After"
+    " the check its values are 0.1 or 0: if you load nothing, load its old values of the folder"
+    " rollback again, and set MD32710 and SD41300 as they were.": (
         "{check} En service : {which}. Le fichier contient ses anciennes valeurs plus cette"
-        " correction. Si la vérification échoue, recharger les anciennes valeurs du dossier"
-        " rollback."
+        " correction. Après la vérification ses valeurs sont 0,1 ou 0 : si rien n'est chargé,"
+        " recharger ses anciennes valeurs du dossier rollback, et remettre MD32710 et SD41300 à leur"
+        " ancienne valeur."
     ),
     "Load {files}. {error}: {output} is moved by {ends}, 0 at the reference of {input}.": (
         "Charger {files}. {error} : {output} est déplacé de {ends}, 0 à la référence de {input}."

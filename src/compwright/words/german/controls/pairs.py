@@ -176,10 +176,12 @@ TEXTS: Final[dict[str, str]] = {
         " für cec_sign: error. Wenn nicht: nichts laden und mit dem anderen Wert noch einmal"
         " ausführen. Wieder 0 schreiben und ausschalten wie im Schritt davor."
     ),
-    "{check} In use: {which}. The file holds its old values plus this correction. If the check"
-    " fails, load the old values of the folder rollback again.": (
+    "{check} In use: {which}. The file holds its old values plus this correction. After"
+    " the check its values are 0.1 or 0: if you load nothing, load its old values of the folder"
+    " rollback again, and set MD32710 and SD41300 as they were.": (
         "{check} In Gebrauch: {which}. Die Datei enthält ihre alten Werte plus diese Korrektur."
-        " Schlägt die Prüfung fehl, die alten Werte aus dem Ordner rollback wieder laden."
+        " Nach der Prüfung sind ihre Werte 0,1 oder 0: Wird nichts geladen, ihre alten Werte aus dem"
+        " Ordner rollback wieder laden und MD32710 und SD41300 setzen wie zuvor."
     ),
     "Load {files}. {error}: {output} is moved by {ends}, 0 at the reference of {input}.": (
         "{files} laden. {error}: {output} wird um {ends} bewegt, 0 an der Referenz von {input}."

@@ -170,10 +170,12 @@ TEXTS: Final[dict[str, str]] = {
         " cec_sign: error. Если нет: ничего не загружайте и выполните расчёт снова с другим"
         " значением. Снова запишите 0 и выключите, как в шаге до этого."
     ),
-    "{check} In use: {which}. The file holds its old values plus this correction. If the check"
-    " fails, load the old values of the folder rollback again.": (
-        "{check} Используется: {which}. В файле её прежние значения плюс эта коррекция. Если"
-        " проверка не удалась, снова загрузите прежние значения из папки rollback."
+    "{check} In use: {which}. The file holds its old values plus this correction. After"
+    " the check its values are 0.1 or 0: if you load nothing, load its old values of the folder"
+    " rollback again, and set MD32710 and SD41300 as they were.": (
+        "{check} Используется: {which}. В файле её прежние значения плюс эта коррекция. После"
+        " проверки её значения равны 0,1 или 0: если ничего не загружается, снова загрузите её"
+        " прежние значения из папки rollback и верните MD32710 и SD41300 прежние значения."
     ),
     "Load {files}. {error}: {output} is moved by {ends}, 0 at the reference of {input}.": (
         "Загрузите {files}. {error}: {output} перемещается на {ends}, 0 в опорной позиции {input}."
