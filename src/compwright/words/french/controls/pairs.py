@@ -179,8 +179,8 @@ TEXTS: Final[dict[str, str]] = {
     " rollback again, and set MD32710 and SD41300 as they were.": (
         "{check} En service : {which}. Le fichier contient ses anciennes valeurs plus cette"
         " correction. Après la vérification ses valeurs sont 0,1 ou 0 : si rien n'est chargé,"
-        " recharger ses anciennes valeurs du dossier rollback, et remettre MD32710 et SD41300 à leur"
-        " ancienne valeur."
+        " recharger ses anciennes valeurs du dossier rollback, et remettre MD32710 et SD41300 à"
+        " leur ancienne valeur."
     ),
     "Load {files}. {error}: {output} is moved by {ends}, 0 at the reference of {input}.": (
         "Charger {files}. {error} : {output} est déplacé de {ends}, 0 à la référence de {input}."

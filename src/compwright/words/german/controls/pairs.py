@@ -180,8 +180,8 @@ TEXTS: Final[dict[str, str]] = {
     " the check its values are 0.1 or 0: if you load nothing, load its old values of the folder"
     " rollback again, and set MD32710 and SD41300 as they were.": (
         "{check} In Gebrauch: {which}. Die Datei enthält ihre alten Werte plus diese Korrektur."
-        " Nach der Prüfung sind ihre Werte 0,1 oder 0: Wird nichts geladen, ihre alten Werte aus dem"
-        " Ordner rollback wieder laden und MD32710 und SD41300 setzen wie zuvor."
+        " Nach der Prüfung sind ihre Werte 0,1 oder 0: Wird nichts geladen, ihre alten Werte aus"
+        " dem Ordner rollback wieder laden und MD32710 und SD41300 setzen wie zuvor."
     ),
     "Load {files}. {error}: {output} is moved by {ends}, 0 at the reference of {input}.": (
         "{files} laden. {error}: {output} wird um {ends} bewegt, 0 an der Referenz von {input}."
