@@ -23,6 +23,7 @@ from compwright.formats.card import (
 from compwright.formats.families.card_texts import AxisCard, CardRequest, loading_order
 from compwright.formats.text.container import is_container
 from compwright.formats.text.diff import EntryChange, compare_files
+from compwright.formats.text.entry_sheet import is_entry_sheet
 from compwright.formats.text.file_values import changes
 from compwright.formats.text.texts import text_reader
 from compwright.foundations.units import outside_factor, outside_unit, shown_unit
@@ -244,7 +245,8 @@ def _in_other_lines(
     such as the cells of a table with columns.
     """
     reader, listing = text_reader(control.definition), control.format.listing
-    texts = ((file.name, reader.read(file, [])) for file in new if not is_container(file))
+    own = (file for file in new if not is_container(file) and not is_entry_sheet(file))
+    texts = ((file.name, reader.read(file, [])) for file in own)
     read = {
         (name, place.line) for name, text in texts for place in (text.occurrences if text else ())
     }
