@@ -15,6 +15,7 @@ import sys
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass, field
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -219,8 +220,12 @@ def with_values(control: Control, files: Files, name: str, change: Change) -> Fi
     if control.format == "linuxcnc":  # rows hold actual positions: the nominal one less correction
         base = np.array([float(line.split()[0]) for line in text.splitlines()])
     changed = base + change(values - base)
-    for column, numbers in zip(columns, changed, strict=True):
-        text = _replaced(text, column, numbers, form.decimals)
+    places = sorted(  # the columns may be in one row: all at once, in the order of the file
+        zip(chain.from_iterable(columns), changed.ravel().tolist(), strict=True),
+        key=lambda one: one[0].start(),
+    )
+    matches, numbers = zip(*places, strict=True)
+    text = _replaced(text, matches, np.array(numbers), form.decimals)
     return {**files, file: text.encode("latin-1")}
 
 
