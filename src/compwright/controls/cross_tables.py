@@ -138,7 +138,7 @@ def _wrong(
         checks = [(added.get(pair, []), [*first, *added.get(pair, []), *found])]
         checks += [(wanted.get(pair, []), wanted.get(pair, []))] if pair in added else []
         for (entries, places), direction in product(checks, Direction):
-            where = np.unique(np.concatenate([entry.positions for entry in places] or [[]]))
+            where = np.unique(np.concatenate([np.zeros(0), *(one.positions for one in places)]))
             apart = _sum(found, where, direction) - _sum([*first, *entries], where, direction)
             worst = float(np.max(np.abs(apart), initial=0.0 if places else np.inf))
             if worst > READ_BACK_WITHIN + 0.5 * quantum:
