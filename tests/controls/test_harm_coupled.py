@@ -20,7 +20,8 @@ from compwright.controls.differences import ComparedSide, compared_side
 from compwright.controls.read_back import newly_coupled
 from compwright.foundations.session import Session
 from compwright.records.axis import AxisKind
-from compwright.records.correction import ControlFile, CrossCompensation
+from compwright.records.correction import ControlFile, ControlState, CrossCompensation
+from compwright.records.facts import AxisFacts
 from compwright.records.plan import PlannedCross
 from harm_bridges import (
     BACKLASH,
@@ -260,9 +261,31 @@ def test_a_coupling_that_appears_in_what_was_read_back_is_a_doubt(
     sides = [read_side(bridge, files) for files in (plain, new)]
     assert not newly_coupled([cross], sides[0], sides[0])
     assert not newly_coupled([replace(cross, written=False)], *sides)
-    ((pair, finding),) = newly_coupled([cross], *sides).items()
-    assert pair == (bridge.partner, "9")
+    (finding,) = newly_coupled([cross], *sides)
+    assert "X" in finding.values.values()
     assert parameter in str(finding.message)
+
+
+def test_both_axes_of_a_table_that_are_coupled_now_are_named() -> None:
+    where = np.array([0.0, 100.0])
+    added = CrossCompensation(
+        input="AX1",
+        output="AX2",
+        input_kind=AxisKind.LINEAR,
+        output_kind=AxisKind.LINEAR,
+        positions=where,
+        positive=where,
+        negative=where,
+    )
+    cross = PlannedCross(input="X", output="Y", added=added, source="circle", written=True)
+    facts = {name: AxisFacts(couplings=(f"MD37100[{name}] = 1",)) for name in ("AX1", "AX2")}
+    plain, coupled = (
+        ComparedSide((), {}, ControlState(format="siemens-840d-sl", axes={}, facts=each))
+        for each in ({}, facts)
+    )
+    found = " ".join(str(one.message) for one in newly_coupled([cross], plain, coupled))
+    assert "MD37100[AX1]" in found
+    assert "MD37100[AX2]" in found
 
 
 def test_a_coupling_of_the_lists_is_compared_by_its_value() -> None:

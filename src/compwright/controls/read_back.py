@@ -86,11 +86,10 @@ def pairs_not_read_back(
 
 def newly_coupled(
     planned: Iterable[PlannedCross], expected: ComparedSide, found: ComparedSide
-) -> dict[tuple[str, str], Finding]:
-    """Return, for each written cross-axis table, a finding that names a parameter that couples one
-    of its axes with another axis in the ``found`` files, and not in those of the plan.
+) -> tuple[Finding, ...]:
+    """Return a finding for each axis of a written cross-axis table that a parameter couples with
+    another axis in the ``found`` files, and not in those of the plan.
 
-    The findings are returned by axis pair (addresses of the moving and the corrected axis).
     ``planned``: the plan's corrections between axes. ``expected``: the files of the plan.
     """
     coupled = {}
@@ -102,10 +101,10 @@ def newly_coupled(
             )
             new = [one for one in now if one not in was]
             if entry.written and new:
-                coupled[entry.addresses] = Finding.of(
+                coupled[address] = Finding.of(
                     "CW-S087.coupled", "warning", axis=axis, parameter=new[0]
                 )
-    return coupled
+    return tuple(coupled.values())
 
 
 def read_back_differences(
@@ -146,7 +145,7 @@ def read_back_differences(
         tuple(dict.fromkeys((*whole.findings, *_ignored(whole, known, len(ignored))))),
         (
             *pairs_not_read_back(planned, whole, found).values(),
-            *newly_coupled(planned, expected, found).values(),
+            *newly_coupled(planned, expected, found),
             *assumed_instead(whole, expected, found),
         ),
     )

@@ -199,7 +199,7 @@ def look_at(
     table was loaded (such as inverted or not active).
 
     ``compensation``: the table that was to be loaded. It decides between texts for one and for two
-    curves. A sentence that no manual confirms is marked as such. The verdict ``loaded`` has
+    curves. A sentence that no manual confirms is marked as unconfirmed. The verdict ``loaded`` has
     sentences too, because a test may show the same with another table. These sentences state how to
     check that the planned table is active.
     """
