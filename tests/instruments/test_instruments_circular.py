@@ -13,7 +13,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from compwright.foundations.errors import InputError, UsageError
-from compwright.instruments.circular_reading import is_circular, merge_circular, read_circular
+from compwright.instruments.circular_reading import merge_circular, read_circular
+from compwright.instruments.other_files import is_circular
 from compwright.records.circular import CircularTest
 from one_test import read_positioning
 

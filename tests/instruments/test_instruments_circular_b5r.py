@@ -16,7 +16,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from compwright.foundations.errors import InputError
-from compwright.instruments.circular_reading import is_circular, merge_circular, read_circular
+from compwright.instruments.circular_reading import merge_circular, read_circular
+from compwright.instruments.other_files import is_circular
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularRun, CircularTest
 from places import REAL, needs_shared

@@ -24,7 +24,6 @@ from compwright.instruments.b5r import read_b5r
 from compwright.instruments.b5r_elements import ELEMENTS
 from compwright.instruments.circular_arcs import check_same_arc
 from compwright.instruments.circular_csv import read_circular_csv
-from compwright.instruments.csv_table import header_names, split_lines
 from compwright.instruments.fault_list import FaultList
 from compwright.instruments.own_forms import spans_of_plain_csv
 from compwright.instruments.plausibility import LARGEST_PLAUSIBLE, SMALLEST_PLAUSIBLE
@@ -32,8 +31,6 @@ from compwright.instruments.reading import stem
 from compwright.instruments.spans import Grammar
 from compwright.records.circular import CircularRun, CircularTest
 
-_ENDING: Final = ".b5r"
-_LOOKED_AT: Final = 65536  # bytes of a file that tell its form
 _SAME_RADIUS: Final = 1e-6  # mm, rounding of printed lengths
 #: Feeds of the runs of one test may differ by the override's last digit and by sampling, not more.
 _SAME_FEED: Final = 0.05
@@ -62,30 +59,6 @@ def circular_form(content: bytes) -> CircularForm:
     """Return the form of a circular test: ballbar XML if it begins with ``<``, else plain CSV."""
     start = content[:64].lstrip(codecs.BOM_UTF8 + codecs.BOM_UTF16_LE + b" \t\r\n\x00")
     return BALLBAR if start.startswith(b"<") else PLAIN_CIRCLE
-
-
-def is_circular(content: bytes, file: str) -> bool:
-    """Return whether the first lines of a file are those of XML or of a plain CSV circular test.
-
-    XML is taken as a ballbar's file here, and other XML is refused by the reader later. The file
-    name decides only if the content is neither of the two: an empty or broken file ``.b5r`` is
-    still a ballbar's file.
-    """
-    head = content[:_LOOKED_AT]
-    utf16 = head.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
-    text = head.decode("utf-16" if utf16 else "utf-8-sig", errors="replace").lstrip()
-    if text.startswith(("<?xml", "<TEST_DOCUMENT")):
-        return True
-    comments, lines = split_lines(text.splitlines())
-    if any(
-        comment.replace(" ", "").lower().startswith("compwright:circular")
-        for _, comment in comments
-    ):
-        return True
-    _, names, known = header_names(lines[0][1]) if lines else ("", [], 0)
-    if any(name.startswith("target_") for name in names):
-        return False
-    return "angle_deg" in names or (not known and file.lower().endswith(_ENDING))
 
 
 def read_circular(content: bytes, file: str) -> CircularTest:

@@ -1,11 +1,13 @@
-"""Refuse files that are no plain CSV positioning file, and guess for the user what kind of file
-they are.
+"""Recognise circular tests. Refuse files that are no plain CSV positioning file, and guess for the
+user what kind of file they are.
 """
 
 from __future__ import annotations
 
+import codecs
 import re
 from collections.abc import Sequence
+from typing import Final
 
 from compwright.foundations.errors import Fault, InputError
 from compwright.instruments.comments import Comments
@@ -15,6 +17,7 @@ from compwright.instruments.csv_table import (
     header_names,
     in_inches,
     is_number,
+    split_lines,
 )
 from compwright.instruments.fault_list import by_profile, shown
 
@@ -24,8 +27,34 @@ ACCEPTED_FORMS = (
     " per traverse; or, of an axis at rest, time_min and deviation_um), target data"
     " (TGT_DATA[1]=...), or a file of laser software (.rtl, .rta, .pos, .ren)"
 )
+_BALLBAR_ENDING: Final = ".b5r"
+_LOOKED_AT: Final = 65536  # bytes of a file that tell its form
 _NEWEST_FORM = 1
 _FORM_KEY = re.compile(r"positioning\s+([0-9]{1,9})")
+
+
+def is_circular(content: bytes, file: str) -> bool:
+    """Return whether the first lines of a file are those of XML or of a plain CSV circular test.
+
+    XML is taken as a ballbar's file here, and other XML is refused by the reader later. The file
+    name decides only if the content is neither of the two: an empty or broken file ``.b5r`` is
+    still a ballbar's file.
+    """
+    head = content[:_LOOKED_AT]
+    utf16 = head.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    text = head.decode("utf-16" if utf16 else "utf-8-sig", errors="replace").lstrip()
+    if text.startswith(("<?xml", "<TEST_DOCUMENT")):
+        return True
+    comments, lines = split_lines(text.splitlines())
+    if any(
+        comment.replace(" ", "").lower().startswith("compwright:circular")
+        for _, comment in comments
+    ):
+        return True
+    _, names, known = header_names(lines[0][1]) if lines else ("", [], 0)
+    if any(name.startswith("target_") for name in names):
+        return False
+    return "angle_deg" in names or (not known and file.lower().endswith(_BALLBAR_ENDING))
 
 
 def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, file: str) -> None:

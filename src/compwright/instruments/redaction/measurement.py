@@ -12,10 +12,11 @@ from compwright.foundations.errors import CompwrightError, Fault, InputError
 from compwright.foundations.redaction import Cuts
 from compwright.foundations.utf8 import encoded
 from compwright.instruments.b5r_elements import ELEMENTS
-from compwright.instruments.circular_reading import circular_form, is_circular
+from compwright.instruments.circular_reading import circular_form
 from compwright.instruments.drift_csv import is_two_columns
 from compwright.instruments.fault_list import by_profile
 from compwright.instruments.forms import FORMS, PLAIN_CSV, form_of
+from compwright.instruments.other_files import is_circular
 from compwright.instruments.own_forms import is_plain_csv
 from compwright.instruments.profile import SIGNS, Profile
 from compwright.instruments.profile_of_file import proposed_profile

@@ -18,7 +18,8 @@ from compwright.foundations.own_faults import own_fault
 from compwright.foundations.session import Session
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.circular_pairs import paired
-from compwright.instruments.circular_reading import is_circular, merge_circular, read_circular
+from compwright.instruments.circular_reading import merge_circular, read_circular
+from compwright.instruments.other_files import is_circular
 from compwright.planning.circle_network import (
     machine_findings,
     solve_network,
@@ -38,13 +39,6 @@ _CAUSES: Final = {
     "lost motion": "backlash",
     "servo mismatch": "servo_mismatch",
 }
-
-
-def read_if_circular(content: bytes, file: str) -> CircularTest | None:
-    """Return the circular test in a file, or None if the file is not that of a circular test.
-    Raises InputError.
-    """
-    return read_circular(content, file) if is_circular(content, file) else None
 
 
 def pairs_joined(tests: Sequence[T | CircularTest]) -> list[T | CircularTest]:

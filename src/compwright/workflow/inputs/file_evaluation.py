@@ -14,6 +14,7 @@ from compwright.documents.evaluation import in_short, result_document
 from compwright.evaluation.standards import evaluate
 from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.own_faults import own_fault
+from compwright.instruments.other_files import is_circular
 from compwright.instruments.profile import Profile
 from compwright.instruments.reading import read_tests
 from compwright.instruments.text_input import read_lines
@@ -215,15 +216,17 @@ def tests_in(
     content: bytes, file: str, profile: Profile | None
 ) -> Sequence[PositioningTest | CircularTest]:
     """Return the tests of any kind in a file's contents. Raises InputError."""
-    try:
-        return read_tests(content, file, profile)
-    except InputError as error:
-        refused = InputError(*error.faults)  # without the frames, which hold the lines of the file
-    from compwright.workflow.inputs.circles import (
-        read_if_circular,
+    circular = is_circular(content, file)
+    if profile is not None or not circular:
+        try:
+            return read_tests(content, file, profile)
+        except InputError as error:
+            # without the frames, which hold the lines of the file
+            refused = InputError(*error.faults)
+        if not circular:
+            raise refused
+    from compwright.instruments.circular_reading import (
+        read_circular,
     )  # only now: the way of a positioning test stays short
 
-    test = read_if_circular(content, file)
-    if test is None:
-        raise refused
-    return (test,)
+    return (read_circular(content, file),)

@@ -8,13 +8,14 @@ import numpy as np
 
 from compwright.foundations.errors import CompwrightError
 from compwright.foundations.redaction import Cuts, not_the_same, refuse_left_over
-from compwright.instruments.circular_reading import is_circular, read_circular
+from compwright.instruments.circular_reading import read_circular
 from compwright.instruments.drift_csv import (
     is_drift,
     is_lost_motion,
     read_drift,
     read_lost_motion,
 )
+from compwright.instruments.other_files import is_circular
 from compwright.instruments.profile import Profile
 from compwright.instruments.profile_reading import read_profile
 from compwright.instruments.reading import read_tests

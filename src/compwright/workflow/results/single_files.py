@@ -104,8 +104,8 @@ def kind_of(content: bytes) -> str:
 
 def _of_text(content: bytes) -> str:
     """Return the kind of a text file, or "" if none of the readers recognises its contents."""
-    from compwright.instruments.circular_reading import is_circular
     from compwright.instruments.forms import PLAIN_CSV, form_of
+    from compwright.instruments.other_files import is_circular
     from compwright.instruments.own_forms import is_plain_csv
     from compwright.instruments.table_shape import has_table
     from compwright.instruments.text_input import read_any_lines

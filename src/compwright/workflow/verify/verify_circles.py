@@ -26,7 +26,8 @@ from compwright.foundations.input_sizes import MEASUREMENT
 from compwright.foundations.provenance import share_a_file
 from compwright.foundations.session import Session
 from compwright.foundations.utf8 import shown_path
-from compwright.instruments.circular_reading import is_circular, read_circular
+from compwright.instruments.circular_reading import read_circular
+from compwright.instruments.other_files import is_circular
 from compwright.planning.circle_diagnosis import diagnose_circle
 from compwright.planning.circles import (
     CIRCULAR_STANDARD,
