@@ -68,7 +68,7 @@ def test_a_scale_at_a_low_feed_is_taken_away_about_the_reference() -> None:
     found = scaled(circle_of({"scale_error_second": (50.0, 2.0)}, feed=150.0))
     assert found.finding.code == "CW-P120"
     assert (
-        "scale error +50.0 ± 4.0 µm/m according to circular test circle at a low feed"
+        "scale error +50.0 ± 2.0 µm/m according to circular test circle at a low feed"
         in found.finding.message
     )
     assert slope_of(found) == pytest.approx(-50.0 * PPM, abs=0.2 * PPM)
@@ -110,9 +110,9 @@ def test_a_circle_of_another_state_is_brought_to_what_acts_now() -> None:
     states = {"as_found": NO_CORRECTIONS, "before": ActiveCorrections({"Y": by_slope(-30e-6)}, {})}
     circle = circle_of({"scale_error_second": (50.0, 2.0)}, feed=150.0, measured_in="before")
     found = scaled(circle, states=states)
-    assert "scale error +80.0 ± 4.0 µm/m" in found.finding.message
+    assert "scale error +80.0 ± 2.0 µm/m" in found.finding.message
     turned = {"as_found": states["before"], "before": NO_CORRECTIONS}
-    assert "scale error +20.0 ± 4.0 µm/m" in scaled(circle, states=turned).finding.message
+    assert "scale error +20.0 ± 2.0 µm/m" in scaled(circle, states=turned).finding.message
 
 
 def test_two_feeds_tell_what_the_lag_takes_away() -> None:
@@ -139,7 +139,7 @@ def test_the_uncertainty_of_two_feeds_is_that_of_the_extrapolation() -> None:
         doubt = shrinking(circle_of({}, feed=feed)) / np.sqrt(3.0) / PPM
         error = float(np.hypot(3.0, doubt))
         circles.append(circle_of({"scale_error_second": (100.0, error)}, feed=feed))
-    assert "scale error +100.0 ± 8.2 µm/m" in scaled(*circles).finding.message
+    assert "scale error +100.0 ± 4.1 µm/m" in scaled(*circles).finding.message
 
 
 def test_circles_about_two_places_are_not_one_pair_of_feeds() -> None:
@@ -159,7 +159,7 @@ def test_the_mismatch_with_an_axis_under_the_laser_gives_the_other(
     circle = circle_of({"scale_mismatch": (cause, 0.2)}, axes)
     found = scaled(circle, works={"X": laser})
     assert (
-        "scale error +30.0 ± 2.0 µm/m according to the scale of axis X by laser, and the scale difference of the two axes in circular test circle"
+        "scale error +30.0 ± 1.0 µm/m according to the scale of axis X by laser, and the scale difference of the two axes in circular test circle"
         in (found.finding.message)
     )
     assert slope_of(found) == pytest.approx(-30.0 * PPM, abs=0.2 * PPM)
@@ -206,7 +206,7 @@ def test_circles_at_low_feeds_are_weighted() -> None:
         circle_of({"scale_error_first": (50.0, 2.0)}, ("Y", "Z"), feed=150.0, name="b"),
     )
     assert (
-        "scale error +42.0 ± 1.8 µm/m according to circular test a at a low feed; circular test b at a low feed"
+        "scale error +42.0 ± 0.9 µm/m according to circular test a at a low feed; circular test b at a low feed"
         in found.finding.message
     )
 

@@ -61,7 +61,7 @@ class Squareness:
     @property
     def words(self) -> Sentence:
         """The squareness as text with unit, for messages."""
-        error = SIGNIFICANT * self.std_error * _PPM
+        error = self.std_error * _PPM
         return say("value_with_error", value=self.value * _PPM, error=error, unit="µm/m")
 
 

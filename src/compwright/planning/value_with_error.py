@@ -39,10 +39,10 @@ class ValueWithError:
         )
 
     def words(self, factor: float, unit: str) -> Sentence:
-        """Return the value as text with its 95 % uncertainty, both multiplied by ``factor`` into
+        """Return the value as text with its standard error, both multiplied by ``factor`` into
         ``unit``.
         """
-        error = SIGNIFICANT * self.std_error * factor
+        error = self.std_error * factor
         return say("value_with_error", value=self.value * factor, error=error, unit=unit)
 
 
