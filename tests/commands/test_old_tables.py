@@ -240,6 +240,6 @@ def test_an_old_table_that_was_idle_in_the_first_test_is_told_by_the_read_back(
     lines = capsys.readouterr().out.splitlines()
     assert "Loading: existing table not active in the first test." in lines
     assert lines[-1] == (
-        "Next: state what was active in the first test (states), then type:"
+        "Next: state what was active in the first test of X (states), then type:"
         " compwright run job.yaml --out job --force"
     )

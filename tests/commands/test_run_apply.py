@@ -274,6 +274,40 @@ def test_nothing_to_add_to_the_own_table_is_nothing_to_load(
     assert "Next: there is nothing to load" in capsys.readouterr().out
 
 
+def test_an_own_table_that_is_changed_while_others_are_free_is_named(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    write_own_table(folder / "control")
+    write_circle(folder / "xy.csv", Bent().circle(2, judge_of(folder / "control")))
+    for tables, named in (("[0, 6, 2]", True), ("[0]", False), ("[6, 2]", False)):
+        options = CEC.replace("[0, 1, 2, 3, 4, 5, 6, 7]", tables)
+        assert run(folder, SIEMENS, options=options, states="[control]") == 0
+        shown = codes(capsys)
+        assert ("is corrected in table 0 of the control, which is active now" in shown) is named
+        assert ("`cec_tables: [6, 2]`" in shown) is named
+
+
+def test_a_gantry_of_a_control_without_files_has_no_table_between_axes(folder: Path) -> None:
+    """X leads a gantry and moves Y: what was written has no line of the slave axis AX4."""
+    job = folder / "job.yaml"
+    job.write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl, options: {cec: available,"
+        " cec_sign: correction, cec_tables: [0]}}\nstates: {as_found: none}\naxes:\n"
+        "  X: {travel: [0, 800], address: AX1, gantry: AX4, before: []}\n"
+        "  Y: {travel: [-500, 0], address: AX2, before: []}\ncross:\n"
+        "  - {input: X, output: Y, positions: [0, 400, 800], deviations: [0, 4, 8], unit: um}\n"
+    )
+    assert compwright(["run", str(job)]) == 0
+    (folder / "back").mkdir()
+    for file in (folder / "job" / "tables" / SIEMENS).iterdir():
+        shutil.copy(file, folder / "back")
+    loaded = ["--loaded", str(folder / "back")]
+    assert compwright(["compare", str(folder / "job"), *loaded]) == 0
+    job.write_text(job.read_text().replace("address: AX2", "address: AX2, gantry: AX5"))
+    assert compwright(["run", str(job), "--force"]) == 1
+    assert not (folder / "job" / "tables").exists()
+
+
 def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -288,7 +322,9 @@ def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(
     assert "contain no data of axis Y" in capsys.readouterr().err
 
 
-def test_a_plane_that_a_control_cannot_hold_hides_no_other(folder: Path) -> None:
+def test_a_plane_that_a_control_cannot_hold_hides_no_other(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """An ISG list corrects its axis over one other: Z over X and over Y is refused, Y over X is
     written.
     """
@@ -317,6 +353,7 @@ def test_a_plane_that_a_control_cannot_hold_hides_no_other(folder: Path) -> None
         ("Z", False),
         ("Z", False),
     ]
+    assert "remove the corrections of axis 3 over 1 from the job" in codes(capsys)
 
 
 def itnc(folder: Path) -> Path:

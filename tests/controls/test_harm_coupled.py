@@ -19,7 +19,7 @@ from compwright.controls.control import open_control
 from compwright.controls.differences import ComparedSide, compared_side
 from compwright.controls.read_back import newly_coupled
 from compwright.foundations.session import Session
-from compwright.records.axis import AxisKind
+from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import ControlFile, ControlState, CrossCompensation
 from compwright.records.facts import AxisFacts
 from compwright.records.plan import PlannedCross
@@ -259,14 +259,22 @@ def test_a_coupling_that_appears_in_what_was_read_back_is_a_doubt(
     )
     cross = PlannedCross(input="X", output="Y", added=added, source="circle")
     sides = [read_side(bridge, files) for files in (plain, new)]
-    assert not newly_coupled([cross], sides[0], sides[0])
-    assert not newly_coupled([replace(cross, written=False)], *sides)
-    (finding,) = newly_coupled([cross], *sides)
+    assert not newly_coupled([cross], {}, sides[0], sides[0])
+    assert not newly_coupled([replace(cross, written=False)], {}, *sides)
+    (finding,) = newly_coupled([cross], {}, *sides)
     assert "X" in finding.values.values()
     assert parameter in str(finding.message)
 
 
-def test_both_axes_of_a_table_that_are_coupled_now_are_named() -> None:
+def coupled_side(**couplings: dict[str, str]) -> ComparedSide:
+    facts = {name: AxisFacts(couplings=each) for name, each in couplings.items()}
+    return ComparedSide((), {}, ControlState(format="siemens-840d-sl", axes={}, facts=facts))
+
+
+def test_what_is_coupled_now_is_named_by_axis_by_value_and_by_the_job() -> None:
+    """Both axes of a table are named. A gantry of the job that only the files read back hold is as
+    planned; a value that has changed is none of a new coupling.
+    """
     where = np.array([0.0, 100.0])
     added = CrossCompensation(
         input="AX1",
@@ -278,14 +286,26 @@ def test_both_axes_of_a_table_that_are_coupled_now_are_named() -> None:
         negative=where,
     )
     cross = PlannedCross(input="X", output="Y", added=added, source="circle", written=True)
-    facts = {name: AxisFacts(couplings=(f"MD37100[{name}] = 1",)) for name in ("AX1", "AX2")}
-    plain, coupled = (
-        ComparedSide((), {}, ControlState(format="siemens-840d-sl", axes={}, facts=each))
-        for each in ({}, facts)
-    )
-    found = " ".join(str(one.message) for one in newly_coupled([cross], plain, coupled))
-    assert "MD37100[AX1]" in found
-    assert "MD37100[AX2]" in found
+    axes = {
+        "X": Axis(name="X", address="AX1", kind=AxisKind.LINEAR, travel=(0.0, 100.0), gantry="AX5")
+    }
+    plain, leads = coupled_side(), coupled_side(AX1={"MD37100 = 1": "AX5"})
+
+    def found(axes: Mapping[str, Axis], *sides: ComparedSide) -> str:
+        return " ".join(str(one.message) for one in newly_coupled([cross], axes, *sides))
+
+    both = coupled_side(AX1={"MD37100[AX1] = 1": "AX5"}, AX2={"MD37100[AX2] = 1": "AX6"})
+    assert "MD37100[AX1]" in found({}, plain, both)
+    assert "MD37100[AX2]" in found({}, plain, both)
+    assert "MD37100[AX1]" not in found(axes, plain, both)
+    assert not found(axes, plain, leads)
+    assert "state it in the job" in found({}, plain, leads)
+    for other in ({"MD37100 = 1": "AX6"}, {"MD37100 = 11": ""}):
+        assert "state it in the job" in found(axes, plain, coupled_side(AX1=other))
+    changed = found(axes, leads, coupled_side(AX1={"MD37100 = 11": ""}))
+    assert "is MD37100 = 11 in the files read back, and MD37100 = 1 in those of the plan" in changed
+    assert "do not" not in changed
+    assert not found(axes, leads, coupled_side(AX1={"MD37100 = 2": "AX5"}))
 
 
 def test_a_coupling_of_the_lists_is_compared_by_its_value() -> None:

@@ -819,9 +819,9 @@ def test_cross_tables_need_the_option_free_memory_and_room() -> None:
     )
     state = control_format(SIEMENS, {"cec_sign": "correction"}).read(given)
     options = {"cec": "available", "cec_tables": [1], "cec_sign": "correction"}
-    assert write_cross(SIEMENS, [cross([0.0, 0.004])], options, state, given)
+    assert write_cross(SIEMENS, [cross([0.0, -0.004])], options, state, given)
     with pytest.raises(CapacityError, match="MD32720"):
-        write_cross(SIEMENS, [cross([0.0, 0.005])], options, state, given)
+        write_cross(SIEMENS, [cross([0.0, -0.005])], options, state, given)
     with pytest.raises(CapacityError, match="MD18342"):
         write_cross(SIEMENS, [cross([0.0, 0.001, 0.002])], options, state, given)
 

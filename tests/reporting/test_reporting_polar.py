@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import copy
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
@@ -442,6 +443,13 @@ def test_both_kinds_of_test_share_a_figure(monkeypatch: pytest.MonkeyPatch) -> N
     ]  # the positioning tests first; a circle without causes has one panel
     assert parts[0].axes[0].get_ylabel() == "Deviation in µm"
     assert made[0].get_figheight() == pytest.approx(2.9 + 0.35 + 2 * circle_figures.TEST_HEIGHT)
+
+
+def test_no_number_of_a_picture_is_minus_zero() -> None:
+    """The outline of a star, the mark of the start, has a corner at x = -0."""
+    drawn = evaluation_plot({"results": [circle()]}).decode()
+    assert re.search(r"\bL 0 1\.\d", drawn)
+    assert not re.findall(r"(?<![\w.])-0(?:\.0+)?(?![\w.])", drawn)
 
 
 def test_what_cannot_be_drawn_is_said() -> None:

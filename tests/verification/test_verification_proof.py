@@ -18,6 +18,7 @@ from compwright.records.fitted_table import FittedTable
 from compwright.records.job import Acceptance, CircleRequest, Job
 from compwright.records.plan import Plan, PlannedAxis, PlannedCross
 from compwright.records.positioning import PositioningTest
+from compwright.records.verification import LoadingName, LoadingVerdict
 from compwright.verification.proof import (
     AfterTest,
     changed_limits,
@@ -27,6 +28,7 @@ from compwright.verification.proof import (
     repeated_circles,
 )
 from compwright.words.sentences import say
+from compwright.workflow.verify.verified_axis import _without_explained_doubt
 from planning_samples import (
     TARGETS,
     UM,
@@ -232,3 +234,29 @@ def test_what_was_edited_after_the_run_is_said() -> None:
     named = Acceptance(limits={"A": 8.0, "E": 5.0}, test="long")
     (more,) = told(job_of(axis_of(), accept=named), planned)
     assert "now they are A 8, E 5 (test long)." in more
+
+
+@pytest.mark.parametrize(
+    ("verdict", "factor", "explained"),
+    [
+        *((name, 1.0, True) for name in ("backlash", "on_top", "one_direction", "state")),
+        ("wrong_axis", 1.0, True),
+        ("scaled", 2.0, True),
+        ("scaled", 0.5, False),
+        *((name, 1.0, False) for name in ("loaded", "not_active", "inverted", "shifted")),
+        *((name, 1.0, False) for name in ("mirrored", "partial", "increment", "undecided")),
+    ],
+)
+def test_only_too_much_compensation_explains_a_reversal_above_zero(
+    verdict: LoadingName, factor: float, *, explained: bool
+) -> None:
+    """Half of a correction, none, or one at other places leaves lost motion, which is negative."""
+    doubt = Finding("CW-T032", "warning", say("as_written", text="Something."))
+    first, after = WORK.results[0], replace(WORK.results[0], findings=(doubt,))
+    loading = LoadingVerdict(
+        verdict=verdict, margin=9.0, factor=factor, sentence=say("as_written", text="A verdict.")
+    )
+    assert _without_explained_doubt(first, after, loading).findings == (
+        () if explained else (doubt,)
+    )
+    assert _without_explained_doubt(after, after, loading).findings == (doubt,)

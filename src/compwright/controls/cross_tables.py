@@ -13,7 +13,13 @@ from compwright.controls.control import Control, decode
 from compwright.controls.decoded_state import DecodedState
 from compwright.controls.file_replacement import with_new_tables
 from compwright.controls.judged_corrections import judged_cross
-from compwright.formats.families.axis_pairs import BetweenRequest, merged_files
+from compwright.formats.families.axis_pairs import (
+    Between,
+    BetweenRequest,
+    cannot_hold,
+    combined_answer,
+    merged_files,
+)
 from compwright.formats.families.control_texts import texts_of
 from compwright.foundations.errors import CompwrightError, Fault, raise_all
 from compwright.foundations.findings import Finding
@@ -21,6 +27,7 @@ from compwright.foundations.own_faults import SEND_JOB
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import ControlFile, ControlState, CrossCompensation
 from compwright.records.plan import PlannedCross
+from compwright.words.sentences import SentenceText, say
 
 #: Reading back may differ from what was planned by half a step of the value at either point, mm or
 #: deg.
@@ -76,15 +83,19 @@ def write_planned(
     def read(files: tuple[ControlFile, ...], *, written: bool = False) -> DecodedState:
         # Of a control without files only the axes are known whose tables were written just now.
         named = {*axes} if as_found.files else {*tabled, *(between if written else ())}
-        known = [axis for name, axis in axes.items() if name in named]
+        known = [  # nor has the slave of a gantry a table, if its master has none
+            axis if as_found.files or name in tabled else replace(axis, gantry=None)
+            for name, axis in axes.items()
+            if name in named
+        ]
         return decode(control, files, known, written=written, carried_out=True)
 
     def state(files: tuple[ControlFile, ...], *, written: bool = False) -> ControlState:
         return read(files, written=written).state
 
-    answer = control.format.between(
-        BetweenRequest(
-            planned=tuple(planned),
+    def answered(entries: Sequence[PlannedCross]) -> Between:
+        request = BetweenRequest(
+            planned=tuple(entries),
             axes=axes,
             tabled=tabled,
             tables=tables,
@@ -92,10 +103,19 @@ def write_planned(
             read=state,
             found=as_found.files,
         )
-    )
+        return control.format.between(request)
+
+    whole, answer = planned, answered(planned)
+    racked = [entry for entry in planned if axes[entry.output].gantry is not None]
+    if racked and (answer.files is not None or answer.sheets):
+        planned = [entry for entry in planned if entry not in racked]
+        answer = answered(planned) if planned else Between()
+        refused = combined_answer(_racked(entry, axes[entry.output]) for entry in racked)
+        remarks, steps = (*answer.remarks, *refused.remarks), (*answer.steps, *refused.steps)
+        answer = replace(answer, remarks=remarks, steps=steps)
     outcome = CrossOutcome(
         files=tables,
-        planned=tuple(replace(entry, written=False) for entry in planned),
+        planned=tuple(replace(entry, written=False) for entry in whole),
         findings=tuple(Finding("CW-P113", how, sentence) for how, sentence in answer.remarks),
         steps=answer.steps,
         sheets=answer.sheets,
@@ -112,6 +132,24 @@ def write_planned(
     return replace(
         outcome, planned=(*held, *rest), written=True, files=files, after=after, totals=totals
     )
+
+
+def _racked(entry: PlannedCross, axis: Axis) -> Between:
+    """Return the answer that the correction of a gantry ``axis`` is not written, because a table on
+    one of its two axes alone racks the machine.
+    """
+    plane = "".join(sorted((entry.input, entry.output)))
+    instead = f"apply: {{squareness: {{{plane}: {entry.input}}}}}"
+    if entry.source == "cross":
+        instead = f"cross: [{{input: {entry.output}, output: {entry.input}, ...}}]"
+    why = say(
+        "between.racked",
+        output=entry.output,
+        slave=axis.gantry,
+        input=entry.input,
+        instead=instead,
+    )
+    return cannot_hold(entry, SentenceText(why))
 
 
 def _wrong(

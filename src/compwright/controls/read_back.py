@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 
 from compwright.controls.control import Control
 from compwright.controls.differences import (
@@ -24,6 +25,7 @@ from compwright.formats.text.file_values import same_text
 from compwright.foundations import storage
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, outside_unit
+from compwright.records.axis import Axis
 from compwright.records.plan import PlannedCross
 
 
@@ -85,26 +87,43 @@ def pairs_not_read_back(
 
 
 def newly_coupled(
-    planned: Iterable[PlannedCross], expected: ComparedSide, found: ComparedSide
+    planned: Iterable[PlannedCross],
+    axes: Mapping[str, Axis],
+    expected: ComparedSide,
+    found: ComparedSide,
 ) -> tuple[Finding, ...]:
     """Return a finding for each axis of a written cross-axis table that a parameter couples with
-    another axis in the ``found`` files, and not in those of the plan.
+    another axis in the ``found`` files, and not in those of the plan, nor by the job's ``gantry``.
 
-    ``planned``: the plan's corrections between axes. ``expected``: the files of the plan.
+    ``planned``: the plan's corrections between axes. ``axes``: the axes of the job by name.
+    ``expected``: the files of the plan.
     """
     coupled = {}
     for entry in planned:
         for address, axis in zip(entry.addresses, (entry.input, entry.output), strict=True):
             was, now = (
-                () if side.state is None else side.state.facts_of(address).couplings
+                {} if side.state is None else side.state.facts_of(address).couplings
                 for side in (expected, found)
             )
-            new = [one for one in now if one not in was]
-            if entry.written and new:
+            gantry = axes[axis].gantry if axis in axes else None
+            new = [one for one, follows in now.items() if one not in was and follows != gantry]
+            if not entry.written or not new:
+                continue
+            parameter = new[0]
+            old = [one for one in was if _parameter(one) == _parameter(parameter)]
+            coupled[address] = Finding.of(
+                "CW-S088.coupled", "warning", axis=axis, parameter=parameter
+            )
+            if old:
                 coupled[address] = Finding.of(
-                    "CW-S087.coupled", "warning", axis=axis, parameter=new[0]
+                    "CW-S088.changed", "warning", axis=axis, parameter=parameter, was=old[0]
                 )
     return tuple(coupled.values())
+
+
+def _parameter(words: str) -> str:
+    """Return a parameter without its value."""
+    return words.rpartition("=" if "=" in words else " ")[0].strip()
 
 
 def read_back_differences(
@@ -113,9 +132,10 @@ def read_back_differences(
     found: ComparedSide,
     names: Mapping[str, str],
     planned: Sequence[PlannedCross] = (),
+    axes: Mapping[str, Axis] = MappingProxyType({}),
 ) -> ReadBackDifferences:
     """Return the differences between read-back and expected contents. ``names``: names of the job's
-    axes by address; ``planned``: the plan's corrections between axes.
+    axes by address; ``planned``: the plan's corrections between axes; ``axes``: these axes by name.
 
     Files that were not read back are ignored. A value that was not expected is reported only if it
     is not 0 and the plan has a file of the same name. The missing part of a table of another axis
@@ -145,7 +165,7 @@ def read_back_differences(
         tuple(dict.fromkeys((*whole.findings, *_ignored(whole, known, len(ignored))))),
         (
             *pairs_not_read_back(planned, whole, found).values(),
-            *newly_coupled(planned, expected, found),
+            *newly_coupled(planned, axes, expected, found),
             *assumed_instead(whole, expected, found),
         ),
     )

@@ -63,7 +63,8 @@ class AxisFacts:
     - ``diameter``: whether positions are programmed in diameter. ``unit_evidence``: the source of
       the detection unit.
     - ``synchronised``, ``leading``: the addresses of the other axes of its gantry, from the files.
-      ``couplings``: the parameters that couple the axis with other axes, with their values.
+      ``couplings``: the parameters that couple the axis with other axes, with their values, and by
+      each the axis that follows this one (empty: another coupling).
     - ``lead``: the travel of one turn of the axis' motor, mm or deg, as the files suggest it
       (``lead_evidence``).
     - ``rapid_more``: backlash at rapid traverse minus backlash at cutting feed, mm or deg; None if
@@ -93,7 +94,7 @@ class AxisFacts:
     unit_evidence: str = ""
     synchronised: tuple[str, ...] = ()
     leading: str | None = None
-    couplings: tuple[str, ...] = ()
+    couplings: Mapping[str, str] = field(default_factory=dict)
     lead: float | None = None
     lead_evidence: str = ""
     limits_evidence: str = ""
@@ -115,9 +116,11 @@ class PairTables:
     written.
     ``curves``: positions and corrections, mm or deg, of the tables between two axes to which a
     correction can be added: one curve for both directions, active beyond doubt.
+    ``unread``: the tables that cannot be read as a curve, with the reason.
     """
 
     used: Mapping[int, tuple[str, str]] = field(default_factory=dict)
     reserved: Mapping[int, int] = field(default_factory=dict)
     stay: frozenset[int] = frozenset()
     curves: Mapping[int, tuple[tuple[float, ...], tuple[float, ...]]] = field(default_factory=dict)
+    unread: Mapping[int, str] = field(default_factory=dict)

@@ -146,3 +146,8 @@ class Plan:
     budgets: Mapping[AxisKind, UncertaintyBudget] | None = None
     definition: Texts = ()
     untested: Mapping[str, Axis] = field(default_factory=dict)
+
+    @property
+    def every_axis(self) -> dict[str, Axis]:
+        """The axes with tests and those of corrections between axes, by name."""
+        return {name: entry.axis for name, entry in self.axes.items()} | dict(self.untested)

@@ -25,7 +25,9 @@ _ABSENT: Final = "not there"
 
 def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     """Return the terminal output of ``compare``: doubts, a verdict per axis, and differences."""
-    shown = doubt_lines(document["doubts"], say("doubts.compare"))
+    doubts = document["doubts"]
+    again = any(doubt["code"] != "CW-S088" for doubt in doubts)  # which has a next step of its own
+    shown = doubt_lines(doubts, say("doubts.compare") if again else None)
     own = any(finding["code"] == "CW-S085" for finding in document["findings"])
     for name, axis in document["axes"].items():
         same = axis["verdict"] == "loaded" and not axis["differences"] and not own

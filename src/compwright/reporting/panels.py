@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, Final, Literal, cast
@@ -154,6 +155,10 @@ def style() -> Iterator[None]:
         yield
 
 
+#: A number of a figure, such as one in the outline of a star, that is zero with a sign.
+_MINUS_ZERO: Final = re.compile(r"(?<![\w.])-0(?:\.0+)?(?![\w.])")
+
+
 def new_figure(height: float) -> Any:
     """Return an empty figure with the width of a page and ``height`` in inches."""
     figure_module = need("matplotlib.figure")
@@ -176,7 +181,7 @@ def render(figure: Any, kind: PlotFormat) -> bytes:
             io.StringIO(),
         )
         canvas.print_svg(text, metadata=metadata[kind])
-        return text.getvalue().encode()
+        return _MINUS_ZERO.sub("0", text.getvalue()).encode()
     buffer = io.BytesIO()
     dpi = min(_PNG_DPI, _PNG_LARGEST / height_in_inches) if kind == "png" else 72.0
     figure.savefig(buffer, format=kind, dpi=dpi, metadata=metadata[kind])

@@ -127,10 +127,15 @@ def with_couplings(facts: AxisFacts, couplings: Sequence[Coupling], address: str
     )
 
 
-def parameters_of(couplings: Sequence[Coupling], address: str) -> tuple[str, ...]:
-    """Return the parameters, with their values, that couple the axis at ``address``."""
-    mine = (one.parameter for one in couplings if address in (one.follows, *one.leads))
-    return tuple(dict.fromkeys(mine))
+def parameters_of(couplings: Sequence[Coupling], address: str) -> dict[str, str]:
+    """Return the parameters, with their values, that couple the axis at ``address``, and the axis
+    that follows it; empty if none follows it alike.
+    """
+    return {
+        one.parameter: one.follows if address in one.leads and not one.unlike else ""
+        for one in couplings
+        if address in (one.follows, *one.leads)
+    }
 
 
 def _led(address: str, coupling: Coupling) -> Fault:

@@ -12,6 +12,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "better_targets": "targets that would show this error: {targets:g} {unit}",
     "between.deviation": "the measured deviation of {output} over {input} ({slope:+.1f} µm/m)",
+    "between.racked": (
+        "{output} is a gantry axis, and a table on {output} without {slave} racks the machine."
+        " Next: correct the squareness by the reference offset of {slave}, or move axis {input}"
+        " instead (`{instead}`)"
+    ),
     "between.squareness": "squareness of {output} over {input} ({slope:+.1f} µm/m)",
     "compared_not_removed": "{parameters:join|; }. The result contains all readings.",
     "direct_squareness": (

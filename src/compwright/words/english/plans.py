@@ -95,6 +95,11 @@ SENTENCES: Final[dict[str, str]] = {
         "{what} is not corrected, because this control, as the job describes it, cannot store"
         " the correction: {why}."
     ),
+    "CW-P113.own_table": (
+        "{what} is corrected in table {table} of the control, which is active now: its values get"
+        " the old and the new correction. To leave it as it is, allow only free tables:"
+        " `{option}: [{free}]`."
+    ),
     "CW-P113.sheet": (
         "The parameters that correct {what} are in no file for the control. Type them in from the"
         " entry sheet {sheet}, which is in the folder of the commissioning card. All of them are"

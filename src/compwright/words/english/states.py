@@ -321,9 +321,16 @@ SENTENCES: Final[dict[str, str]] = {
         " not, so the comparison depends on this assumption. Read this value of the control back"
         " too, and give its file with `--loaded`."
     ),
-    "CW-S087.coupled": (
+    "CW-S088.coupled": (
         "The files read back couple axis {axis} with another axis ({parameter}), those of the plan"
         " do not. A table on one of two coupled axes racks the machine. Check this parameter on the"
-        " control. If it is right, add `gantry` to the job, and run it again with these files."
+        " control. If it is right, state it in the job (`gantry`), and run it again with these"
+        " files."
+    ),
+    "CW-S088.changed": (
+        "A parameter that couples axis {axis} with another axis is {parameter} in the files read"
+        " back, and {was} in those of the plan. A table on one of two coupled axes racks the"
+        " machine. Check this parameter on the control. If it is right, state the coupling in the"
+        " job (`gantry`), and run it again with these files."
     ),
 }

@@ -95,6 +95,11 @@ SENTENCES: Final[dict[str, str]] = {
         "{what} n'est pas corrigé, car cette commande, telle que le dossier de travail la décrit,"
         " ne peut contenir la correction : {why}."
     ),
+    "CW-P113.own_table": (
+        "{what} : corrigé dans la table {table} de la commande, qui est active maintenant : ses"
+        " valeurs contiendront l'ancienne et la nouvelle correction. Pour la laisser telle quelle,"
+        " n'autoriser que des tables libres : `{option}: [{free}]`."
+    ),
     "CW-P113.sheet": (
         "{what} : les paramètres de correction ne sont dans aucun fichier pour la commande. Les"
         " saisir d'après la feuille de saisie {sheet}, dans le dossier de la fiche de mise en"

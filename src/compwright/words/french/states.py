@@ -336,10 +336,16 @@ SENTENCES: Final[dict[str, str]] = {
         " relus non : la comparaison dépend de cette hypothèse. Relire aussi cette valeur de la"
         " commande, et donner son fichier avec `--loaded`."
     ),
-    "CW-S087.coupled": (
+    "CW-S088.coupled": (
         "Les fichiers relus couplent l'axe {axis} avec un autre axe ({parameter}), ceux du plan"
         " non. Une table sur un seul de deux axes couplés vrille la machine. Contrôler ce paramètre"
-        " sur la commande. S'il est juste, ajouter `gantry` au job, et le relancer avec ces"
-        " fichiers."
+        " sur la commande. S'il est juste, l'indiquer dans le dossier de travail (`gantry`), et"
+        " relancer celui-ci avec ces fichiers."
+    ),
+    "CW-S088.changed": (
+        "Un paramètre qui couple l'axe {axis} avec un autre axe vaut {parameter} dans les fichiers"
+        " relus, et {was} dans ceux du plan. Une table sur un seul de deux axes couplés vrille la"
+        " machine. Contrôler ce paramètre sur la commande. S'il est juste, indiquer le couplage"
+        " dans le dossier de travail (`gantry`), et relancer celui-ci avec ces fichiers."
     ),
 }

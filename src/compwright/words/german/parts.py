@@ -12,6 +12,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "better_targets": "Zielpositionen, die diesen Fehler zeigen würden: {targets:g} {unit}",
     "between.deviation": "die gemessene Abweichung von {output} über {input} ({slope:+.1f} µm/m)",
+    "between.racked": (
+        "{output} ist eine Gantry-Achse, und eine Tabelle auf {output} ohne {slave} verspannt die"
+        " Maschine. Weiter: die Rechtwinkligkeit über den Referenzversatz von {slave} korrigieren"
+        " oder stattdessen Achse {input} bewegen (`{instead}`)"
+    ),
     "between.squareness": "Rechtwinkligkeit von {output} zu {input} ({slope:+.1f} µm/m)",
     "compared_not_removed": "{parameters:join|; }. Das Ergebnis enthält alle Messwerte.",
     "direct_squareness": (

@@ -105,6 +105,11 @@ SENTENCES: Final[dict[str, str]] = {
         "{what} wird nicht korrigiert, denn diese Steuerung, wie der Auftrag sie beschreibt, kann"
         " die Korrektur nicht aufnehmen: {why}."
     ),
+    "CW-P113.own_table": (
+        "{what} wird in Tabelle {table} der Steuerung korrigiert, die jetzt aktiv ist: Ihre Werte"
+        " enthalten dann die alte und die neue Korrektur. Damit sie bleibt, wie sie ist, nur freie"
+        " Tabellen erlauben: `{option}: [{free}]`."
+    ),
     "CW-P113.sheet": (
         "Die Parameter, die {what} korrigieren, sind in keiner Datei für die Steuerung. Aus dem"
         " Eingabeblatt {sheet} im Ordner der Inbetriebnahmekarte eintippen. Alle sind unbestätigt."

@@ -343,10 +343,17 @@ SENTENCES: Final[dict[str, str]] = {
         " den ausgelesenen nicht; der Vergleich hängt von dieser Annahme ab. Auch diesen Wert"
         " aus der Steuerung auslesen und seine Datei mit `--loaded` angeben."
     ),
-    "CW-S087.coupled": (
+    "CW-S088.coupled": (
         "Die ausgelesenen Dateien koppeln Achse {axis} mit einer anderen Achse ({parameter}), die"
         " des Plans nicht. Eine Tabelle auf nur einer von zwei gekoppelten Achsen verspannt die"
-        " Maschine. Diesen Parameter an der Steuerung prüfen. Ist er richtig, `gantry` im Auftrag"
-        " ergänzen und den Auftrag mit diesen Dateien erneut ausführen."
+        " Maschine. Diesen Parameter an der Steuerung prüfen. Ist er richtig, ihn im Auftrag"
+        " angeben (`gantry`) und den Auftrag mit diesen Dateien erneut ausführen."
+    ),
+    "CW-S088.changed": (
+        "Ein Parameter, der Achse {axis} mit einer anderen Achse koppelt, ist {parameter} in den"
+        " ausgelesenen Dateien und {was} in denen des Plans. Eine Tabelle auf nur einer von zwei"
+        " gekoppelten Achsen verspannt die Maschine. Diesen Parameter an der Steuerung prüfen. Ist"
+        " er richtig, die Kopplung im Auftrag angeben (`gantry`) und den Auftrag mit diesen Dateien"
+        " erneut ausführen."
     ),
 }

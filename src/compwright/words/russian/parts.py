@@ -11,6 +11,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "better_targets": "заданные позиции, которые показали бы эту погрешность: {targets:g} {unit}",
     "between.deviation": "измеренное отклонение {output} по {input} ({slope:+.1f} мкм/м)",
+    "between.racked": (
+        "{output} — ось портала, и таблица на {output} без {slave} перекашивает станок. Далее:"
+        " исправьте перпендикулярность смещением опорной позиции {slave} или двигайте вместо неё"
+        " ось {input} (`{instead}`)"
+    ),
     "between.squareness": "перпендикулярность {output} к {input} ({slope:+.1f} мкм/м)",
     "compared_not_removed": "{parameters:join|; }. Результат содержит все отсчёты.",
     "direct_squareness": (

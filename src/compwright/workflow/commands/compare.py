@@ -86,7 +86,9 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
         planned_side = replace(planned_side, state=as_found.state, findings=())
     before = control.format.listing.file_values(control.definition, as_found.files, files)
     partly = partial_load(before, planned_side.entries, back.entries)
-    read_back = read_back_differences(control, planned_side, back, names, plan.cross)
+    read_back = read_back_differences(
+        control, planned_side, back, names, plan.cross, plan.every_axis
+    )
     differs = read_back.own or read_back.others.differences
     if refused is not None and not (
         differs and {axis.address for axis in axes} <= _axes_in(control, back)
@@ -199,7 +201,7 @@ def planned_files(
         (entry.axis, entry.fitted) for entry in plan.axes.values() if entry.fitted is not None
     ]
     files, wish = write_fitted(control, fitted, as_found)
-    axes = {**{entry.axis.name: entry.axis for entry in plan.axes.values()}, **plan.untested}
+    axes = plan.every_axis
     tabled = [axis.name for axis, table in fitted if table.compensation.positions.size]
     cross = [entry for entry in plan.cross if entry.written]
     files = write_planned(control, cross, files, as_found, axes, tabled).files

@@ -164,7 +164,7 @@ def _axes_here(
     crossing = {name for entry in plan.cross for name in entry.pair} & set(plan.axes)
     axes: dict[str, Axis] = {}
     assumed = []
-    for name, axis in _every(plan).items():
+    for name, axis in plan.every_axis.items():
         if not (same or name in fitted or name in addresses or name in crossing):
             continue
         wanted_address = addresses.get(name, axis.address if same else name)
@@ -173,13 +173,6 @@ def _axes_here(
         axes[name] = replace(axis, address=address, options=own)
         assumed += [assumption] if assumption is not None and name in fitted else []
     return axes, assumed
-
-
-def _every(plan: Plan) -> dict[str, Axis]:
-    """Return all axes of a plan by name: first the axes with positioning tests, then the axes
-    without.
-    """
-    return {name: entry.axis for name, entry in plan.axes.items()} | dict(plan.untested)
 
 
 def _addressed(entry: PlannedCross, axes: Mapping[str, Axis]) -> PlannedCross:
@@ -197,11 +190,11 @@ def _unknown(addresses: Mapping[str, str], plan: Plan, file: str) -> list[Fault]
             message=f"the plan has no axis {name}",
             file=file,
             place=f"--option {ADDRESS}{name}",
-            expected=", ".join(_every(plan)),
+            expected=", ".join(plan.every_axis),
             hint="use one of these axes",
         )
         for name in addresses
-        if name not in _every(plan)
+        if name not in plan.every_axis
     ]
 
 

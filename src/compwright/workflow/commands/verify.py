@@ -277,7 +277,7 @@ def _between(
     )
     whole = differences(control, *sides)
     missing = pairs_not_read_back(planned, whole, sides[1])
-    yield from newly_coupled(planned, *sides)
+    yield from newly_coupled(planned, plan.every_axis, *sides)
     yield from assumed_instead(whole, *sides)
     for entry in planned:
         if entry.addresses in missing and entry.addresses not in back.state.pairs:

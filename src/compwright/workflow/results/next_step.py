@@ -89,9 +89,22 @@ def after_verify(
             "Next: load what differs from the plan or is missing, save the control's files to"
             f" {READ_BACK}, then type: " + _command("compare", plan, "--loaded", READ_BACK)
         )
-    if any(axis["loading"]["verdict"] == "state" for axis in axes):
-        return "Next: state what was active in the first test (states), then type: " + _command(
-            "run", job, "--out", plan.parent if plan.suffix == ".json" else plan, "--force"
+    again_run = _command(
+        "run", job, "--out", plan.parent if plan.suffix == ".json" else plan, "--force"
+    )
+    if "CW-S088" in codes:
+        return (
+            "Next: check on the control the coupling that CW-S088 names; if it is right, state it"
+            f" in the job (gantry) with the files read back (states), then type: {again_run}"
+        )
+    verdicts = {name: axis["loading"]["verdict"] for name, axis in document["axes"].items()}
+    idle = [name for name, verdict in verdicts.items() if verdict == "state"]
+    faulty = [name for name, verdict in verdicts.items() if verdict not in ("state", "loaded")]
+    if idle:
+        first = f"correct what is named above for {', '.join(faulty)}, " if faulty else ""
+        return (
+            f"Next: {first}state what was active in the first test of {', '.join(idle)} (states),"
+            f" then type: {again_run}"
         )
     if not then and active:
         return "Next: the table is active, but not enough. To correct again, type: " + _command(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 
@@ -112,17 +112,22 @@ def verified_axis(
     )
 
 
+#: Faults by which more lost motion than there is can be compensated.
+_OVERCOMPENSATED: Final = {"backlash", "on_top", "one_direction", "state", "wrong_axis"}
+
+
 def _without_explained_doubt(
     before: PositioningResult, after: PositioningResult, loading: LoadingVerdict
 ) -> PositioningResult:
     """Return the result ``after`` loading without the doubt about a mean reversal above zero
-    (CW-T032), if a fault of the table explains it.
+    (CW-T032), if a fault of the table explains it: one that overcompensates lost motion.
 
     The verdict compared the test with exchanged directions and a reversed sign too. Where the test
     ``before`` had the doubt already, both may be wrong.
     """
-    unexplained = {"loaded", "undecided", "measurement", "thermal"}
-    if loading.verdict in unexplained or any(one.code == "CW-T032" for one in before.findings):
+    too_much = loading.verdict == "scaled" and loading.factor > 1
+    explained = too_much or loading.verdict in _OVERCOMPENSATED
+    if not explained or any(one.code == "CW-T032" for one in before.findings):
         return after
     return replace(after, findings=tuple(one for one in after.findings if one.code != "CW-T032"))
 

@@ -45,7 +45,8 @@ class AxisSettingsReader:
             self.gantry(partners)
             other = self.other_functions()
         machine_name = self.gathered.names.of_machine(self.address)
-        synchronised, leading = self._paired()
+        (synchronised, leading), kind = self._paired(), self._kind(self.address)
+        follows = synchronised[0] if len(synchronised) == 1 else ""
         return replace(
             own,
             name=name,
@@ -56,7 +57,7 @@ class AxisSettingsReader:
             other_functions=other,
             synchronised=synchronised,
             leading=leading,
-            couplings=(f"MD37100 = {kind}",) if (kind := self._kind(self.address)) else (),
+            couplings={f"MD37100 = {kind}": follows} if kind else {},
         )
 
     def _paired(self) -> tuple[tuple[str, ...], str | None]:

@@ -158,7 +158,7 @@ class GridReader:
             facts={
                 address: replace(
                     one.facts,
-                    couplings=(*one.facts.couplings, *parameters_of(couplings, address)),
+                    couplings={**one.facts.couplings, **parameters_of(couplings, address)},
                 )
                 for address, one in readings.items()
             },

@@ -105,22 +105,30 @@ def _write(
     files. Raises CapacityError.
     """
     added = entry.added
-    rivals = {each.input for each in before.cross if each.output == added.output} | {
-        each.added.input for each in planned if each.added.output == added.output
-    }
+    in_lists = {each.input for each in before.cross if each.output == added.output}
+    in_job = {each.added.input for each in planned if each.added.output == added.output}
     active = [
         each for each in before.cross if (each.input, each.output) == (added.input, added.output)
     ]
     faults = []
-    if rivals != {added.input}:
+    if in_lists | in_job != {added.input}:
+        places = (
+            (in_lists, "lists of the control"),
+            (in_job, "job (`apply` and `cross`)"),
+        )
+        hints = [
+            f"remove the corrections of axis {added.output} over {', '.join(sorted(others))} from"
+            f" the {where}"
+            for inputs, where in places
+            if (others := inputs - {added.input})
+        ]
         faults.append(
             Fault(
                 message=f"this control can correct axis {added.output} over the position of only "
                 "one other axis",
                 expected="one other axis",
-                found=", ".join(sorted(rivals)),
-                hint=f"remove the corrections of axis {added.output} over other axes from the lists"
-                " of the control, and run again",
+                found=", ".join(sorted(in_lists | in_job)),
+                hint=f"{' and '.join(hints)}, and run again",
             )
         )
     if not np.allclose(added.positive, added.negative, rtol=0.0, atol=_STRAIGHT):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -19,7 +19,9 @@ from compwright.formats.families.axis_pairs import (
 from compwright.formats.families.card_texts import and_joined, file_stem
 from compwright.formats.families.control_texts import gathered_files
 from compwright.formats.families.family import Family
+from compwright.formats.families.pairs.existing_tables import ExistingTables
 from compwright.formats.families.pairs.options import (
+    allowed_tables,
     available,
     reserving,
     tables_in_words,
@@ -45,7 +47,7 @@ from compwright.records.correction import (
     CrossCompensation,
 )
 from compwright.records.plan import PlannedCross
-from compwright.words.sentences import SentenceText, control_text, say
+from compwright.words.sentences import Sentence, SentenceText, control_text, say
 
 
 def write_cross(
@@ -91,12 +93,12 @@ def write_cross(
         kinds = entry.input_kind, entry.output_kind
         label = f"{entry.input} on {entry.output}"
         unknown = unit_unknown(control, label, writer.tables.axis(entry.output), kinds)
-        unsound = [*unknown, *_unsound(entry), *_beyond_sum(writer, entry)]
+        unsound = [*unknown, *_unsound(entry)]
         faults.extend(unsound)
         if not unsound:
             output = entry.output if own is None else own.gathered.axis(entry.output)
             left.setdefault(output, []).extend(_put(writer, entry, faults))
-    raise_all(CapacityError, list(dict.fromkeys(faults)))
+    raise_all(CapacityError, list(dict.fromkeys(faults)) or _beyond_sum(writer, cross))
     fresh = [
         writer.new_file("cross", output, entries) for output, entries in left.items() if entries
     ]
@@ -113,16 +115,23 @@ def _put(writer: CecWriter, entry: CrossCompensation, faults: list[Fault]) -> li
     directions: tuple[Direction | None, ...] = (None,) if both else tuple(Direction)
     label = f"{entry.output} over {entry.input}"
     held = updated_table(writer.control, entry) if tables.own is not None else None
+    refused: list[Fault] = []
     if held is not None and held[0] not in tables.kept:
         index, where = held
         total = _curve(pair, entry, where, added_up(writer.control, index, entry, where))
-        return writer.put([index], pair, [(None, total)], label, faults)
-    free = [one for one in tables.allowed if one not in tables.in_use and one not in tables.kept]
+        update = [index], pair, [(None, total)], label
+        writer.trial().put(*update, refused)
+        if not refused:
+            return writer.put(*update, faults)
+    free = _unused(tables)
     if len(free) < len(directions):
         own = [index for index in own_tables(writer.control, pair) if index not in tables.kept]
         needed, between = len(directions), f"{pair[0]} on {pair[1]}"
         fault = too_few(between, writer.definition.id, needed, len(free), tables.allowed)
-        faults.append(_with_own(fault, own, tables.allowed) if both and own else fault)
+        if refused:  # a free table holds the correction too: the control adds active tables
+            faults += [replace(one, hint=f"{one.hint}; or {fault.hint}") for one in refused]
+        else:
+            faults.append(_with_own(fault, own, writer) if both and own else fault)
         return []
     curves = []
     for one in directions:
@@ -144,52 +153,73 @@ def _curve(
     )
 
 
-def _with_own(fault: Fault, own: Sequence[int], allowed: Sequence[int]) -> Fault:
+def _unused(tables: ExistingTables) -> list[int]:
+    """Return the indices of tables that may be written and that hold nothing."""
+    return [one for one in tables.allowed if one not in tables.in_use and one not in tables.kept]
+
+
+def _with_own(fault: Fault, own: Sequence[int], writer: CecWriter) -> Fault:
     """Return the fault that too few tables are free, with what it takes to update one of the
     control's ``own`` tables of these axes.
     """
-    named = ", ".join(map(str, own))
+    named, unread = ", ".join(map(str, own)), writer.control.state.tables.unread
     conditions = (
         "SD41300 = 1, SD41310 = 1 and MD32710 = 1 in the files, direction 0, neither repeating nor"
         " a factor, and points at the ends of the travel or room for them (MD18342)"
     )
-    if set(own) <= set(allowed):
-        found = f"{fault.found}, and table {named} of these axes takes no further correction"
+    why = "; ".join(f"table {index}: {unread[index]}" for index in own if index in unread)
+    if not set(own) <= set(writer.tables.allowed):
         return replace(
-            fault, found=found, hint=f"{fault.hint}; or change table {named}: {conditions}"
+            fault,
+            found=f"{fault.found}, and table {named} of these axes, which may not be written",
+            hint=f"add the index of the control's own table ({named}) to `cec_tables`, so that it "
+            f"is updated in place ({conditions}); or {fault.hint}",
         )
-    return replace(
-        fault,
-        found=f"{fault.found}, and table {named} of these axes, which may not be written",
-        hint=f"add the index of the control's own table ({named}) to `cec_tables`, so that it is "
-        f"updated in place ({conditions}); or {fault.hint}",
-    )
+    if why:
+        found = f"{fault.found}, and a table of these axes that cannot be read as a curve ({why})"
+        hint = f"{fault.hint}; or correct this table in the control and export its files again"
+        return replace(fault, found=found, hint=hint)
+    found = f"{fault.found}, and table {named} of these axes takes no further correction"
+    return replace(fault, found=found, hint=f"{fault.hint}; or change table {named}: {conditions}")
 
 
-def _beyond_sum(writer: CecWriter, entry: CrossCompensation) -> list[Fault]:
-    """Return a fault if the sum of all tables on the output axis would exceed CEC_MAX_SUM."""
-    output = writer.tables.axis(entry.output)
-    state = writer.control.state
-    facts = state.facts_of(output).pairs
-    if facts.max_sum is None:
-        return []
-    reach = facts.odd_sum + sum(
-        float(np.max(np.abs([one.positive, one.negative])))
-        for one in (entry, *(other for other in state.cross if other.output == output))
-    )
-    if reach <= facts.max_sum:
-        return []
-    return [
-        Fault(
-            message=(
-                f"axis {entry.output}: with the new table over {entry.input}, the sum of all CEC "
-                "tables of this axis would exceed CEC_MAX_SUM (MD32720)"
-            ),
-            expected=f"at most {facts.max_sum:g}",
-            found=f"up to {reach:g}",
-            hint="reduce the correction or the other tables of this axis, then run the job again",
+def _beyond_sum(writer: CecWriter, cross: Sequence[CrossCompensation]) -> list[Fault]:
+    """Return a fault for each output axis on which the sum of all tables that are active after
+    loading would exceed CEC_MAX_SUM.
+    """
+    state, faults = writer.control.state, []
+    axis = writer.tables.axis
+    new = [replace(one, input=axis(one.input), output=axis(one.output)) for one in cross]
+    for output in dict.fromkeys(entry.output for entry in new):
+        facts = state.facts_of(output).pairs
+        active = [entry for entry in (*state.cross, *new) if entry.output == output]
+        own = state.axes.get(output)
+        low, high = -facts.odd_sum, facts.odd_sum
+        for base in dict.fromkeys(entry.input for entry in active):
+            mine = [entry for entry in active if entry.input == base]
+            where = np.unique(np.concatenate([entry.positions for entry in mine]))
+            sums = [sum(one.at(where, way) for one in mine) for way in Direction]
+            low, high = low + float(np.min(sums)), high + float(np.max(sums))
+        for one in () if own is None else (*own.others, *((own,) if facts.own else ())):
+            low += float(np.min([one.positive, one.negative]))
+            high += float(np.max([one.positive, one.negative]))
+        reach = max(high, -low)
+        if facts.max_sum is None or reach <= facts.max_sum * (1 + 1e-9):
+            continue
+        inputs = and_joined(list(dict.fromkeys(one.input for one in new if one.output == output)))
+        faults.append(
+            Fault(
+                message=(
+                    f"axis {output}: with the correction over {inputs}, the sum of all CEC tables"
+                    " of this axis would exceed CEC_MAX_SUM (MD32720)"
+                ),
+                expected=f"at most {facts.max_sum:g}",
+                found=f"up to {reach:g}",
+                hint="reduce the correction or the other tables of this axis, or raise MD32720,"
+                " then run the job again",
+            )
         )
-    ]
+    return faults
 
 
 def _wrong(entry: CrossCompensation) -> list[Fault]:
@@ -280,7 +310,26 @@ def pairs_between(family: Family, request: BetweenRequest, *, small: bool) -> Be
         for entry in request.planned
         for step in _steps(family, entry, _named(family, entry, new, small=small), before, after)
     )
-    return Between(files=new, held=held, steps=tuple(steps))
+    remarks = tuple(("info", sentence) for sentence in _own_changed(family, held, before, after))
+    return Between(files=new, held=held, steps=tuple(steps), remarks=remarks)
+
+
+def _own_changed(
+    family: Family, held: Sequence[PlannedCross], before: ControlState, after: ControlState
+) -> Iterator[Sentence]:
+    """Yield a sentence for each own table of the control that is changed although tables that may
+    be written are free.
+    """
+    old, new = before.tables, after.tables
+    allowed = allowed_tables(family.definition, family.options)
+    free = ", ".join(str(index) for index in allowed if index not in new.used)
+    for entry in held if free else ():
+        for index in own_tables(family.in_state(before), (entry.added.input, entry.added.output)):
+            if old.curves.get(index) != new.curves.get(index):
+                what = error_label(entry)
+                yield say(
+                    "CW-P113.own_table", what=what, table=index, option="cec_tables", free=free
+                )
 
 
 def _written(

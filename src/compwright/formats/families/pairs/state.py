@@ -210,7 +210,8 @@ class PairsReader(GridReader):
             for one in self.cec.tables
             if one.active and self._is_plain(one)
         }
-        return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay(), curves)
+        unread = {one.index: one.why for one in self.cec.odd}
+        return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay(), curves, unread)
 
     def _is_plain(self, one: CecTable) -> bool:
         """Return whether a table between two axes is one curve for both directions, is switched on

@@ -60,6 +60,14 @@ class CecWriter:
         self.tables = ExistingTables(control, own)
         self.switches = Switches(self.tables)
 
+    def trial(self) -> CecWriter:
+        """Return a writer of the same tables, to find its faults; its changes are discarded."""
+        own = self.own
+        files = None if own is None else OwnFiles(self.definition, own.files, own.gathered)
+        writer = CecWriter(self.control, files)
+        writer.tables.kept = {*self.tables.kept}
+        return writer
+
     def own_pair(self, work: AxisToWrite) -> list[PairEntry]:
         """Write an axis' two tables, one per direction; return the tables for which no file of the
         control has lines.

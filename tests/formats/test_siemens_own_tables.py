@@ -1,0 +1,109 @@
+"""SINUMERIK: the control's own CEC table of a pair of axes, free tables, and the limit of their sum
+(MD32720).
+
+The control adds all active tables of an output axis (802D sl Function Manual 11/2012, page 215), so
+a free table next to the own one is as good as a change of the own one, where the sum is right.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+
+from compwright.formats.families.pairs.axis_pairs import write_cross
+from compwright.formats.families.shapes import control_format
+from compwright.foundations.errors import CapacityError
+from compwright.records.axis import AxisKind
+from compwright.records.correction import ControlFile, CrossCompensation
+from format_samples import SIEMENS, files
+
+ON = "$MA_CEC_ENABLE[AX2]=1\n$SN_CEC_TABLE_ENABLE[0]=1\n$SN_CEC_TABLE_WEIGHT[0]=1\n"
+#: Table 0 adds 15 µm/m of AX1 to AX2, 12 µm at 800 mm.
+OWN = (
+    "".join(f"$AN_CEC[0,{point}]={0.0015 * point:.4f}\n" for point in range(9))
+    + "$AN_CEC_INPUT_AXIS[0]=(AX1)\n$AN_CEC_OUTPUT_AXIS[0]=(AX2)\n$AN_CEC_STEP[0]=100\n"
+    "$AN_CEC_MIN[0]=0\n$AN_CEC_MAX[0]=800\n$AN_CEC_DIRECTION[0]=0\n"
+    "$AN_CEC_MULT_BY_TABLE[0]=0\n$AN_CEC_IS_MODULO[0]=0\n"
+)
+FACTS = "$MN_MM_CEC_MAX_POINTS[0]=9\n$MA_BACKLASH[0,AX1]=0\n$MA_BACKLASH[0,AX2]=0\n"
+
+
+def ramp(last: float, base: str = "AX1") -> CrossCompensation:
+    """A straight line from 0 to ``last`` (mm) at 800 mm of the axis ``base``."""
+    values = np.array([0.0, last])
+    return CrossCompensation(
+        input=base,
+        output="AX2",
+        input_kind=AxisKind.LINEAR,
+        output_kind=AxisKind.LINEAR,
+        positions=np.array([0.0, 800.0]),
+        positive=values,
+        negative=values,
+    )
+
+
+def written(
+    given: Sequence[ControlFile], tables: Sequence[int], *entries: CrossCompensation
+) -> tuple[ControlFile, ...]:
+    options = {"cec": "available", "cec_tables": list(tables), "cec_sign": "correction"}
+    control = control_format(SIEMENS, options)
+    return write_cross(control.in_state(control.read(given)), entries, given)
+
+
+@pytest.mark.parametrize("last", [0.008, -0.008])
+def test_a_free_table_holds_what_a_protected_own_table_does_not(last: float) -> None:
+    """SD41300 and MD32710 are on in lines before the values, so the control would take no new value
+    of table 0 from this file: table 1 holds the correction, and the sum is the old one and the new.
+    """
+    given = files(ALL__INI=f"{ON}{FACTS}{OWN}M17\n")
+    (new,) = written(given, [0, 1], ramp(last))
+    assert new.name == "AX2_CROSS.INI"
+    assert b"[0" not in new.content
+    state = control_format(SIEMENS, {"cec_sign": "correction"}).read([*given, new])
+    (total,) = state.cross
+    assert total.positive == pytest.approx(
+        [(0.012 + last) * x / 800 for x in total.positions], abs=1e-9
+    )
+
+
+def test_a_protected_own_table_without_a_free_one_is_refused_with_both_ways_out() -> None:
+    with pytest.raises(CapacityError) as caught:
+        written(files(ALL__INI=f"{ON}{FACTS}{OWN}M17\n"), [0], ramp(0.008))
+    for words in ("SD41300", "MD32710", "NC_CEC.INI", "unused tables", "`cec_tables`"):
+        assert words in str(caught.value)
+
+
+@pytest.mark.parametrize("tables", [[0], [1]])
+@pytest.mark.parametrize(("last", "reach"), [(-0.008, ""), (0.008, "0.02"), (-0.028, "0.016")])
+def test_the_limit_of_the_sum_counts_what_is_active_after_loading(
+    tables: Sequence[int], last: float, reach: str
+) -> None:
+    """12 µm are active; MD32720 is 15 µm. 12 - 8 µm are within it, 12 + 8 and 12 - 28 µm not."""
+    given = files(MD__INI=f"{ON}{FACTS}$MA_CEC_MAX_SUM[AX2]=0.015\nM17\n", CEC__INI=f"{OWN}M17\n")
+    if not reach:
+        assert written(given, tables, ramp(last))
+        return
+    with pytest.raises(CapacityError, match=r"CEC_MAX_SUM \(MD32720\)") as caught:
+        written(given, tables, ramp(last))
+    (fault,) = caught.value.faults
+    assert fault.found == f"up to {reach}"
+
+
+def test_two_corrections_of_one_run_are_one_sum() -> None:
+    """8 µm over AX1 and 8 µm over AX3, each within the limit of 15 µm, are 16 µm at the corner."""
+    given = files(MD__INI=f"$MA_CEC_ENABLE[AX2]=1\n{FACTS}$MA_CEC_MAX_SUM[AX2]=0.015\nM17\n")
+    with pytest.raises(CapacityError, match=r"over AX1 and AX3.*MD32720"):
+        written(given, [1, 2], ramp(0.008), ramp(0.008, "AX3"))
+    assert written(given, [1, 2], ramp(0.008), ramp(0.006, "AX3"))
+
+
+def test_an_own_table_that_cannot_be_read_is_named_with_its_reason() -> None:
+    far = OWN.replace("MAX[0]=800", "MAX[0]=800000000000000").replace(
+        "STEP[0]=100", "STEP[0]=100000000000000"
+    )
+    with pytest.raises(CapacityError) as caught:
+        written(files(MD__INI=f"{ON}{FACTS}M17\n", CEC__INI=f"{far}M17\n"), [0], ramp(0.008))
+    assert "(table 0: a position this large is not plausible)" in str(caught.value)
+    assert "direction 0" not in str(caught.value)

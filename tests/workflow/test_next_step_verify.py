@@ -1,0 +1,50 @@
+"""The next step after ``verify``: it names the axes of which it speaks."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from compwright.workflow.results.next_step import after_verify
+
+
+def step(verdicts: dict[str, str], *codes: str) -> str:
+    document: dict[str, Any] = {
+        "verdict": "bad",
+        "axes": {
+            name: {"loading": {"verdict": verdict}, "findings": []}
+            for name, verdict in verdicts.items()
+        },
+        "circles": {},
+        "findings": [{"code": code} for code in codes],
+    }
+    outcome = SimpleNamespace(document=document, files=())
+    job, out = Path("job.yaml"), Path("job")
+    return after_verify(outcome, job, out, ["a.csv"], plan=out, given=(), read_back=True)
+
+
+@pytest.mark.parametrize(
+    ("verdicts", "words"),
+    [
+        ({"X": "state"}, "Next: state what was active in the first test of X (states)"),
+        (
+            {"X": "state", "Y": "loaded", "Z": "not_active"},
+            "Next: correct what is named above for Z, state what was active in the first test of X",
+        ),
+        ({"X": "loaded", "Z": "not_active"}, "Next: correct what is named above, measure again"),
+    ],
+)
+def test_one_axis_does_not_decide_for_all(verdicts: dict[str, str], words: str) -> None:
+    assert step(verdicts).startswith(words)
+
+
+def test_a_coupling_that_is_new_is_nothing_to_load() -> None:
+    assert "load what differs" in step({"X": "loaded"}, "CW-S087")
+    coupled = step({"X": "loaded"}, "CW-S087", "CW-S088")
+    assert "load what differs" in coupled
+    coupled = step({"X": "loaded"}, "CW-S088")
+    assert coupled.startswith("Next: check on the control the coupling that CW-S088 names")
+    assert coupled.endswith("compwright run job.yaml --out job --force")
