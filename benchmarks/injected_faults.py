@@ -6,8 +6,10 @@ decoding those. Corrections (2, m) in µm (arcsec), for + and -; `names`: those 
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -26,6 +28,8 @@ from machines import Floats, Machine
 from numpy.random import Generator
 
 FACTORS = (2.0, 0.5, 0.1, 10.0)
+#: Where an entry is 1/16 of a count, that is forgotten.
+SIXTEENTHS = (2.0, 0.5, 16.0, 1 / 16)
 SHIFTS = (1, -1, 2, -2, 3, -3)
 NAMES = (
     *("loaded", "not_active", "inverted", "scaled", "shifted", "mirrored", "wrong_axis"),
@@ -81,6 +85,11 @@ class Plan:
         """Nodes of the planned table and its corrections."""
         return self.new.points(self.name)
 
+    @property
+    def factors(self) -> Sequence[float]:
+        """Wrong factors that somebody may enter."""
+        return SIXTEENTHS if self.control.repeats else FACTORS
+
     def _within(self, x: Floats) -> Floats:
         turn = self.machine.turn
         return np.asarray(self.machine.low + np.mod(x - self.machine.low, turn)) if turn else x
@@ -116,7 +125,7 @@ def _faults_where_stated(plan: Plan, x: Floats, slopes: Sequence[float]) -> Iter
             one[row] = full[row]
             yield Fault("one_direction", f"{word}, else {what}", word, one, what == "nothing")
     for cut in (0.3, 0.5, 0.7):
-        yield from _partial(plan, x, cut)
+        yield from (_partial_rows if plan.control.repeats else _partial)(plan, x, cut)
     middle = (plan.machine.low + plan.machine.high) / 2
     for slope in slopes:
         yield Fault("thermal", f"{slope:+.0f}", slope, full + slope * (x - middle) / 1000)
@@ -125,20 +134,29 @@ def _faults_where_stated(plan: Plan, x: Floats, slopes: Sequence[float]) -> Iter
 def _sizes(plan: Plan, full: Floats) -> Iterator[Fault]:
     """Inverted, scaled, another backlash."""
     _, totals = plan.points()
-    reversal = float((totals[1] - totals[0]).mean())
+    reversals = totals[1] - totals[0]
+    reversal = float(reversals[0] if plan.control.repeats else reversals.mean())
     backlash = np.array([[0.0], [reversal]])
-    for name, factor in [("inverted", -1.0), *(("scaled", factor) for factor in FACTORS)]:
+    for name, factor in [("inverted", -1.0), *(("scaled", factor) for factor in plan.factors)]:
         yield Fault(name, f"{factor:g}", factor, factor * full)
         if not plan.control.two_curves and reversal:
             rest = factor * full + (1 - factor) * backlash
             yield Fault(name, f"{factor:g}, not its backlash", factor, rest, plain=False)
     if reversal:
         for word, factor in (("missing", -1.0), ("twice", 1.0), ("wrong sign", -2.0)):
+            if plan.control.repeats and word == "wrong sign":
+                continue  # Ixx86 is not negative
             yield Fault("backlash", word, word, full + factor * backlash)
+    if plan.control.repeats and np.any(reversals):
+        off = np.stack([full[0], full[0]])
+        yield Fault("backlash", "not taken up", "missing", off, plain=False)
 
 
 def _places(plan: Plan, x: Floats) -> Iterator[Fault]:
     """Shifted, mirrored, the table of another axis."""
+    if plan.control.repeats:
+        yield from _other_rows(plan, x)
+        return
     nodes, _ = plan.points()
     step = float(np.median(np.diff(nodes)))
     for k in SHIFTS:
@@ -148,9 +166,71 @@ def _places(plan: Plan, x: Floats) -> Iterator[Fault]:
         factor = plan.numbers_of[other]
         yield Fault("wrong_axis", f"of {other}", other, factor * plan.new.at(other, x))
         theirs = plan.new.points(other)[0]
-        places = theirs[0] + (x - nodes[0]) / step * float(np.median(np.diff(theirs)))
-        by_number = factor * plan.new.at(other, places)
-        yield Fault("wrong_axis", f"of {other}, by number", other, by_number, plain=False)
+        their_step = float(np.median(np.diff(theirs)))
+        starts = [("number", nodes[0], theirs[0])]
+        if plan.control.increments:  # its numbers and that of its reference, in this axis's
+            starts.append(("reference number", 0.0, 0.0))
+        for what, mine, their in starts:
+            by_number = factor * plan.new.at(other, their + (x - mine) / step * their_step)
+            yield Fault("wrong_axis", f"of {other}, by {what}", other, by_number, plain=False)
+
+
+def _other_rows(plan: Plan, x: Floats) -> Iterator[Fault]:
+    """Shifted, mirrored, the table of another axis, where rows are counted from the reference: row
+    by row, as somebody enters them.
+    """
+    for k in SHIFTS:
+        moved = _with_rows(plan, x, partial(_moved, k=k, control=plan.control))
+        yield Fault("shifted", f"{k:+d} rows", float(k), moved)
+    yield Fault("mirrored", "rows from last to first", 0.0, _with_rows(plan, x, _turned))
+    other_way = _with_rows(plan, x, lambda v: np.append(v[:, -2::-1], v[:, -1:], axis=1))
+    yield Fault("mirrored", "counted the other way", 0.0, other_way, plain=False)
+    for other in plan.numbers_of:
+        # entries of 1/16 count, whatever the axis; its table repeats after its own length
+        factor = plan.numbers_of[other]
+        yield Fault("wrong_axis", f"of {other}", other, factor * plan.new.at(other, x))
+        theirs, _ = plan.new.rows(other)
+        rows = _with_rows(plan, x, lambda v, rows=theirs[:, 1:]: _fitted(rows, v.shape))
+        yield Fault("wrong_axis", f"of {other}, by number", other, rows, plain=False)
+
+
+def _partial_rows(plan: Plan, x: Floats, cut: float) -> Iterator[Fault]:
+    """The rows up to one or from one on; the others hold zeros, or those of the old table."""
+    rests = ["nothing"]
+    if plan.old is not None:
+        old, length = plan.old.rows(plan.name)
+        same = plan.new.rows(plan.name)
+        rests += ["the old rows"] * (old.shape == same[0].shape and length == same[1])
+    for rest in rests:
+        for word in ("up to", "from"):
+
+            def part(v: Floats, rest: str = rest, word: str = word) -> Floats:
+                there = (np.arange(v.shape[1]) < cut * v.shape[1]) == (word == "up to")
+                return np.where(there, v, 0.0 if rest == "nothing" else old[: v.shape[0], 1:])
+
+            plain = cut == 0.5 and rest == "nothing"
+            curve = _with_rows(plan, x, part)
+            yield Fault("partial", f"{word} {cut:.0%}, else {rest}", cut, curve, plain)
+
+
+def _with_rows(plan: Plan, x: Floats, change: Change) -> Floats:
+    """What the control adds with other rows in the written file."""
+    files = with_values(plan.control, files_of(plan.new.folder), plan.name, change)
+    with tempfile.TemporaryDirectory() as folder:
+        written = write_files(Path(folder) / "changed", files)
+        return Loaded(plan.control, written, plan.new.rotary).at(plan.name, x)
+
+
+def _turned(values: Floats) -> Floats:
+    return values[:, ::-1]
+
+
+def _fitted(rows: Floats, shape: tuple[int, ...]) -> Floats:
+    """The first of the rows, with zeros behind them, as many as there are places."""
+    fitted = np.zeros(shape)
+    count = min(shape[1], rows.shape[1])
+    fitted[:, :count] = rows[: shape[0], :count]
+    return fitted
 
 
 def _partial(plan: Plan, x: Floats, cut: float) -> Iterator[Fault]:
@@ -215,22 +295,23 @@ def _changed(plan: Plan, name: str, files: Files, rng: Generator) -> tuple[Files
     if name == "inverted":
         return values(lambda v: -v), "every value negated", -1.0
     if name == "scaled":
-        factor = float(rng.choice((2.0, 10.0) if control.increments else FACTORS))
+        factor = float(rng.choice((2.0, 10.0) if control.increments else plan.factors))
         return values(lambda v: factor * v), f"every value times {factor:g}", factor
     if name == "shifted":
         k = int(rng.choice(SHIFTS))
         return values(lambda v: _moved(v, k, control)), f"{k:+d} rows", float(k)
     if name == "mirrored":
-        return values(lambda v: v[:, ::-1]), "rows from last to first", 0.0
+        return values(_turned), "rows from last to first", 0.0
     if name == "wrong_axis" and plan.numbers_of:
         other = str(rng.choice(list(plan.numbers_of)))
         return with_file_of(control, files, axis, other), f"file of {other}", other
-    if name == "one_direction" and control.two_curves:
+    if name == "one_direction" and control.two_curves and not control.repeats:
         row = int(rng.integers(2))
         keep = np.array([[1.0], [0.0]] if row == 0 else [[0.0], [1.0]])
         return values(lambda v: keep * v), f"only column {'+-'[row]}", "+-"[row]
     if name == "backlash":
-        word, factor = [("missing", 0.0), ("twice", 2.0), ("wrong sign", -1.0)][rng.integers(3)]
+        ways = [("missing", 0.0), ("twice", 2.0), ("wrong sign", -1.0)]
+        word, factor = ways[rng.integers(2 if control.repeats else 3)]
         return with_backlash(control, files, axis, factor), word, word
     if name == "partial":
         share = float(rng.uniform(0.25, 0.75))

@@ -31,7 +31,9 @@ class Form:
     """How the numbers of an axis stand in its files; {a} is its address, {n} its name.
 
     ``columns``: a pattern for the values of each curve; ``file``: in which; ``backlash``,
-    ``backlash_file`` likewise. ``increments``: values are steps from node to node, whole ones.
+    ``backlash_file`` likewise. ``blocks``: the part of the text that has the values of each curve,
+    where they have no name of their own. ``increments``: values are steps from node to node, whole
+    ones.
     """
 
     file: str
@@ -39,6 +41,7 @@ class Form:
     decimals: int
     backlash: str = ""
     backlash_file: str = ""
+    blocks: tuple[str, ...] = ()
     increments: bool = False
 
 
@@ -57,6 +60,11 @@ class Control:
     def increments(self) -> bool:
         """Whether the table holds steps, not totals."""
         return bool(self.form and self.form.increments)
+
+    @property
+    def repeats(self) -> bool:
+        """Whether the rows are counted from the reference, and begin again behind the last one."""
+        return self.form is PMAC
 
 
 NUMBERS = dict(zip("XYZC", "1234", strict=True))
@@ -93,6 +101,16 @@ ISG = Form(
     columns=(r"\]\.pos\s+(-?\d+)", r"\]\.neg\s+(-?\d+)"),
     decimals=0,
 )
+#: Entry i of n is at i/n of the length from motor zero, over which the table repeats; 1/16 count.
+_ENTRIES = r"#{{a}} DEFINE {kind} \d+,(?:#{{a}}D,)?\d+\s((?:\s*-?\d+)+)"
+PMAC = Form(
+    file="compensation.pmc",
+    columns=(r"(-?\d+)", r"(-?\d+)"),
+    blocks=(_ENTRIES.format(kind="COMP"), _ENTRIES.format(kind="BLCOMP")),
+    decimals=0,
+    backlash=r"I{a}86=(-?\d+)",
+    backlash_file="compensation.pmc",
+)
 
 _UNIT = {"detection_unit": 0.001}
 CONTROLS: dict[str, Control] = {
@@ -122,6 +140,7 @@ CONTROLS: dict[str, Control] = {
             format="pmac",
             addresses=NUMBERS,
             options={"counts_per_unit": 62500.0},
+            form=PMAC,
             two_curves=True,
         ),
     )
@@ -152,8 +171,9 @@ def option_words(options: Mapping[str, Any]) -> list[str]:
 
 
 class Loaded:
-    """What a control does with a folder of files, as ``decode`` says; ``rotary``: the axes whose
-    numbers are degrees, also where the files do not say so.
+    """What a control does with a folder of files: as ``decode`` says, for PMAC as its manual says
+    (which knows values that ``decode`` refuses). ``rotary``: the axes whose numbers are degrees,
+    also where the files do not say so.
     """
 
     def __init__(self, control: Control, folder: Path, rotary: frozenset[str]) -> None:
@@ -178,12 +198,50 @@ class Loaded:
 
     def points(self, name: str) -> tuple[Floats, Floats]:
         """Positions (k,) and corrections (2, k) at the nodes."""
-        return self._curves(name)
+        if not self.control.repeats:
+            return self._curves(name)
+        columns, length = self.rows(name)
+        places = np.linspace(0.0, length, columns.shape[1])
+        return places, self._by_script(name, places)
 
     def at(self, name: str, x: Floats) -> Floats:
         """Corrections (2, m) at positions ``x``."""
+        if self.control.repeats:
+            return self._by_script(name, x)
         places = ",".join(f"{value:.9g}" for value in x)
         return self._curves(name, "--at", places)[1]
+
+    def rows(self, name: str) -> tuple[Floats, float]:
+        """Entries of COMP and BLCOMP (2, n + 1), from the 0 at motor zero on, and the length."""
+        text = self._text()
+        heads = re.search(rf"#{self.control.addresses[name]} DEFINE COMP (\d+),\D*\d*D,(\d+)", text)
+        if heads is None:
+            raise ValueError(f"no table of {name}")
+        entries = np.zeros((2, int(heads[1]) + 1))
+        for row, column in enumerate(_columns(PMAC, self.control, text, name)):
+            entries[row, 1:] = [float(match[1]) for match in column]
+        return entries, float(heads[2]) / float(self.control.options["counts_per_unit"])
+
+    def _by_script(self, name: str, x: Floats) -> Floats:
+        """COMP is added in both directions; Ixx86 and BLCOMP are subtracted towards -, unless the
+        take-up rate Ixx85 is 0.
+        """
+        (ahead, lost), length = self.rows(name)
+        address, text = self.control.addresses[name], self._text()
+        constant, rate = (
+            float(found[1]) if (found := re.search(rf"I{address}{number}=(-?\d+)", text)) else 0.0
+            for number in (86, 85)
+        )
+        where = np.mod(x / length, 1.0) * (ahead.size - 1)
+        index = np.arange(ahead.size)
+        positive = np.interp(where, index, ahead)
+        reversal = (constant + np.interp(where, index, lost)) * (rate > 0)
+        unit = 1000.0 / 16.0 / float(self.control.options["counts_per_unit"])
+        factor = unit * (3.6 if name in self.rotary else 1.0)
+        return factor * np.stack([positive, positive - reversal])
+
+    def _text(self) -> str:
+        return "".join(content.decode("latin-1") for content in files_of(self.folder).values())
 
 
 # ---- the files, loaded otherwise
@@ -212,7 +270,7 @@ def with_values(control: Control, files: Files, name: str, change: Change) -> Fi
     form, words = _form(control), {"a": control.addresses[name], "n": name}
     file = form.file.format(**words)
     text = files[file].decode("latin-1")
-    columns = [list(re.finditer(column.format(**words), text)) for column in form.columns]
+    columns = _columns(form, control, text, name)
     values = np.array([[float(match[1]) for match in column] for column in columns])
     if not values.size:
         raise ValueError(f"no values of {name} in {file}")
@@ -227,6 +285,21 @@ def with_values(control: Control, files: Files, name: str, change: Change) -> Fi
     matches, numbers = zip(*places, strict=True)
     text = _replaced(text, matches, np.array(numbers), form.decimals)
     return {**files, file: text.encode("latin-1")}
+
+
+def _columns(form: Form, control: Control, text: str, name: str) -> list[list[re.Match[str]]]:
+    """Where the values of each curve are in a text; curves that are not there are left out."""
+    words = {"a": control.addresses[name], "n": name}
+    columns = []
+    for number, column in enumerate(form.columns):
+        span = (0, len(text))
+        if form.blocks:
+            block = re.search(form.blocks[number].format(**words), text)
+            if block is None:
+                continue
+            span = block.span(1)
+        columns.append(list(re.compile(column.format(**words)).finditer(text, *span)))
+    return columns
 
 
 def with_backlash(control: Control, files: Files, name: str, factor: float) -> Files:

@@ -17,6 +17,7 @@ from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest
+from compwright.records.stored_table import StoredTable
 from compwright.verification.existing_table import ExistingTableVerdict
 from compwright.workflow.run.old_tables import judged_old_table
 from loop import Floats, Machine, csv_of
@@ -37,6 +38,8 @@ STATES = {
     "off": ControlState(format="any", axes={}),
     "on": ControlState(format="any", axes={"0": TABLE}),
 }
+
+TABLES = {"X": StoredTable.by_point(TABLE)}
 
 
 def acts(factor: float = 1.0, shift: float = 0.0) -> Acts:
@@ -67,7 +70,7 @@ def planned(
 
 def judged(correction: Acts) -> ExistingTableVerdict:
     off, on = planned("off", 1), planned("on", 2, correction)
-    return judged_old_table(AXIS, off, on, STATES, (AXIS,))
+    return judged_old_table(AXIS, off, on, STATES, TABLES)
 
 
 def test_a_table_that_acted_is_said_to_have_acted() -> None:
@@ -101,7 +104,7 @@ def test_two_tests_that_show_the_same_do_not_say_in_which_one_it_was_wrong(both:
     """Who forgot to switch off for the test without it has the same difference, none, as who forgot
     to switch on.
     """
-    old = judged_old_table(AXIS, planned("off", 1, both), planned("on", 2, both), STATES, (AXIS,))
+    old = judged_old_table(AXIS, planned("off", 1, both), planned("on", 2, both), STATES, TABLES)
     assert old.contradicted
     reason = str(old.refusal([]))
     assert "was active in x_off too" in reason
@@ -109,7 +112,7 @@ def test_two_tests_that_show_the_same_do_not_say_in_which_one_it_was_wrong(both:
 
 
 def test_tests_that_were_exchanged_may_look_like_the_opposite_sign() -> None:
-    old = judged_old_table(AXIS, planned("off", 1, acts()), planned("on", 2), STATES, (AXIS,))
+    old = judged_old_table(AXIS, planned("off", 1, acts()), planned("on", 2), STATES, TABLES)
     assert old.verdict.verdict == "inverted"
     assert "the two tests are exchanged" in str(old.refusal([]))
     assert "exchanged" not in str(judged(acts(shift=100.0)).refusal([]))
@@ -132,7 +135,13 @@ def test_a_table_that_changes_next_to_nothing_cannot_be_told() -> None:
             },
         ),
     }
-    old = judged_old_table(AXIS, planned("off", 1), planned("on", 2), small, (AXIS,))
+    old = judged_old_table(
+        AXIS,
+        planned("off", 1),
+        planned("on", 2),
+        small,
+        {"X": StoredTable.by_point(small["on"].axes["0"])},
+    )
     assert not old.contradicted
 
 

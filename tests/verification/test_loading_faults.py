@@ -14,6 +14,7 @@ from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.correction import AxisCompensation, no_compensation
 from compwright.records.noise import normal_noise
 from compwright.records.positioning import PositioningTest
+from compwright.records.stored_table import StoredTable
 from compwright.records.verification import LoadingName, LoadingVerdict
 from compwright.verification.hypothesis import Loading
 from compwright.verification.likelihood import (
@@ -76,6 +77,14 @@ ONE_TABLE = compensation(WAVES, backlash=LOST)
 TWO_TABLES = compensation(WAVES, BENT)
 
 
+def stored(table: AxisCompensation, *, steps: bool = False) -> StoredTable:
+    """A table with a row for each point, or for each step, counted from the first point."""
+    if not steps:
+        return StoredTable.by_point(table)
+    sections = np.arange(table.positions.size - 1)
+    return StoredTable(compensation=table, order=sections, steps=True, zero=0)
+
+
 def shown(up: FloatArray, down: FloatArray, backlash: float = 0.0) -> FloatArray:
     """What tables (k,) and a backlash do at the targets (2, m): straight lines between nodes;
     lost motion is made up for in the negative direction, by going further to -.
@@ -95,10 +104,13 @@ def judge(
     noise: float = NOISE,
     read_back: bool = False,
     idle: bool = False,
+    steps: bool = False,
+    rows: StoredTable | None = None,
 ) -> LoadingVerdict:
     """The axis has an error that ``new`` takes away but for 0.4 µm; ``acting`` (2, m) acts in the
     test after loading, whose readings scatter by ``noise`` and are multiplied by ``read``. ``old``
-    acted in the first test, but where it was ``idle``.
+    acted in the first test, but where it was ``idle``. ``steps``: the control keeps the steps from
+    point to point; ``rows``: in these rows.
     """
     rng = np.random.default_rng([seed, 12])
     left = 0.4 * UM * np.stack([np.sin(TARGETS / 30.0), np.cos(TARGETS / 41.0)])
@@ -117,7 +129,9 @@ def judge(
         readings = -readings
     after = means_of((readings[0], readings[1]), NOISE, math.inf, TARGETS)
     covariance = np.eye(2 * TARGETS.size) * NOISE**2 / RUNS
-    view = view_of(first, covariance, new, old, NONE if idle else old, read_back=read_back)
+    before = NONE if idle else old
+    table = stored(new, steps=steps) if rows is None else rows
+    view = view_of(first, covariance, table, old, before, read_back=read_back)
     views = [view, *measurement_cases(view)]
     units = unit_cases(view, after.sigma / NOISE)
     if read != 1.0:
@@ -130,13 +144,13 @@ def judge(
 def view_of(
     first: FloatArray,
     covariance: FloatArray,
-    new: AxisCompensation,
+    new: StoredTable,
     old: AxisCompensation,
     before: AxisCompensation,
     *,
     read_back: bool = False,
 ) -> MeasurementCase:
-    others = {"Y": compensation(OTHER, address="Y")}
+    others = {"Y": stored(compensation(OTHER, address="Y"), steps=new.steps)}
     loading = Loading(new=new, old=old, active_before=before, others=others, read_back=read_back)
     return MeasurementCase(
         belief=known(first, covariance), hypotheses=loading_hypotheses(loading, TARGETS)
@@ -146,6 +160,48 @@ def view_of(
 def moved(values: FloatArray, by: int) -> FloatArray:
     """Values ``by`` nodes further to +, the end value held."""
     return values[np.clip(np.arange(values.size) - by, 0, values.size - 1)]
+
+
+#: A table that is counted from 200 mm and begins again behind 575 mm: 23 rows 25 mm apart, with
+#: three more at each end of the travel that have its end values.
+AROUND = np.interp(25.0 * np.arange(-11, 12), NODES - 200.0, WAVES - WAVES[8])
+ENTRIES = np.roll(AROUND, -12)
+WRAPPED = StoredTable(
+    compensation=replace(
+        compensation(np.append(0.0, ENTRIES), nodes=200.0 + 25.0 * np.arange(24)), period=575.0
+    ),
+    order=np.arange(1, 24),
+    zero=0,
+)
+
+
+def by_entries(entries: FloatArray) -> FloatArray:
+    """What the control adds at the targets: entry i is 25 mm times i from 200 mm."""
+    where = np.mod(TARGETS - 200.0, 575.0)
+    curve = np.interp(where, 25.0 * np.arange(24), np.append(0.0, entries))
+    return np.stack([curve, curve - LOST])
+
+
+@pytest.mark.parametrize(
+    ("entries", "name"),
+    [
+        (ENTRIES, "loaded"),
+        (ENTRIES[::-1], "mirrored"),
+        (np.append(ENTRIES[-2::-1], 0.0), "mirrored"),  # the motor counts the other way
+        (np.append(ENTRIES[1:], 0.0), "shifted"),
+        (np.append(0.0, ENTRIES[:-1]), "shifted"),  # the first entry taken for that at zero
+        (np.where(np.arange(23) < 8, ENTRIES, 0.0), "partial"),
+        (np.where(np.arange(23) < 17, ENTRIES, 0.0), "partial"),
+        (np.where(np.arange(23) < 6, 0.0, ENTRIES), "partial"),
+    ],
+)
+def test_faults_of_rows_that_are_counted_from_inside_the_travel(
+    entries: FloatArray, name: str
+) -> None:
+    table = replace(WRAPPED, compensation=replace(WRAPPED.compensation, backlash=LOST))
+    for seed in range(3):
+        verdict = judge(by_entries(entries), ONE_TABLE, seed=seed, rows=table)
+        assert verdict.verdict == name, verdict.message
 
 
 def up_to(node: int, values: FloatArray, beyond: FloatArray) -> FloatArray:
@@ -200,7 +256,7 @@ def test_faults_with_an_existing_table_are_named(case: str) -> None:
 def test_a_fault_is_found_by_its_name(case: str) -> None:
     acting, name = CASES[case]
     for seed in range(3):
-        verdict = judge(acting, ONE_TABLE, seed=seed)
+        verdict = judge(acting, ONE_TABLE, seed=seed, steps=case.startswith("turned"))
         assert verdict.verdict == name, verdict.message
         assert verdict.margin > math.log(99.0)
         assert verdict.candidates[0].verdict == name
@@ -233,7 +289,7 @@ def test_a_fine_table_may_end_at_every_target() -> None:
     nodes = np.linspace(0.0, 400.0, 378)
     values = np.interp(nodes, NODES, WAVES)
     loading = Loading(
-        new=compensation(values, nodes=nodes), old=NONE, active_before=NONE, others={}
+        new=stored(compensation(values, nodes=nodes)), old=NONE, active_before=NONE, others={}
     )
     ways = [way for way in loading_hypotheses(loading, TARGETS) if way.name == "partial"]
     for target in TARGETS:
@@ -245,7 +301,9 @@ def test_a_fine_table_may_end_at_every_target() -> None:
 def test_the_table_of_an_axis_of_another_kind() -> None:
     """A rotary axis given the numbers of a linear one: 0.004 mm is active as 0.004 deg."""
     other = replace(compensation(OTHER, address="C"), kind=AxisKind.ROTARY)
-    loading = Loading(new=ONE_TABLE, old=NONE, active_before=NONE, others={"C": other})
+    loading = Loading(
+        new=stored(ONE_TABLE), old=NONE, active_before=NONE, others={"C": stored(other)}
+    )
     (way, *_) = (one for one in loading_hypotheses(loading, TARGETS) if one.name == "wrong_axis")
     assert way.of == "C"
     np.testing.assert_allclose(way.positive, np.interp(TARGETS, NODES, OTHER))
@@ -256,7 +314,9 @@ def test_every_variant_is_translated(language: Language) -> None:
     """The variants of all hypotheses, with the names of their verdicts, contain no English."""
     old = compensation(OLD, backlash=1 * UM)
     for table in (ONE_TABLE, TWO_TABLES):
-        view = view_of(np.zeros((2, TARGETS.size)), np.eye(2 * TARGETS.size), table, old, NONE)
+        view = view_of(
+            np.zeros((2, TARGETS.size)), np.eye(2 * TARGETS.size), stored(table), old, NONE
+        )
         cases = [view, *measurement_cases(view), other_axis_case("Y", view)]
         texts = {candidate_text(w.name, w.detail) for case in cases for w in case.hypotheses}
         assert len(texts) > 100
@@ -433,7 +493,7 @@ def test_a_slope_beside_a_small_table_is_no_second_fault(slope: float) -> None:
 def test_a_turned_test_of_a_table_that_leaves_something() -> None:
     """Beside the table 4 µm are left: turned they are wrong by 8 µm."""
     left = 4 * UM * np.sin(TARGETS / 60.0)
-    rough = Loading(new=ONE_TABLE, old=NONE, active_before=NONE)
+    rough = Loading(new=stored(ONE_TABLE), old=NONE, active_before=NONE)
     first = left - shown(WAVES, WAVES, LOST)
     view = MeasurementCase(
         belief=known(first, np.eye(2 * TARGETS.size) * NOISE**2 / RUNS),
@@ -467,9 +527,11 @@ def test_the_test_of_another_axis() -> None:
     """The file is one of Y, whose own table leaves 5 µm of a wave that X does not have."""
     rng = np.random.default_rng(4)
     covariance = np.eye(2 * TARGETS.size) * NOISE**2 / RUNS
-    mine = view_of(-shown(WAVES, WAVES, LOST), covariance, ONE_TABLE, NONE, NONE)
+    mine = view_of(-shown(WAVES, WAVES, LOST), covariance, stored(ONE_TABLE), NONE, NONE)
     wave = 5 * UM * np.stack([np.sin(TARGETS / 19.0)] * 2)
-    theirs = view_of(wave - shown(OTHER, OTHER), covariance, compensation(OTHER), NONE, NONE)
+    theirs = view_of(
+        wave - shown(OTHER, OTHER), covariance, stored(compensation(OTHER)), NONE, NONE
+    )
     readings = wave[..., None] + NOISE * rng.standard_normal((2, TARGETS.size, RUNS))
     after = means_of((readings[0], readings[1]), NOISE, math.inf, TARGETS)
     verdict = judge_loading(

@@ -19,6 +19,7 @@ import numpy as np
 
 from compwright.records.axis import FloatArray
 from compwright.records.correction import AxisCompensation
+from compwright.records.stored_table import StoredTable
 from compwright.records.verification import LoadingName
 from compwright.words.sentences import Sentence
 
@@ -73,7 +74,8 @@ class Hypothesis:
 class Loading:
     """The planned table, and the state of the control before it was loaded.
 
-    - ``new``: the planned table. ``old``: the existing table, active or not.
+    - ``new``: the planned table, in the rows of the control. ``old``: the existing table, active or
+      not.
     - ``active_before``: the correction that was active in the tests before loading, from which the
       expected deviation comes.
     - ``others``: the tables planned for other axes, by name.
@@ -81,10 +83,10 @@ class Loading:
     - ``read_back``: whether the values read back from the control are the planned ones.
     """
 
-    new: AxisCompensation
+    new: StoredTable
     old: AxisCompensation
     active_before: AxisCompensation
-    others: Mapping[str, AxisCompensation] = field(default_factory=dict)
+    others: Mapping[str, StoredTable] = field(default_factory=dict)
     reference: float = 0.0
     always: tuple[FloatArray, FloatArray] | None = None
     read_back: bool = False

@@ -17,29 +17,35 @@ from compwright.verification.hypothesis import SLACK, Hypothesis, Loading
 from compwright.words.sentences import Sentence, say
 
 Curve = FloatArray  # (2, m): in + and in -
-Held = dict[Direction, FloatArray]  # values at the points (k,)
+Held = dict[Direction, FloatArray]  # values at the points (k,), or of the rows (r,)
 
 
 class HypothesisBuilder:
     """Builder of the hypotheses about one loading, for one set of targets.
 
-    ``table``: the planned table alone. ``own`` (2, m): its correction. ``stay``: the correction of
-    other tables, which stay in any case. ``old``, ``old_backlash``: the correction before loading,
-    and its backlash.
+    ``table``: the planned table alone, without the value that is stored apart from its rows, which
+    counts as backlash. ``own`` (2, m): its correction. ``stay``: the correction of other tables,
+    which stay in any case. ``old``, ``old_backlash``: the correction before loading, and its
+    backlash.
     """
 
     def __init__(self, loading: Loading, targets: FloatArray) -> None:
         self.loading, self.targets = loading, targets
-        new = loading.new
+        self.stored, new = loading.new, loading.new.compensation
         self.active_before = self.at(loading.active_before)
         if loading.always is not None:
             self.active_before = self.active_before - np.stack(loading.always)
         self.stay = self.at(_only_others(new))
-        self.table = replace(new, others=(), backlash=0.0)
+        positive, negative = np.stack([new.positive, new.negative]) - self.stored.apart
+        self.table = replace(new, others=(), backlash=0.0, positive=positive, negative=negative)
         self.own = self.at(self.table)
-        self.backlash = self.jump(new)
+        self.backlash = self.jump(new) + self.stored.apart
         self.old = self.at(loading.old)
         self.old_backlash = self.jump(loading.old)
+        if self.stored.zero is not None:
+            others, zero = _only_others(new), new.positions[[self.stored.zero]]
+            for row, d in enumerate(Direction):
+                self.old_backlash[row] = loading.old.at(zero, d) - others.at(zero, d)
         self.has_old = bool(np.any(np.abs(self.old - self.stay) > 0.0))
 
     def at(self, one: AxisCompensation) -> Curve:
@@ -103,18 +109,33 @@ class HypothesisBuilder:
             yield self.made(name, self.total(curve, self.old_backlash), 0.1 * weight, old, **more)
 
     def held(self) -> Held:
-        """Return the values of the planned table at its points, one array for each direction."""
-        return {d: self.table.curve(d) for d in Direction}
+        """Return the row values (r,) of the planned table, one array for each direction."""
+        return {d: self.stored.rows(self.table.curve(d)) for d in Direction}
 
-    def old_values(self) -> Held:
-        """Return the old table's values at the points of the new table. The backlash value and
-        tables that stay active are not included.
+    def old_rows(self) -> Held:
+        """Return the row values (r,) with which the new table would be the old one. The backlash
+        value and tables that stay active are not included.
         """
-        points, old, stay = self.table.positions, self.loading.old, _only_others(self.loading.new)
+        points, old = self.table.positions, self.loading.old
+        stay = _only_others(self.loading.new.compensation)
         line = self.table.slope * (points - self.table.origin)
         return {
-            d: old.at(points, d) - old.backlash_at(d) - stay.at(points, d) - line for d in Direction
+            d: self.stored.rows(old.at(points, d) - old.backlash_at(d) - stay.at(points, d) - line)
+            for d in Direction
         }
+
+    def row_places(self) -> FloatArray:
+        """Return the position (r,) of each row in the range of the targets, mm or deg."""
+        points = self.table.positions
+        places: FloatArray = points[self.stored.row_points]
+        if self.table.period is not None:
+            beyond = places > self.targets.max() + (points[1] - points[0])
+            places = np.where(beyond, places - self.table.period, places)
+        return places
+
+    def curves(self, rows: Mapping[Direction, FloatArray]) -> Held:
+        """Return the values at the points (k,) of a table with the row values ``rows`` (r,)."""
+        return {d: self.stored.curve(rows[d]) for d in Direction}
 
     def values(self, curves: Mapping[Direction, FloatArray]) -> Curve:
         """Return the correction at the targets if the table has the values ``curves`` (k,)."""
@@ -154,20 +175,25 @@ class HypothesisBuilder:
         if counted is not None:
             yield from self.both(name, counted, 0.5 * weight, **more)
 
-    def shifts(self, by: int, held: Held) -> Iterator[Held]:
-        """Yield the table values ``held`` shifted ``by`` points towards +. Points without a shifted
-        value get the value of the nearest end, and in a second variant zero.
+    def shifts(self, by: int, rows: Held) -> Iterator[Held]:
+        """Yield the values at the points of a table whose ``rows`` (r,) are shifted ``by`` rows
+        towards +. Rows without a shifted value get the value of the nearest end, and in a second
+        variant zero; steps are zero there.
         """
+        order, steps = self.stored.order, self.stored.steps
         if self.table.period is not None:
-            yield {d: _around(values, by) for d, values in held.items()}
-            return
-        index = np.arange(self.table.positions.size) - by
+            yield {d: _around(values, by) for d, values in self.curves(rows).items()}
+            if steps or order.size == self.table.positions.size:
+                return
+        index = np.arange(order.size) - (by if order[0] <= order[-1] else -by)
         inside = (index >= 0) & (index < index.size)
         kept = np.clip(index, 0, index.size - 1)
-        yield {d: values[kept] for d, values in held.items()}
-        ends = [values[kept][~inside] for values in held.values()]
-        if any(np.any(np.abs(end) > 0.0) for end in ends):
-            yield {d: np.where(inside, values[kept], 0.0) for d, values in held.items()}
+        if not steps:
+            yield self.curves({d: values[kept] for d, values in rows.items()})
+        ends = [values[kept][~inside] for values in rows.values()]
+        if steps or any(np.any(np.abs(end) > 0.0) for end in ends):
+            filled = {d: np.where(inside, values[kept], 0.0) for d, values in rows.items()}
+            yield self.curves(filled)
 
 
 def _only_others(one: AxisCompensation) -> AxisCompensation:

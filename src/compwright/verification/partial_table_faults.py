@@ -49,6 +49,12 @@ def wrong_backlash(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
         if np.any(step):
             change = ways.total(ways.own, ways.backlash + times * step)
             yield ways.made("backlash", change, weight, say("loading.backlash", kind=kind))
+    away = list(Direction).index(ways.table.reference_return.opposite)
+    if np.ptp(ways.own[away] - ways.own[1 - away]) > 1e-9:  # the whole reversal, not a constant
+        both = ways.own.copy()
+        both[away] = both[1 - away]
+        change = ways.total(both, np.zeros_like(both))
+        yield ways.made("backlash", change, RARE, say("loading.backlash", kind="missing"))
     known = [-step, step, -2.0 * step, np.zeros_like(step)]
     for value, kind in (
         (ways.old_backlash, "old"),
@@ -76,48 +82,42 @@ def _reversal(ways: HypothesisBuilder) -> Curve:
 
 
 def partial(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield hypotheses of a table that is active only up to one of its points, or only from one of
-    its points on. The other points have zero, old or constant values.
+    """Yield hypotheses of a table that is active only up to one of its rows, or only from one of
+    its rows on. The other rows have zero, old or constant values; steps have no constant ones.
     """
-    points = ways.table.positions
-    if points.size < 3:
+    stored, held = ways.stored, ways.held()
+    count = stored.order.size
+    if count < 3:
         return
-    held = ways.held()
-    beyond: list[tuple[str, Held | None, bool]] = [
-        ("nothing", {d: np.zeros(points.size) for d in Direction}, False),
-        ("last", None, False),
-    ]
+    zeros = dict.fromkeys(Direction, np.zeros(count))
+    beyond: list[tuple[str, Held | None]] = [("last" if stored.steps else "nothing", zeros)]
+    if not stored.steps:
+        beyond.append(("last", None))
     if ways.has_old:
-        before = ways.old_values()
-        beyond.append(("old", before, False))
-        beyond.append(("old_steps", before, True))
-    cuts = _cuts(ways)
-    for kind, rest, joined in beyond:
-        for cut in cuts:
+        beyond.append(("old_steps" if stored.steps else "old", ways.old_rows()))
+    places, cuts = ways.row_places(), _cuts(ways)
+    for kind, rest in beyond:
+        for cut, share in cuts.items():
             for first in (True, False):
-                inside = (np.arange(points.size) < cut) == first
+                inside = (np.arange(count) < cut) == first
                 edge = cut - 1 if first else cut
-                curves = {}
-                for d in Direction:
-                    last = np.full(points.size, held[d][edge])
-                    other = last if rest is None else rest[d]
-                    if joined and rest is not None:
-                        other = last + rest[d] - rest[d][edge]
-                    curves[d] = np.where(inside, held[d], other)
-                share = float(np.mean(inside))
+                rows = {
+                    d: np.where(inside, held[d], held[d][edge] if rest is None else rest[d])
+                    for d in Direction
+                }
                 yield from ways.both(
                     "partial",
-                    ways.values(curves),
+                    ways.values(ways.curves(rows)),
                     _FAMILY / len(cuts),
-                    _part(points, edge, kind, first=first),
+                    _part(places, edge, kind, first=first),
                     inner=not 0.25 <= share <= 0.75,
                 )
 
 
 def cut_off(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield hypotheses of a table that ends, with its backlash value, between two targets."""
-    points, targets = ways.table.positions, ways.targets
-    if points.size < 3 or targets.size < 3:
+    places, targets = ways.row_places(), ways.targets
+    if places.size < 3 or targets.size < 3:
         return
     new = ways.total(ways.own)
     beyond = [("no_backlash", ways.stay - ways.active_before)]
@@ -127,7 +127,7 @@ def cut_off(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     gaps = gaps[np.unique(np.linspace(0, gaps.size - 1, min(gaps.size, _CUTS)).astype(int))]
     for kind, rest in beyond:
         for gap in gaps:
-            last = int(np.clip(np.searchsorted(points, targets[gap - 1]), 0, points.size - 1))
+            last = int(np.argmin(np.where(places < targets[gap - 1], np.inf, places)))
             for first in (True, False):
                 inside = (np.arange(targets.size) < gap) == first
                 share = float(np.mean(inside))
@@ -135,33 +135,38 @@ def cut_off(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
                     "partial",
                     np.where(inside, new, rest),
                     _FAMILY / gaps.size,
-                    _part(points, last, kind, first=first),
+                    _part(places, last, kind, first=first),
                     inner=not 0.25 <= share <= 0.75,
                 )
 
 
-def _part(points: FloatArray, edge: int, beyond: str, *, first: bool) -> Sentence:
-    """Return the text about a table that is active only in part: with ``first`` at the points up to
-    the index ``edge``, else from the index ``edge`` on. ``beyond``: the kind of values at the other
-    points, such as ``old``.
+def _part(places: FloatArray, edge: int, beyond: str, *, first: bool) -> Sentence:
+    """Return the text about a table that is active only in part: with ``first`` in the rows up to
+    the index ``edge``, else from the index ``edge`` on. ``places``: the positions of the rows;
+    ``beyond``: the kind of values in the other rows, such as ``old``.
     """
-    return say("loading.part", first=first, number=edge + 1, position=points[edge], beyond=beyond)
+    return say("loading.part", first=first, number=edge + 1, position=places[edge], beyond=beyond)
 
 
-def _cuts(ways: HypothesisBuilder) -> list[int]:
-    """Return the indices of the table points at which a partial table may end: at most `_CUTS`, but
-    one for each group of targets beyond it, also where the end is around a target.
+def _cuts(ways: HypothesisBuilder) -> dict[int, float]:
+    """Return the numbers of rows after which a partial table may end, each with the share of the
+    targets that need none of the further rows. At most `_CUTS` of them, but one for each group of
+    targets beyond it, also where the end is around a target.
     """
-    points = ways.table.positions
-    above = np.searchsorted(ways.targets, points)
-    up_to = np.searchsorted(ways.targets, points, side="right")
-    effective = [
-        cut
-        for cut in range(1, points.size)
-        if above[cut] > 0 and above[cut - 1] < ways.targets.size
-    ]
-    if len(effective) <= _CUTS:
-        return effective
-    distinct = {(up_to[cut - 1], above[cut]): cut for cut in effective}.values()
-    more = np.linspace(0, len(effective) - 1, max(_CUTS - len(distinct), 2)).astype(int)
-    return sorted({*distinct, *(effective[i] for i in more)})
+    points, where = ways.table.positions, ways.targets
+    if ways.table.period is not None:
+        where = points[0] + np.mod(where - points[0], ways.table.period)
+    row_of = np.zeros(points.size, dtype=int)
+    row_of[ways.stored.row_points] = np.arange(ways.stored.order.size)
+    above, below = np.searchsorted(points, where), np.searchsorted(points, where, side="right") - 1
+    sides = [row_of[np.clip(index, 0, points.size - 1)] for index in (above, below)]
+    lowest, highest = np.minimum(*sides), np.maximum(*sides)
+    cuts = np.arange(1, ways.stored.order.size)
+    cuts = cuts[(cuts > lowest.min()) & (cuts <= highest.max())]
+    complete = {int(cut): int(np.sum(highest < cut)) for cut in cuts}
+    if cuts.size > _CUTS:
+        distinct = {(complete[int(cut)], int(np.sum(lowest < cut))): int(cut) for cut in cuts}
+        more = np.linspace(0, cuts.size - 1, max(_CUTS - len(distinct), 2)).astype(int)
+        chosen = {*distinct.values(), *(int(cut) for cut in cuts[more])}
+        complete = {cut: complete[cut] for cut in sorted(chosen)}
+    return {cut: part / where.size for cut, part in complete.items()}

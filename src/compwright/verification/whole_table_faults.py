@@ -19,6 +19,8 @@ _FACTORS: Final[Mapping[float, float]] = {
     0.5: 1.0,
     10.0: 1.0,
     0.1: 1.0,
+    16.0: 0.5,  # where an entry is 1/16 of a count
+    1.0 / 16.0: 0.02,
     25.4: 0.5,
     1.0 / 25.4: 0.02,
     1000.0: 0.5,
@@ -110,31 +112,32 @@ def scaled(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 def shifted(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield hypotheses of a table shifted by whole points towards + or −."""
-    points, held = ways.table.positions.size, ways.held()
-    for k in range(1, min(_MOST_SHIFT, points - 2) + 1):
+    rows = ways.held()
+    for k in range(1, min(_MOST_SHIFT, ways.stored.order.size - 2) + 1):
         for by in (k, -k):
-            for curves in ways.shifts(by, held):
+            for curves in ways.shifts(by, rows):
                 yield from ways.moved("shifted", curves, COMMON / (1 + k), shift_nodes=by)
 
 
 def mirrored(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield hypotheses of a table with its values, or its increments, in reverse order."""
-    if ways.table.positions.size > 2:
-        held = ways.held()
-        curves = {d: values[::-1] for d, values in held.items()}
-        yield from ways.moved("mirrored", curves, COMMON)
-        # mirrored about a centre one point further: of a table with one point outside the travel
-        shifted = [other for by in (1, -1) for other in ways.shifts(by, held)]
-        for each in shifted:
-            turned = {d: v[::-1] for d, v in each.items()}
-            yield from ways.moved("mirrored", turned, RARE / len(shifted))
-        # Where a control keeps the steps from point to point, these are mirrored; one point further
-        # where the first or the last of its rows holds a step that is never active.
-        steps = {d: v[0] + v[-1] - v[::-1] for d, v in held.items()}
-        more: dict[str, Any] = {"detail": say("loading.steps"), "inner": True}
-        yield from ways.moved("mirrored", steps, COMMON, **more)
+    """Yield hypotheses of a table with its rows, or its values at the points, in reverse order."""
+    rows = ways.held()
+    if ways.stored.order.size < 3:
+        return
+    more: dict[str, Any] = {}
+    if ways.stored.steps:
+        values = {d: ways.table.curve(d)[::-1] for d in Direction}
+        yield from ways.moved("mirrored", values, COMMON)
+        # mirrored about a centre one point further: the first or last point has no value
         for by in (1, -1):
-            yield from ways.moved("mirrored", next(ways.shifts(by, steps)), RARE, **more)
+            for each in ways.shifts(by, {d: ways.stored.rows(v) for d, v in values.items()}):
+                yield from ways.moved("mirrored", each, RARE)
+        more = {"detail": say("loading.steps"), "inner": True}
+    turned = {d: values[::-1] for d, values in rows.items()}
+    yield from ways.moved("mirrored", ways.curves(turned), COMMON, **more)
+    for by in (1, -1):  # with one row too many, or one too few
+        for each in ways.shifts(by, turned):
+            yield from ways.moved("mirrored", each, 0.5 * RARE, **more)
 
 
 def wrong_axis(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
@@ -142,18 +145,24 @@ def wrong_axis(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     positions, or at the same point numbers. The numbers of a table in mm count as deg and the other
     way round.
     """
-    for name, other in ways.loading.others.items():
+    stored = ways.stored
+    for name, their in ways.loading.others.items():
+        other = their.compensation
         if not other.positions.size:
             continue
-        backlash = ways.jump(other)
-        points = ways.table.positions.size
-        by_place = ways.at(replace(other, others=(), backlash=0.0))
+        backlash = ways.jump(other) + their.apart
+        by_place = ways.at(replace(other, others=(), backlash=0.0)) - their.apart
         curves = [(by_place, "position")]
-        # a shorter table ends with nothing, or, where steps are kept, with its last value
-        fills = (True, False) if points > other.positions.size else (True,)
-        for held in fills if points else ():
-            values = {d: _resized(other.curve(d), points, held=held) for d in Direction}
-            curves.append((ways.values(values), "number"))
+        theirs = {d: their.rows(other.curve(d)) for d in Direction}
+        # a shorter table ends with nothing, or with its last value; rows that are counted from a
+        # point inside the table begin with the first one, or have this point at the same place
+        before = {0, (their.zero or 0) - (stored.zero or 0)} if stored.steps else {0}
+        size = stored.order.size
+        short = size > their.order.size and not stored.steps
+        for skipped in sorted(before) if size else ():
+            for held in (True, False) if short else (False,):
+                rows = {d: _resized(v, size, skipped, held=held) for d, v in theirs.items()}
+                curves.append((ways.values(ways.curves(rows)), "number"))
         for curve, kind in curves:
             more = say("loading.other_axis", by=kind)
             yield from ways.both("wrong_axis", curve, _OTHER, more, of=name)
@@ -162,11 +171,10 @@ def wrong_axis(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
                 yield ways.made("wrong_axis", change, _OTHER, more, of=name)
 
 
-def _resized(values: FloatArray, size: int, *, held: bool) -> FloatArray:
-    """Return ``values`` with the length ``size``: cut off, or extended by the last value (``held``)
-    or by zeros.
+def _resized(values: FloatArray, size: int, skipped: int, *, held: bool) -> FloatArray:
+    """Return ``size`` of the row ``values``, without the first ones that are ``skipped`` (< 0: with
+    zeros before them). Missing rows are zero; at the end they have the last value if ``held``.
     """
-    resized = np.full(size, values[-1] if held else 0.0)
-    count = min(size, values.size)
-    resized[:count] = values[:count]
-    return resized
+    index = np.arange(size) + skipped
+    known = values[np.clip(index, 0, values.size - 1)]
+    return np.where((index >= 0) & ((index < values.size) | held), known, 0.0)

@@ -34,6 +34,7 @@ from compwright.records.correction import (
 )
 from compwright.records.delivery import Delivery
 from compwright.records.options import UnansweredOption
+from compwright.records.stored_table import StoredTable
 
 #: Address, axis and table: what is written for one axis.
 AxisTable = tuple[str, Axis, AxisCompensation]
@@ -202,6 +203,14 @@ class Family(ResolvedDefinition, ABC):
         Option values that the control's own files state are included. Raises UsageError for an
         address that the control cannot have, CapacityError if the control can hold no table.
         """
+
+    def stored_table(self, axis: Axis, compensation: AxisCompensation) -> StoredTable:
+        """Return the table of an axis with the rows in which the control stores it.
+
+        Without a rule of the family, each point has one row, in the order of the positions.
+        """
+        del axis
+        return StoredTable.by_point(compensation)
 
     @abstractmethod
     def write(

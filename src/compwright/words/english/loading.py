@@ -160,10 +160,11 @@ SENTENCES: Final[dict[str, str]] = {
         " noise of a reading is {noise}.{effect:if| Measured: {effect}.}"
     ),
     "loading.factor": (
-        "{factor:choose|2=twice: radius and diameter mixed up, or loaded on top of itself|0.5=half:"
-        " radius and diameter mixed up|10=ten times: another detection unit or increment"
-        " system|0.1=a tenth: another detection unit or increment system|25.4=25.4 times: inch"
-        " taken for mm|0.03937=1/25.4: mm taken for inch|1000=a thousand times: mm taken for"
+        "{factor:choose|2=twice: radius and diameter mixed up, or loaded on top of"
+        " itself|0.5=half: radius and diameter mixed up|10=ten times: another detection unit or"
+        " increment system|0.1=a tenth: another detection unit or increment system|16=16 times:"
+        " 1/16 count taken for a count|0.0625=1/16: count taken for 1/16 count|25.4=25.4 times:"
+        " inch taken for mm|0.03937=1/25.4: mm taken for inch|1000=a thousand times: mm taken for"
         " µm|0.001=a thousandth: µm taken for mm}"
     ),
     "loading.instead": (

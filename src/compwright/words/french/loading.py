@@ -164,11 +164,13 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.likely": "{verdict} {percent:.0f} %",
     "loading.factor": (
-        "{factor:choose|2=double : rayon et diamètre confondus, ou chargée sur elle-même|0.5=moitié"
-        " : rayon et diamètre confondus|10=dix fois : autre unité de détection ou autre système"
-        " d'incréments|0.1=un dixième : autre unité de détection ou autre système"
-        " d'incréments|25.4=25,4 fois : pouces pris pour des mm|0.03937=1/25,4 : mm pris pour des"
-        " pouces|1000=mille fois : mm pris pour des µm|0.001=un millième : µm pris pour des mm}"
+        "{factor:choose|2=double : rayon et diamètre confondus, ou chargée sur"
+        " elle-même|0.5=moitié : rayon et diamètre confondus|10=dix fois : autre unité de"
+        " détection ou autre système d'incréments|0.1=un dixième : autre unité de détection ou"
+        " autre système d'incréments|16=16 fois : 1/16 d'impulsion pris pour une"
+        " impulsion|0.0625=1/16 : impulsion prise pour 1/16 d'impulsion|25.4=25,4 fois : pouces"
+        " pris pour des mm|0.03937=1/25,4 : mm pris pour des pouces|1000=mille fois : mm pris pour"
+        " des µm|0.001=un millième : µm pris pour des mm}"
     ),
     "loading.instead": (
         "{active:choose|still=ce qui était dans la commande avant est encore actif|before=ce qui"

@@ -171,9 +171,10 @@ SENTENCES: Final[dict[str, str]] = {
         "{factor:choose|2=doppelt: Radius und Durchmesser verwechselt oder auf sich selbst"
         " geladen|0.5=halb: Radius und Durchmesser verwechselt|10=zehnfach: andere"
         " Erfassungseinheit oder anderes Inkrementsystem|0.1=ein Zehntel: andere Erfassungseinheit"
-        " oder anderes Inkrementsystem|25.4=25,4-fach: Zoll für mm genommen|0.03937=1/25,4: mm für"
-        " Zoll genommen|1000=tausendfach: mm für µm genommen|0.001=ein Tausendstel: µm für mm"
-        " genommen}"
+        " oder anderes Inkrementsystem|16=16-fach: 1/16 Inkrement für ein Inkrement"
+        " genommen|0.0625=1/16: Inkrement für 1/16 Inkrement genommen|25.4=25,4-fach: Zoll für mm"
+        " genommen|0.03937=1/25,4: mm für Zoll genommen|1000=tausendfach: mm für µm"
+        " genommen|0.001=ein Tausendstel: µm für mm genommen}"
     ),
     "loading.instead": (
         "{active:choose|still=was vorher in der Steuerung war, ist noch aktiv|before=was vorher in"

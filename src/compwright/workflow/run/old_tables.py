@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -21,6 +21,7 @@ from compwright.planning.wanted_correction import (
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.plan import PlannedTest
+from compwright.records.stored_table import StoredTable
 from compwright.verification.existing_table import ExistingTableVerdict
 from compwright.verification.hypothesis import Loading
 from compwright.verification.likelihood import after_means, belief_of, draws_for
@@ -32,7 +33,7 @@ from compwright.workflow.run.input_stage import Measured
 
 #: Two corrections are the same below this many mm or deg.
 _SAME = 1e-6
-_Task = tuple[Axis, PlannedTest, PlannedTest, Mapping[str, ControlState], tuple[Axis, ...]]
+_Task = tuple[Axis, PlannedTest, PlannedTest, Mapping[str, ControlState], Mapping[str, StoredTable]]
 
 
 def with_old_tables(
@@ -43,11 +44,7 @@ def with_old_tables(
     An axis gets no new table if its tests show that the active correction differs from the
     control's files, because the total of old and new would be wrong.
     """
-    tasks = [
-        (name, task)
-        for name, work in works.items()
-        for task in _tasks(work, measured.states, tuple(measured.axes.values()))
-    ]
+    tasks = [(name, task) for name, work in works.items() for task in _tasks(work, measured)]
     judged = each(_judged, [task for _, task in tasks])
     found: dict[str, AxisWork] = dict(works)
     findings: list[Finding] = []
@@ -65,13 +62,11 @@ def with_old_tables(
     return found, tuple(findings)
 
 
-def _tasks(
-    work: AxisWork, states: Mapping[str, ControlState], axes: tuple[Axis, ...]
-) -> list[_Task]:
+def _tasks(work: AxisWork, measured: Measured) -> list[_Task]:
     """Return the pairs of tests of an axis to be compared: the test with the least active
     correction, with a test in each other state.
     """
-    axis = work.planned.axis
+    axis, states = work.planned.axis, measured.states
     first: dict[str, PlannedTest] = {}
     for planned in work.planned.tests:
         if planned.measured_in in states:
@@ -83,7 +78,7 @@ def _tasks(
     )
     least = axis_compensation(states[off.measured_in], axis)
     return [
-        (axis, off, on, states, axes)
+        (axis, off, on, states, _stored_tables(axis, measured, states[on.measured_in]))
         for on in first.values()
         if on is not off
         and _apart(least, axis_compensation(states[on.measured_in], axis), on) > _SAME
@@ -110,24 +105,24 @@ def judged_old_table(
     off: PlannedTest,
     on: PlannedTest,
     states: Mapping[str, ControlState],
-    axes: Sequence[Axis],
+    tables: Mapping[str, StoredTable],
 ) -> ExistingTableVerdict:
     """Decide whether the existing table was active in the test ``on``, by comparison with the test
     ``off``, which has the least correction. ``states``: the control's contents by the name of the
-    state; ``axes``: all axes of the job.
+    state; ``tables``: those of the test ``on``, by axis.
 
     It is also tested whether the table of another axis was active instead of this one.
     """
-    least, table = (axis_compensation(states[one.measured_in], axis) for one in (off, on))
+    least = axis_compensation(states[off.measured_in], axis)
     tests = with_backlash((replace(off, acted=None),), axis, states)
     error = measured_error(tests, observed_tests(tests, least), axis, least)
     test = on.test
     draws = error.draw(test.targets, draws_for(test.targets.size), np.random.default_rng(0))
     loading = Loading(
-        new=table,
+        new=tables[axis.name],
         old=least,
         active_before=least,
-        others=_of_others(axis, axes, states[on.measured_in]),
+        others={name: table for name, table in tables.items() if name != axis.name},
         reference=axis.reference,
     )
     view = MeasurementCase(
@@ -142,17 +137,18 @@ def judged_old_table(
     return ExistingTableVerdict(on.test.name, off.test.name, on.measured_in, verdict)
 
 
-def _of_others(
-    axis: Axis, axes: Sequence[Axis], state: ControlState
-) -> dict[str, AxisCompensation]:
-    return {
-        other.name: state.axes[other.address]
-        for other in axes
+def _stored_tables(axis: Axis, measured: Measured, state: ControlState) -> dict[str, StoredTable]:
+    """Return the tables in a state of the control: that of an axis, and of those of its kind."""
+    control = measured.control.in_state(state).format
+    others = {
+        other.name: control.stored_table(other, state.axes[other.address])
+        for other in measured.axes.values()
         if other.name != axis.name
         and other.kind is axis.kind
         and other.address in state.axes
         and other.address != axis.gantry
     }
+    return {axis.name: control.stored_table(axis, axis_compensation(state, axis)), **others}
 
 
 def _slope(off: PlannedTest, on: PlannedTest) -> float:

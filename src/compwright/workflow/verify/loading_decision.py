@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from compwright.controls.control import Control
 from compwright.estimation.observed_test import ObservedTest
 from compwright.planning.motions import with_motion
 from compwright.planning.temperature_slopes import relative_to_first, slope_after
@@ -41,6 +42,7 @@ from compwright.words.sentences import say
 
 def judged_loading(
     job: Job,
+    control: Control,
     planned: PlannedAxis,
     test: PositioningTest,
     place: int,
@@ -53,7 +55,7 @@ def judged_loading(
 ) -> LoadingVerdict:
     """Return the verdict on how the table was loaded, from a ``test`` after loading that repeats
     the test with the index ``place`` in the plan. ``others``: the other axes of the plan, whose
-    tables can be loaded in place of this one.
+    tables can be loaded in place of this one; ``control``: in the state of its files before.
 
     ``observed``, ``posterior``: the tests before and the error estimated from them. ``stored``: the
     contents of the control before, with its tables switched on. ``read_back``: whether the table
@@ -66,7 +68,7 @@ def judged_loading(
             sentence=say("loading.no_table"),
         )
     error = _judged_against(planned, observed, posterior)
-    view, noise = _view(planned, test, place, error, stored, others, read_back=read_back)
+    view, noise = _view(control, planned, test, place, error, stored, others, read_back=read_back)
     after = after_means(test, noise)
     slope = slope_after(job, planned.tests, test) if test.kind is AxisKind.LINEAR else None
     views = [
@@ -83,7 +85,9 @@ def judged_loading(
         return [
             *units,
             *(
-                other_axis_case(name, _view(other, test, 0, _error_of(other), stored, {})[0])
+                other_axis_case(
+                    name, _view(control, other, test, 0, _error_of(other), stored, {})[0]
+                )
                 for name, other in others.items()
                 if other.tests and other.fitted is not None and other.axis.kind is test.kind
             ),
@@ -93,6 +97,7 @@ def judged_loading(
 
 
 def _view(
+    control: Control,
     planned: PlannedAxis,
     test: PositioningTest,
     place: int,
@@ -106,11 +111,13 @@ def _view(
     draws = error.draw(test.targets, draws_for(test.targets.size), np.random.default_rng(0), place)
     none = no_compensation(axis.address, axis.kind, axis.reference_return)
     loading = Loading(
-        new=none if fitted is None else applied_compensation(fitted.compensation, axis),
+        new=control.format.stored_table(
+            axis, none if fitted is None else applied_compensation(fitted.compensation, axis)
+        ),
         old=axis_compensation(stored, axis),
         active_before=none if planned.active is None else planned.active,
         others={
-            name: other.fitted.compensation
+            name: control.format.stored_table(other.axis, other.fitted.compensation)
             for name, other in others.items()
             if other.fitted is not None
         },

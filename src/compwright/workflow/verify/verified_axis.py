@@ -80,6 +80,7 @@ def verified_axis(
     loading = (
         judged_loading(
             job,
+            control.in_state(as_found.state),
             planned,
             after.test,
             place,

@@ -23,12 +23,14 @@ from compwright.formats.families.increments.increment_facts import increments_of
 from compwright.formats.families.increments.job_checks import points_question
 from compwright.formats.families.increments.parameters import NAMES
 from compwright.formats.families.increments.reading import StateReader
+from compwright.formats.families.increments.sections import stored_sections
 from compwright.formats.families.increments.writing import increment_sheets, write_increments
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.options import DETECTION_UNIT, UnansweredOption
+from compwright.records.stored_table import StoredTable
 
 #: No control numbers more axes than this.
 _MOST_AXES = 40
@@ -124,6 +126,11 @@ class IncrementsFamily(Family):
         """Return the limits of one axis' table in mm or deg; see `Family.capacity`."""
         del one_curve
         return IncrementLimits(self, axis).capacity()
+
+    def stored_table(self, axis: Axis, compensation: AxisCompensation) -> StoredTable:
+        """Return a table with its increments as rows; see `Family.stored_table`."""
+        address, _ = self.address(axis)
+        return stored_sections(axis, compensation, increments_of(self.state.facts_of(address)))
 
     def write(
         self,

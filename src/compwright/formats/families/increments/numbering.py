@@ -56,11 +56,10 @@ def find_place(
     - ``claimed``: all existing numbers of the axis. They are tried before the free numbers from
       ``start`` on.
 
-    The set for travel towards - has as many numbers as the other set. The first number is never
-    above that of the reference, the last one always is. Raises NoRoom if too few successive numbers
-    are free.
+    The set for travel towards - has as many numbers as the other set. Raises NoRoom if too few
+    successive numbers are free.
     """
-    first, last = min(low + 1, 0), max(high, 1)
+    first, last = section_numbers(low, high)
     length = last - first + 1
     if reference is not None:
         kept = _at(reference, first, last, two=two)
@@ -80,6 +79,13 @@ def find_place(
         f" no other axis uses has {gap} (numbers {start} to {highest}); a wider spacing or a"
         " shorter table would help, or files that show the contents of more numbers"
     )
+
+
+def section_numbers(low: int, high: int) -> tuple[int, int]:
+    """Return the first and the last number of new sections from ``low`` to ``high``, all counted
+    from the reference: the first is never above that of the reference, the last one always is.
+    """
+    return min(low + 1, 0), max(high, 1)
 
 
 def kept_place(

@@ -7,9 +7,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from compwright.formats.families.increments.axis_values import IncrementAxisValues
+from compwright.formats.families.increments.increment_facts import IncrementFacts
 from compwright.formats.families.increments.job_checks import SAME_PLACE
+from compwright.formats.families.increments.numbering import section_numbers
 from compwright.formats.text.notes import ADD_FILE, Notes
-from compwright.records.axis import AxisKind, FloatArray
+from compwright.records.axis import Axis, AxisKind, FloatArray
+from compwright.records.correction import AxisCompensation
+from compwright.records.stored_table import StoredTable
 
 _DISORDER = "the numbers are not in order"
 #: Quantities that say where an axis' table lies.
@@ -228,3 +232,36 @@ def _negative_first(values: IncrementAxisValues, own: range, highest: int) -> in
         expected = f"clear of {own[0]} .. {own[-1]}"
         values.wrong("negative_first", "the two sets overlap", expected, found)
     return negative
+
+
+def stored_sections(
+    axis: Axis, compensation: AxisCompensation, facts: IncrementFacts
+) -> StoredTable:
+    """Return the table of an axis with a row for each section, and for the reference's own number
+    where that has none. ``facts``: what the files state about its table.
+    """
+    points = compensation.positions
+    if points.size < 2:
+        return StoredTable.by_point(compensation)
+    interval = float(points[-1] - points[0]) / (points.size - 1)
+    low, high = (round(float(end - axis.reference) / interval) for end in points[[0, -1]])
+    if axis.modulo is not None:
+        rows = np.arange(points.size - 1)
+        if facts.reference_number is None or facts.first_number == facts.reference_number:
+            rows = np.insert(rows, 0, rows[-1])
+        return StoredTable(compensation=compensation, order=rows, steps=True, zero=-low)
+    first, last = section_numbers(low, high)
+    if None not in (facts.reference_number, facts.last_number):
+        kept = int(facts.last_number or 0) - int(facts.reference_number or 0)
+        last = high if high == kept else last
+    numbers = np.arange(first - 1, last + 1)
+    positions: FloatArray = np.round(axis.reference + numbers * interval, 9)
+    held = np.clip(numbers - low, 0, points.size - 1)
+    table = replace(
+        compensation,
+        positions=positions,
+        positive=compensation.positive[held],
+        negative=compensation.negative[held],
+    )
+    order = np.arange(numbers.size - 1)
+    return StoredTable(compensation=table, order=order, steps=True, zero=1 - first)

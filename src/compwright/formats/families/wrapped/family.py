@@ -27,7 +27,12 @@ from compwright.formats.families.wrapped.counts import (
 )
 from compwright.formats.families.wrapped.file_values import file_values
 from compwright.formats.families.wrapped.reading import WrappedStateReader
-from compwright.formats.families.wrapped.tables import MotorTable, motor_table, over_travel
+from compwright.formats.families.wrapped.tables import (
+    MotorTable,
+    motor_table,
+    over_travel,
+    stored_entries,
+)
 from compwright.formats.families.wrapped.writing import TAKE_UP, fresh_script, patched_scripts
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import Axis, Direction
@@ -39,6 +44,7 @@ from compwright.records.correction import (
     ControlState,
 )
 from compwright.records.options import UnansweredOption
+from compwright.records.stored_table import StoredTable
 from compwright.words.sentences import control_text
 
 
@@ -191,6 +197,11 @@ class WrappedFamily(Family):
         if compensation.positions.size >= 2:
             self._entries(axis, compensation, faults)
         return faults
+
+    def stored_table(self, axis: Axis, compensation: AxisCompensation) -> StoredTable:
+        """Return a table over one period with its entries as rows; see `Family.stored_table`."""
+        counts, ring = self._counts(axis), self.existing_grid(axis)
+        return stored_entries(axis, compensation, counts, ring=ring)
 
     def write(
         self,

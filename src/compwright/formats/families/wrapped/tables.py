@@ -12,7 +12,7 @@ Between the end of the travel and its beginning one length further there is an u
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from compwright.formats.text.scale import EXACTNESS, NotHeld
 from compwright.foundations.errors import Fault
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
+from compwright.records.stored_table import StoredTable
 
 #: Spacings beyond the travel for which the end values are held: an axis that runs a little further
 #: than its job states meets no jump.
@@ -131,6 +132,37 @@ def motor_table(
     ends = (axis.reference + points.high * points.step, axis.reference + points.low * points.step)
     gap = None if compensation.period is not None else ends
     return MotorTable(int(compensation.address), round(length), entries, lost, constant, gap)
+
+
+def stored_entries(
+    axis: Axis, compensation: AxisCompensation, counts: Counts, *, ring: Sequence[float] = ()
+) -> StoredTable:
+    """Return the table of an axis over one period from motor zero, with its entries as rows.
+    ``ring``: as for `motor_table`.
+    """
+    points = None
+    if compensation.positions.size > 1:
+        points, _ = _points(axis, compensation, "", ring)
+    if points is None:
+        return StoredTable.by_point(compensation)
+    size = points.high - points.low + 1
+    along = np.arange(size + 1)
+    order, zero = along[1:], 0
+    if counts.forward is Direction.NEGATIVE:
+        order, zero = along[-2::-1], size
+    positions: FloatArray = np.round(axis.reference + along * points.step, 9)
+    curves = {d: np.zeros(size + 1) for d in Direction}
+    for direction, curve in curves.items():
+        curve[order] = _entries_of(compensation.curve(direction), points, counts)
+        curve[zero] = curve[order[-1]]
+    table = replace(
+        compensation,
+        positions=positions,
+        positive=curves[Direction.POSITIVE],
+        negative=curves[Direction.NEGATIVE],
+        period=size * points.step,
+    )
+    return StoredTable(compensation=table, order=order, zero=zero)
 
 
 def _numbers(
