@@ -234,16 +234,15 @@ def _fitted(rows: Floats, shape: tuple[int, ...]) -> Floats:
 
 
 def _partial(plan: Plan, x: Floats, cut: float) -> Iterator[Fault]:
-    """The table up to a node or from it on; the rest holds zeros (the backlash acts everywhere, or
-    only there too), the old table, or (steps) the last total.
+    """The table up to a node or from it on; the rest holds zeros (a backlash value acts there too),
+    the old table, or (steps) the last total; or the table ends with its backlash.
     """
     nodes, totals = plan.points()
     place, plain = nodes[int(cut * nodes.size)], cut == 0.5
     nothing = np.zeros_like(totals)
-    rests = [("nothing at all", nothing)]
     if not plan.control.two_curves:
         nothing[1] = (totals[1] - totals[0]).mean()
-        rests = [("zeros", nothing), ("nothing at all", 0 * totals)]
+    rests = [("zeros", nothing)]
     if plan.old is not None:
         rests.append(("the old one", plan.old.at(plan.name, nodes)))
     for word, there in (("up to", nodes <= place), ("from", nodes >= place)):

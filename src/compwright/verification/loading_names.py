@@ -31,6 +31,8 @@ _CERTAIN: Final = 1e6
 _TELLING: Final = 8.0
 #: Least probability of a candidate that is listed.
 _LISTED: Final = 0.005
+#: Names of a table that is as planned, or as before.
+_NO_FAULT: Final = ("loaded", "thermal", "not_active", "measurement")
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +74,7 @@ def name_loading(
     if name in ("loaded", "thermal"):
         name = _loaded_or_thermal(rated, declared_slope)
     best = max((each for each in rated if each.name == name), key=lambda each: each.log)
-    far = distances(after, best, rated)
+    far = _distances_from(after, best, rated)
     fits = best.score <= REFUSED
     counted: set[LoadingName] = {name}
     if name in ("loaded", "thermal"):
@@ -98,6 +100,27 @@ def name_loading(
         margin=0.0 if hidden else _margin(rated, counted, excluded),
         hidden=hidden,
     )
+
+
+def _distances_from(
+    after: AfterMeans, best: RatedHypothesis, rated: Sequence[RatedHypothesis]
+) -> FloatArray:
+    """Return the distance of each of the ``rated`` hypotheses, in standard errors, from the
+    ``best`` one; that of another possible fault from the nearest possible variant of the best name,
+    because it may be the same test as this variant.
+    """
+    far = distances(after, best, rated)
+    if best.name in _NO_FAULT:
+        return far
+    possible = [index for index, each in enumerate(rated) if each.probability >= _LISTED]
+    others = [i for i in possible if rated[i].name not in (best.name, *_NO_FAULT)]
+    for each in (rated[index] for index in possible):
+        way = each.hypothesis
+        limit = way.inner or way.sloped or way.free is not None
+        if each.name == best.name and not limit:
+            near = distances(after, each, [rated[index] for index in others])
+            far[others] = np.minimum(far[others], near)
+    return far
 
 
 def _margin(
