@@ -287,6 +287,36 @@ def test_an_own_table_that_is_changed_while_others_are_free_is_named(
         assert ("`cec_tables: [6, 2]`" in shown) is named
 
 
+@pytest.mark.parametrize(("deviation", "tables"), [(8, "[0]"), (-8, "[1]")])
+def test_a_control_in_inch_takes_a_table_in_mm(folder: Path, deviation: int, tables: str) -> None:
+    """MD32711 = 1: the values and positions of a CEC table are in mm, and the file of a new table
+    alone does not show it.
+    """
+    control = folder / "control"
+    write_own_table(control)
+    for file in control.iterdir():
+        file.write_text(file.read_text().replace("CHANDATA(1)\n", "CHANDATA(1)\nINCH\n"))
+    (control / "UNIT.INI").write_text(
+        "CHANDATA(1)\nINCH\n$MN_SCALING_SYSTEM_IS_METRIC=0\n$MN_SCALING_VALUE_INCH=25.4\n"
+        "$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=1\n$MA_CEC_SCALING_SYSTEM_METRIC[AX2]=1\nM17\n"
+    )
+    job = folder / "job.yaml"
+    job.write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl, options: {cec: available,"
+        f" cec_sign: correction, cec_tables: {tables}}}}}\nstates: {{as_found: [control]}}\naxes:\n"
+        "  X: {travel: [0, 800], address: AX1, before: []}\n"
+        "  Y: {travel: [-500, 0], address: AX2, before: []}\ncross:\n"
+        f"  - {{input: X, output: Y, positions: [0, 800], deviations: [0, {deviation}], unit: um}}\n"
+    )
+    assert compwright(["run", str(job)]) == 0
+    (file,) = (folder / "job" / "tables" / SIEMENS).iterdir()
+    index = tables[1]
+    values = re.findall(rf"\$AN_CEC\[{index},\d\]=(\S+)", file.read_text())
+    old = 0.012 if index == "0" else 0.0  # mm at 800 mm; table 1 is active in addition
+    assert float(values[-1]) == pytest.approx(old - deviation * 1e-3, abs=1e-9)
+    assert f"$AN_CEC_MAX[{index}]=800" in file.read_text()
+
+
 def test_a_gantry_of_a_control_without_files_has_no_table_between_axes(folder: Path) -> None:
     """X leads a gantry and moves Y: what was written has no line of the slave axis AX4."""
     job = folder / "job.yaml"
@@ -305,7 +335,7 @@ def test_a_gantry_of_a_control_without_files_has_no_table_between_axes(folder: P
     assert compwright(["compare", str(folder / "job"), *loaded]) == 0
     job.write_text(job.read_text().replace("address: AX2", "address: AX2, gantry: AX5"))
     assert compwright(["run", str(job), "--force"]) == 1
-    assert not (folder / "job" / "tables").exists()
+    assert not list((folder / "job").rglob("*.INI"))
 
 
 def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(

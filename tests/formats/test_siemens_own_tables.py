@@ -14,10 +14,10 @@ import pytest
 
 from compwright.formats.families.pairs.axis_pairs import write_cross
 from compwright.formats.families.shapes import control_format
-from compwright.foundations.errors import CapacityError
+from compwright.foundations.errors import CapacityError, InputError
 from compwright.records.axis import AxisKind
 from compwright.records.correction import ControlFile, CrossCompensation
-from format_samples import SIEMENS, files
+from format_samples import SIEMENS, axis_of, files
 
 ON = "$MA_CEC_ENABLE[AX2]=1\n$SN_CEC_TABLE_ENABLE[0]=1\n$SN_CEC_TABLE_WEIGHT[0]=1\n"
 #: Table 0 adds 15 µm/m of AX1 to AX2, 12 µm at 800 mm.
@@ -107,3 +107,13 @@ def test_an_own_table_that_cannot_be_read_is_named_with_its_reason() -> None:
         written(files(MD__INI=f"{ON}{FACTS}M17\n", CEC__INI=f"{far}M17\n"), [0], ramp(0.008))
     assert "(table 0: a position this large is not plausible)" in str(caught.value)
     assert "direction 0" not in str(caught.value)
+
+
+def test_a_table_that_is_on_and_in_no_file_is_refused_by_its_parameters() -> None:
+    """Squareness alone too: what the axis does now is unknown."""
+    md = f"{ON}{FACTS}$MA_NUM_ENCS[AX1]=2\n$MA_ENC_COMP_ENABLE[0,AX1]=0\n$MA_BACKLASH[1,AX1]=0\n"
+    given = files(MD__INI=f"{md}$MA_ENC_COMP_ENABLE[1,AX1]=1\nM17\n", CEC__INI=f"{OWN}M17\n")
+    with pytest.raises(InputError) as caught:
+        control_format(SIEMENS, {"cec_sign": "error"}).read(given, [axis_of("AX1", system=2)])
+    assert "$MA_ENC_COMP_ENABLE = 1" in str(caught.value)
+    assert "no given file contains it ($AA_ENC_COMP)" in str(caught.value)

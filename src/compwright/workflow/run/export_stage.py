@@ -79,15 +79,18 @@ def written(
     tabled = [axis.name for axis, table in kept if table.compensation.positions.size]
     cross = write_planned(control, plan.planned, tables, as_found, measured.axes, tabled)
     axes = [axis for axis, _ in kept]
+    whole = None if axes else cross.after  # a cross-axis table alone may not show its unit
     if cross.written:
-        loaded = decode(control, cross.files, axes, carried_out=True)
+        loaded = whole or decode(control, cross.files, axes, carried_out=True)
     delivery = loadable_files(control, cross.files, as_found, axes, loaded)
     return Written(
         works=works,
         tables=delivery.files,
         entered=cross.files,
         back=delivery.back,
-        loaded=loaded if delivery.own else decode(control, delivery.files, axes, written=True),
+        loaded=replace(whole, files=delivery.files)
+        if whole
+        else (loaded if delivery.own else decode(control, delivery.files, axes, written=True)),
         cross=replace(cross, steps=(*scale_steps(fitted.scaled), *cross.steps)),
         findings=(
             *(finding for entry in fitted.scaled for finding in entry.findings),

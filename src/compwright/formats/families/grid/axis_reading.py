@@ -21,6 +21,7 @@ from compwright.formats.families.grid.tables import GridTable, TableSource, valu
 from compwright.formats.text.gathering import FoundValue, Gathered, first_set
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.scale import NumberScale, in_range
+from compwright.formats.text.values import name_of
 from compwright.foundations.errors import Fault
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.axis import Axis, AxisKind, Direction
@@ -296,8 +297,9 @@ class GridAxisReader:
         ):
             self.notes.faults.append(
                 Fault(
-                    message=f"{self.label}: the table is switched on, but no given file "
-                    "contains it",
+                    message=f"{self.label}: the table is switched on ("
+                    f"{name_of(self.definition, 'enabled')} = {found.text}), but no given file"
+                    f" contains it ({name_of(self.definition, 'value')})",
                     file=found.occurrence.file,
                     place=found.occurrence.place,
                     expected="the file with the table too",
