@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from informed import Informed
+from informed import Informed, without_period
 from machines import Machine
 from numpy.typing import NDArray
 from scipy.interpolate import make_smoothing_spline
@@ -63,8 +63,9 @@ def rivals(
     test (``warm``: what its temperature added over the travel), without drift; ``oracle, one
     table``: one curve and a constant reversal. ``interpolation``: of the means; ``spline``:
     smoothing spline by generalised cross-validation; ``minimax``: the least A of the test itself
-    (linear program), on as many nodes as there are targets; ``informed``: see that module. One
-    curve and a constant reversal where the job asks for one table.
+    (linear program), on as many nodes as there are targets; ``informed``, ``period unknown`` (if
+    the job gives none and there is at most one): see that module. One curve and a constant reversal
+    where the job asks for one table.
     """
     x = machine.targets
     complete = _both(readings, machine.signs)
@@ -78,7 +79,12 @@ def rivals(
     truth = _both(machine.error(dense), machine.signs) + slope
     best = _both(known.error(dense), machine.signs)
     turn = machine.turn
+    found = {}
+    if not machine.told and len(machine.periods) < 2 and not turn:
+        searched = without_period(machine, readings, dense)
+        found["period unknown"] = Table(nodes, -_squares(nodes, dense, searched, turn), turn)
     return {
+        **found,
         "oracle": Table(nodes, -_squares(nodes, dense, truth, turn), turn),
         "oracle, one table": Table(nodes, -_squares(nodes, dense, _flat(truth), turn), turn),
         "informed": Table(

@@ -10,6 +10,8 @@ what would other tables have done; was the period found.
 Width: mean width of the bands (of A alone) over that of a judge who knows kind and size of the
 noise and the family of the error curve, and has seen the same readings (``informed.py``); how often
 the judge's own bands hold is printed with ``--details``, and its table stands beside the others.
+Where the job gives no period and there is one at most, a second judge must find it in the readings
+(``period unknown``).
 
 ``--results`` keeps every axis in a file of JSON lines and does not repeat what stands there.
 Prints and judges nothing.

@@ -29,7 +29,7 @@ from compwright.estimation.period_means import (
     unseen_periods,
 )
 from compwright.estimation.period_models import PeriodSearch
-from compwright.estimation.periods import search_periods
+from compwright.estimation.periods import search_frequencies, search_periods
 from compwright.estimation.spectral_window import SpectralWindow, wave_similarity
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.positioning import PositioningTest
@@ -196,6 +196,25 @@ def test_a_period_of_no_catalogue_is_named() -> None:
     assert named(search) == [pytest.approx(11.37, abs=0.3 * 11.37**2 / 800)]
     assert search.models[0].periods != ()
     assert sum(model.probability for model in search.models) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("seed", [3, 11])
+def test_a_period_halfway_between_two_steps_of_the_search_is_named(seed: int) -> None:
+    """2 µm and 0.8 µm twice as often, of no catalogue: the peak of both is narrower than a step."""
+    rng = np.random.default_rng(seed)
+    targets = dithered(rng, 1200.0, 16)
+    steps = search_frequencies(targets, AxisKind.LINEAR)
+    near = int(np.argmin(np.abs(steps - 1.0 / 26.3)))
+    frequency = float(np.mean(steps[near : near + 2]))
+    phases = rng.uniform(0.0, 2.0 * np.pi, 2)
+
+    def error(x: FloatArray) -> FloatArray:
+        angle = 2.0 * np.pi * frequency * x
+        wave = 0.002 * np.sin(angle + phases[0]) + 0.0008 * np.sin(2.0 * angle + phases[1])
+        return bow(x) + wave
+
+    search = search_periods(made(targets, error, rng), smooth_basis(1200.0), AxisKind.LINEAR)
+    assert named(search) == pytest.approx([1.0 / frequency], rel=0.003)
 
 
 def test_a_usual_lead_is_named_as_it_is() -> None:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 import sys
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
@@ -94,3 +96,25 @@ def test_the_evidence_of_the_readme_is_that_of_the_page() -> None:
     ):
         assert words in readme, words
     assert faults["wrong"] == 0, "README: no wrong name"
+
+
+def test_who_must_find_the_period_agrees_with_who_knows_it_on_many_targets() -> None:
+    """60 targets show 3 µm: both judges expect the same error. None of it at 7 targets: the one
+    who must find the period expects less than half the wave.
+    """
+    from informed import inform, without_period
+    from machine_kinds import machine_of
+    from machines import dithered, name_seed
+
+    machine = machine_of("pitch unknown", 0)
+    x = np.linspace(machine.low, machine.high, 1000)
+    gaps = []
+    for count in (60, 7):
+        rng = name_seed("who must find the period", count)
+        targets = dithered(rng, machine.low, machine.length, count)
+        axis = replace(machine, targets=targets)
+        readings = axis.measure(targets, rng)
+        other = without_period(axis, readings, x)
+        gaps.append(float(np.std(other - inform(axis, [readings]).error(x))))
+    assert gaps[0] < 0.05
+    assert gaps[1] > 0.35

@@ -15,7 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.estimation.basis import ALIASED
-from compwright.estimation.period_likelihood import IntArray, NodeChoice, PeriodLikelihood
+from compwright.estimation.period_likelihood import (
+    IntArray,
+    NodeChoice,
+    PeriodLikelihood,
+    log_sums,
+)
 from compwright.estimation.spectral_window import SpectralWindow, wave_similarity
 from compwright.estimation.usual_periods import UsualPeriod
 from compwright.records.axis import FloatArray
@@ -28,6 +33,8 @@ PEAK: Final = 0.7
 #: Peaks that are looked at closely, and those whose share is worth it (natural logarithm).
 _PEAKS: Final = 8
 _WORTH: Final = 4.0
+#: Log odds above which a maximum is averaged over its interval.
+_RISES: Final = 0.5
 #: Points of a close look; it gets closer while fewer of them than that count.
 _POINTS: Final = 17
 _FEW: Final = 5
@@ -147,6 +154,7 @@ def find_candidates(
         likelihood, window, float(frequencies[0]), before.taken, PEAK * resolution
     )
     odds = shown.either(everywhere, likelihood.coarse())
+    odds[: frequencies.size] = _cell_means(odds[: frequencies.size], frequencies, shown)
     cell = np.log(frequencies[1] - frequencies[0])
     logs = odds + np.concatenate([prior.even(frequencies) + cell, prior.log_usual])
     close = _peaks(everywhere, logs, window, resolution)
@@ -167,6 +175,24 @@ def find_candidates(
         found.sort(key=lambda each: -round(each.log, 6))
     rest = _log_sum(np.append(logs[~taken], -np.inf))
     return PeriodScan(tuple(found), rest, odds[: frequencies.size])
+
+
+def _cell_means(odds: FloatArray, frequencies: FloatArray, shown: _ShownLikelihood) -> FloatArray:
+    """Return the log ``odds`` (f,) of waves at equally spaced ``frequencies`` (f,), each maximum
+    averaged over the interval about its frequency.
+
+    A wave with two harmonics has a peak narrower than the steps. Its maximum may be halfway between
+    two frequencies, where neither shows it (quarters: trapezoidal rule).
+    """
+    padded = np.concatenate([[-np.inf], odds, [-np.inf]])
+    tops = np.flatnonzero((odds > _RISES) & (odds >= padded[:-2]) & (odds >= padded[2:]))
+    half = 0.5 * (frequencies[1] - frequencies[0])
+    between = [
+        shown.either(frequencies[tops] + side, shown.likelihood.coarse()) for side in (-half, half)
+    ]
+    means = odds.copy()
+    means[tops] = log_sums(np.stack([odds[tops] + np.log(2.0), *between])) - np.log(4.0)
+    return means
 
 
 def refine_candidate(
