@@ -211,7 +211,7 @@ def test_a_period_halfway_between_two_steps_of_the_search_is_named(seed: int) ->
     def error(x: FloatArray) -> FloatArray:
         angle = 2.0 * np.pi * frequency * x
         wave = 0.002 * np.sin(angle + phases[0]) + 0.0008 * np.sin(2.0 * angle + phases[1])
-        return bow(x) + wave
+        return np.asarray(bow(x) + wave)
 
     search = search_periods(made(targets, error, rng), smooth_basis(1200.0), AxisKind.LINEAR)
     assert named(search) == pytest.approx([1.0 / frequency], rel=0.003)
