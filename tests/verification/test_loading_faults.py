@@ -311,6 +311,19 @@ def test_a_fine_table_may_end_at_every_target() -> None:
             assert any(np.allclose(way.positive, curve, atol=1e-12) for way in ways)
 
 
+@pytest.mark.parametrize("steps", [False, True])
+def test_a_shift_has_the_odds_of_the_page_whatever_the_end_of_the_table_holds(
+    *, steps: bool
+) -> None:
+    """Zero and the last value are nearly the same test: 0.2 / (1 + abs(k)) for both together."""
+    table = stored(compensation(WAVES), steps=steps)
+    loading = Loading(new=table, old=NONE, active_before=NONE)
+    ways = [way for way in loading_hypotheses(loading, TARGETS) if way.name == "shifted"]
+    for by in (-2, -1, 1, 2):
+        odds = sum(way.weight for way in ways if way.shift_nodes == by)
+        assert odds == pytest.approx(0.2 / (1 + abs(by)))
+
+
 def test_the_table_of_an_axis_of_another_kind() -> None:
     """A rotary axis given the numbers of a linear one: 0.004 mm is active as 0.004 deg."""
     other = replace(compensation(OTHER, address="C"), kind=AxisKind.ROTARY)

@@ -181,10 +181,9 @@ class HypothesisBuilder:
         variant zero; steps are zero there.
         """
         order, steps = self.stored.order, self.stored.steps
-        if self.table.period is not None:
+        if self.table.period is not None and (steps or order.size == self.table.positions.size):
             yield {d: _around(values, by) for d, values in self.curves(rows).items()}
-            if steps or order.size == self.table.positions.size:
-                return
+            return
         index = np.arange(order.size) - (by if order[0] <= order[-1] else -by)
         inside = (index >= 0) & (index < index.size)
         kept = np.clip(index, 0, index.size - 1)

@@ -115,8 +115,10 @@ def shifted(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     rows = ways.held()
     for k in range(1, min(_MOST_SHIFT, ways.stored.order.size - 2) + 1):
         for by in (k, -k):
-            for curves in ways.shifts(by, rows):
-                yield from ways.moved("shifted", curves, COMMON / (1 + k), shift_nodes=by)
+            ends = list(ways.shifts(by, rows))  # nearly the same test: they share the weight
+            for curves in ends:
+                weight = COMMON / (1 + k) / len(ends)
+                yield from ways.moved("shifted", curves, weight, shift_nodes=by)
 
 
 def mirrored(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
