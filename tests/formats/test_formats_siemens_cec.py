@@ -146,7 +146,7 @@ def test_the_index_of_a_table_between_axes_is_not_free_for_a_pair() -> None:
     state = siemens(RAMP)
     assert state.tables.used == {0: ("AX1", "AX2")}
     one_too_few = control_format(SIEMENS, {**CEC, "cec_tables": [0, 4]}, state)
-    with pytest.raises(CapacityError, match="2 CEC tables that are free"):
+    with pytest.raises(CapacityError, match=r"2 CEC tables that are free.*table: \{mode: single\}"):
         one_too_few.capacity(axis_of("AX1"))
     enough = control_format(SIEMENS, {**CEC, "cec_tables": [0, 4, 5]}, state)
     assert enough.capacity(axis_of("AX1")).curves == 2

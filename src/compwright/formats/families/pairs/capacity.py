@@ -110,8 +110,9 @@ class PairLimits(GridLimits):
             taken += [index for index in free if index not in taken][:2]
         needed = 2 * len(addresses)
         if len(taken) < needed:
-            name = self.axis.name
-            raise CapacityError(too_few(name, self.definition.id, needed, len(taken), allowed))
+            fault = too_few(self.axis.name, self.definition.id, needed, len(taken), allowed)
+            single = "set `table: {mode: single}` for the axis (one table for both directions)"
+            raise CapacityError(replace(fault, hint=f"{fault.hint}; or {single}"))
         return taken
 
     def _room(self, address: str) -> float:
