@@ -15,9 +15,10 @@ from compwright.evaluation.change_significance import (
     score_of_t,
     two_sided_probability,
 )
+from compwright.evaluation.forecasts import ErrorCurve, reached
 from compwright.evaluation.series_changes import noted_changes
 from compwright.evaluation.standard_errors import standard_errors
-from compwright.evaluation.trends import trend_of
+from compwright.evaluation.trends import Trend, trend_of
 from compwright.records.history import HistoryEntry
 
 TARGETS = np.linspace(0.0, 600.0, 11)
@@ -198,3 +199,69 @@ def test_three_tests_on_a_line_are_no_proof_where_the_temperature_may_have_made_
     exact = trend_of(years, values, np.full(3, 0.2), np.zeros(3), [0.02] * 2)
     assert exact is not None
     assert exact.clear
+
+
+def wear(count: int, multiple: float) -> Trend:
+    """A rate of this multiple of its standard error, the tests scattering by 0.1 µm."""
+    years = np.linspace(0.0, 4.0, count)
+    off = np.random.default_rng(count).standard_normal(count)
+    off -= np.polyval(np.polyfit(years, off, 1), years)
+    off *= 0.1 / math.sqrt(float(off @ off) / (count - 2))
+    rate = 0.0
+    for _ in range(8):  # the standard error changes little with the rate
+        trend = trend_of(
+            years, rate * years + off, np.full(count, 0.05), np.zeros(count), [1e-6] * (count - 1)
+        )
+        assert trend is not None
+        rate = multiple * trend.std_error
+    return trend
+
+
+def test_a_clear_rate_is_one_probability_for_few_tests_and_for_many() -> None:
+    """Two-sided 0.7 % is 2.70 standard deviations of the normal law, and 5.8 of Student's with 3
+    degrees of freedom: 3.6 half widths of its 95 % interval (3.18) divided by 1.96.
+    """
+    assert wear(40, 2.9).clear
+    assert not wear(40, 2.5).clear
+    assert not wear(5, 3.3).clear
+    assert wear(5, 4.2).clear
+
+
+def test_the_rates_that_are_clear_are_not_forecast_too_large() -> None:
+    """Rates from half a standard error to eight: those that scatter enlarged are clear more often;
+    three years ahead as many forecasts are too high as too low.
+    """
+    rng = np.random.default_rng(9)
+    years = np.linspace(0.0, 5.0, 14)
+    error = 0.1 / math.sqrt(float(np.sum((years - years.mean()) ** 2)))
+    above = []
+    for _ in range(240):
+        rate = error * math.exp(rng.uniform(math.log(0.5), math.log(8.0)))
+        values = rate * years + 0.1 * rng.standard_normal(14)
+        trend = trend_of(years, values, np.full(14, 0.1), np.zeros(14), [0.02] * 13)
+        assert trend is not None
+        if trend.clear:
+            level, _ = trend.lines(np.random.default_rng(0), 3.0)
+            above.append(float(np.median(level)) > 8.0 * rate)
+    assert len(above) > 60
+    assert abs(np.mean(above) - 0.5) < 2.0 * 0.5 / math.sqrt(len(above))
+
+
+def test_the_date_of_a_straight_axis_is_held() -> None:
+    """E of a straight axis is the reversal error plus the size of the tilt. Where the tilt is small
+    against its error of 3 um/m, a measured one is mostly larger than the true one.
+    """
+    rng = np.random.default_rng(10)
+    straight = ErrorCurve("E", np.linspace(-0.5, 0.5, 11), np.zeros((2, 11)))
+    held = 0
+    for _ in range(200):
+        tilt = rng.uniform(-1.5, 1.5)
+        shown = tilt + 3.0 * rng.standard_normal()
+        slope = np.stack([shown + 3.0 * rng.standard_normal(1000), np.zeros(1000)])
+        level = -2.0 + 0.1 * rng.standard_normal() + 0.1 * rng.standard_normal(1000)
+        reversal = np.stack([level, np.full(1000, -1.0)])
+        early, _, late = reached(10.0, np.zeros((2, 1000)), straight, slope, reversal)
+        assert early is not None
+        assert late is not None
+        held += early <= 10.0 - 2.0 - abs(tilt) <= late
+    assert 172 <= held <= 193  # 90 % of 200, two standard errors

@@ -30,6 +30,9 @@ _OF_CURVE: Final = frozenset({"A", "E", "M", "R", "B"})
 #: Years ahead beyond which no date is given, and halvings of them down to a day.
 _HORIZON: Final = 30.0
 _HALVINGS: Final = 15
+#: Share of the draws in the interval, and the shares below it that are tried.
+_HELD: Final = 0.9
+_BELOW: Final = np.arange(0.005, 0.0975, 0.005)
 #: Draws whose curves are computed at once: larger arrays are taken from the system each time.
 _AT_ONCE: Final = 1000
 
@@ -92,8 +95,12 @@ def reached(
     slope: FloatArray | None = None,
     reversal: FloatArray | None = None,
 ) -> Ahead:
-    """Return the years until a parameter exceeds ``limit``: early, median, late (5, 50 and 95 % of
-    the draws). All are None if the parameter does not grow; one is None if it is beyond 30 years.
+    """Return the years until a parameter exceeds ``limit``: early, median, late. All are None if
+    the parameter does not grow; one is None if it is beyond 30 years.
+
+    90 % of the draws lie between early and late. The shares before and after are those of the
+    shortest 90 % interval of the parameter's value at the median date. Near the slope at which F is
+    lowest, all draws are above this lowest value: equal shares would exclude it.
 
     ``rest``, ``slope``, ``reversal`` (2, n): random draws of the present level and of the rate per
     year. ``slope`` and ``reversal`` are slope and mean reversal error; ``rest`` is the part of the
@@ -118,6 +125,11 @@ def reached(
         passed = value(middle) > limit
         early, late = np.where(passed, early, middle), np.where(passed, middle, late)
     years = np.where(beyond, np.where(now, 0.0, late), np.inf)
-    ends = np.quantile(years, (0.05, 0.5, 0.95), method="inverted_cdf")
-    first, median, last = (float(end) if end <= _HORIZON else None for end in ends)
-    return first, median, last
+    median = float(np.quantile(years, 0.5, method="inverted_cdf"))
+    then = value(min(median, _HORIZON))
+    width = np.quantile(then, _BELOW + _HELD) - np.quantile(then, _BELOW)
+    below = float(_BELOW[np.argmin(np.round(width, 9))])
+    shares = (1.0 - _HELD - below, 0.5, 1.0 - below)
+    ends = np.quantile(years, shares, method="inverted_cdf")
+    first, middle, last = (float(end) if end <= _HORIZON else None for end in ends)
+    return first, middle, last

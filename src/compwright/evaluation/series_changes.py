@@ -12,7 +12,6 @@ from typing import Final
 import numpy as np
 
 from compwright.evaluation.change_significance import (
-    CLEAR,
     UNDECLARED_SLOPE,
     Change,
     UncertainValue,
@@ -123,9 +122,11 @@ _SAME, _UNKNOWN, _INSTRUMENT, _OTHER_JUMPED = 0.02, 0.2, 0.3, 0.5
 #: Parameters that are estimated first: the reversal does not depend on temperature and shows a jump
 #: best, the slope next.
 _FIRST: Final = ("B_mean", "B", "slope")
-#: They follow from reversal, slope and scatter. A rate of theirs needs the threshold of one chance
-#: in 1000, so that all ten parameters together are seldom clear on a stable machine.
-_FOLLOWING: Final = frozenset({"A", "E", "M", "R", "G_bidirectional"})
+#: A rate is clear if its opposite sign is less probable than this: 0.7 % in both directions for
+#: the parameters that show wear first, 0.1 % for the others. The two of these and the six others of
+#: an axis are thus clear on at most 2 % of stable machines.
+_OPPOSITE: Final = {"B_mean": 0.0035, "slope": 0.0035, "squareness": 0.0035}
+_OPPOSITE_OF_OTHERS: Final = 0.0005
 _DAYS: Final = 365.25
 
 
@@ -179,7 +180,7 @@ class _ComparedTests:
             np.array([entry.errors.get(name, (0.0, 1.0))[0] for entry in self.entries]),
             np.array(of_temperature) * (by_curve is None),
             self.odds,
-            CLEAR if name in _FOLLOWING else 3.0,
+            _OPPOSITE.get(name, _OPPOSITE_OF_OTHERS),
         )
 
     def noted(self, jumps: Sequence[TrendJump]) -> tuple[NotedJump, ...]:

@@ -53,7 +53,7 @@ _STATED_DOF: Final = 3.0
 #: Two-sided 95 % of the normal law, for a standard error whose multiples mean what they say.
 _NORMAL_95: Final = 1.959964
 #: Share of the weight of all models that is kept, the weightiest first.
-_KEPT: Final = 0.9995
+_KEPT: Final = 0.99995
 _DRAWS: Final = 4000
 _NEWTON_STEPS: Final = 60
 _ROOT_2_PI: Final = math.sqrt(2.0 * math.pi)
@@ -75,29 +75,29 @@ class TrendJump:
 class Trend:
     """A rate of change per year with its standard error.
 
-    ``std_error``: the half width of the rate's 95 % interval divided by 1.96. Three standard errors
-    thus mean the same for few tests and for many. ``threshold``: number of standard errors that a
-    clear rate exceeds.
+    ``std_error``: the half width of the rate's 95 % interval divided by 1.96. ``clear``: whether
+    the rate is significant.
     """
 
     rate: float
     std_error: float
-    threshold: float
+    clear: bool
     jumps: tuple[TrendJump, ...]
     _mixture: _Mixture
-
-    @property
-    def clear(self) -> bool:
-        """Whether the rate of change is significant: larger than ``threshold`` standard errors."""
-        return abs(self.rate) > self.threshold * self.std_error
 
     def lines(self, random: np.random.Generator, ahead: float = 0.0) -> FloatArray:
         """Return draws (2, n) from the generator ``random``: level at ``ahead`` years after the
         last test, and rate per year.
 
-        A rate that is not clear is zero in all draws.
+        A rate that is not clear is zero in all draws. A clear rate has the weight 1 / rate, the
+        prior of a size whose order of magnitude is unknown: of equal rates, those that were
+        measured too large are clear more often.
         """
         level, rate = self._mixture.lines(random, grows=self.clear)
+        if self.clear:
+            share = 1.0 / np.maximum(np.abs(rate), self.std_error)
+            kept = random.choice(_DRAWS, size=_DRAWS, p=share / share.sum())
+            level, rate = level[kept], rate[kept]
         return np.stack([level + rate * ahead, rate])
 
 
@@ -107,7 +107,7 @@ def trend_of(
     errors: FloatArray,
     stated: FloatArray,
     jump_odds: Sequence[float],
-    threshold: float = 3.0,
+    opposite: float = 0.0035,
 ) -> Trend | None:
     """Return the rate of change of a parameter, or None for fewer than three tests or less than 0.1
     years.
@@ -115,8 +115,8 @@ def trend_of(
     ``years`` (n,): times of the tests, ascending. ``values`` (n,): the parameter, in any unit.
     ``errors`` (n,): standard error of each value by its readings. ``stated`` (n,): standard
     uncertainty of each value by other contributions, 0 where none is stated. ``jump_odds`` (n -
-    1,): prior probability of a jump after each test, 1 where it is certain. ``threshold``: number
-    of standard errors that a clear rate exceeds.
+    1,): prior probability of a jump after each test, 1 where it is certain. ``opposite``: a
+    rate is clear if the opposite sign is less probable than this.
     """
     if len(years) < LEAST_TESTS or years[-1] - years[0] < LEAST_YEARS:
         return None
@@ -133,7 +133,7 @@ def trend_of(
     return Trend(
         rate=rate,
         std_error=(high - low) / (2.0 * _NORMAL_95),
-        threshold=threshold,
+        clear=mixture.less_likely_sign() < opposite,
         jumps=tuple(jump for jump in jumps if jump.probability > _CLEAR_JUMP),
         _mixture=mixture,
     )
@@ -317,6 +317,11 @@ class _Mixture:
 
     def mean_rate(self) -> float:
         return float(self.weight @ self.rate)
+
+    def less_likely_sign(self) -> float:
+        """Return the probability of the less likely sign of the rate."""
+        below = float(_normal_law(-self.rate / np.sqrt(self.rate_variance)) @ self.weight)
+        return min(below, 1.0 - below)
 
     def interval(self) -> tuple[float, float]:
         """Return the ends of the 95 % interval of the rate, by Newton's method between bounds."""

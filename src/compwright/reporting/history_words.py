@@ -28,8 +28,8 @@ def parameter_name(parameter: str) -> str:
 
 
 def trend_lines(one: Mapping[str, Any]) -> Iterator[str]:
-    """Yield as text the significant rates of change (beyond three standard errors) and the jumps of
-    all parameters of ``one`` axis or plane in a history.
+    """Yield as text the significant rates of change (``clear``) and the jumps of all parameters of
+    ``one`` axis or plane in a history.
     """
     tests = one["tests"]
     for parameter, trend in one["trends"].items():
