@@ -38,6 +38,7 @@ from compwright.formats.families.pairs.updated_tables import (
 from compwright.formats.families.pairs.writing import CecWriter, PairEntry
 from compwright.formats.text.own_files import OwnFiles
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
+from compwright.foundations.findings import Severity
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import (
@@ -198,7 +199,7 @@ def _beyond_sum(writer: CecWriter, cross: Sequence[CrossCompensation]) -> list[F
         for base in dict.fromkeys(entry.input for entry in active):
             mine = [entry for entry in active if entry.input == base]
             where = np.unique(np.concatenate([entry.positions for entry in mine]))
-            sums = [sum(one.at(where, way) for one in mine) for way in Direction]
+            sums = [np.sum([one.at(where, way) for one in mine], axis=0) for way in Direction]
             low, high = low + float(np.min(sums)), high + float(np.max(sums))
         for one in () if own is None else (*own.others, *((own,) if facts.own else ())):
             low += float(np.min([one.positive, one.negative]))
@@ -310,14 +311,14 @@ def pairs_between(family: Family, request: BetweenRequest, *, small: bool) -> Be
         for entry in request.planned
         for step in _steps(family, entry, _named(family, entry, new, small=small), before, after)
     )
-    remarks = tuple(("info", sentence) for sentence in _own_changed(family, held, before, after))
+    remarks = tuple(_own_changed(family, held, before, after))
     return Between(files=new, held=held, steps=tuple(steps), remarks=remarks)
 
 
 def _own_changed(
     family: Family, held: Sequence[PlannedCross], before: ControlState, after: ControlState
-) -> Iterator[Sentence]:
-    """Yield a sentence for each own table of the control that is changed although tables that may
+) -> Iterator[tuple[Severity, Sentence]]:
+    """Yield a remark for each own table of the control that is changed although tables that may
     be written are free.
     """
     old, new = before.tables, after.tables
@@ -326,9 +327,10 @@ def _own_changed(
     for entry in held if free else ():
         for index in own_tables(family.in_state(before), (entry.added.input, entry.added.output)):
             if old.curves.get(index) != new.curves.get(index):
-                what = error_label(entry)
-                yield say(
-                    "CW-P113.own_table", what=what, table=index, option="cec_tables", free=free
+                what, option = error_label(entry), "cec_tables"
+                yield (
+                    "info",
+                    say("CW-P113.own_table", what=what, table=index, option=option, free=free),
                 )
 
 
