@@ -368,6 +368,25 @@ def test_without_a_lag_none_is_found() -> None:
         assert common_lag(circle_samples(test)) is None
 
 
+def test_lobes_are_those_of_the_readings() -> None:
+    # A lag changes where the axes are, not what the bar reads at the commanded angles.
+    setup = Setup(feed=4000.0, noise=0.1)
+    machine = Machine(
+        lag=40.0,
+        servo_mismatch=0.6,
+        centre=(0.05, 0.0),
+        reversal_spike_first=6.0,
+        backlash_second_at_positive=5.0,
+        backlash_second_at_negative=5.0,
+    )
+    test = measured(machine, setup, np.random.default_rng(34))
+    theta = np.radians(np.concatenate([run.angles for run in test.runs]))
+    readings = 1e3 * np.concatenate([run.deviations for run in test.runs])
+    found = diagnose(test).effects["lobes_2"]
+    twice = [2.0 * np.mean(readings * part(2.0 * theta)) for part in (np.cos, np.sin)]
+    assert found.value == pytest.approx(float(np.hypot(*twice)), abs=0.02)
+
+
 def test_a_ball_that_creeps_between_the_runs_is_not_lost_motion() -> None:
     test = measured(Machine(), Setup())
     theta = np.radians(test.runs[1].angles)

@@ -4,6 +4,7 @@ that are read with them; circles from the exact path (`circle_machine`).
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -105,6 +106,24 @@ def test_spiral_changeover_and_vibration() -> None:
         assert effects[name].std_error < 0.3 * value, name
     assert effects["vibration"].more["frequency"] == pytest.approx(7.3, abs=0.02)
     assert diagnose(test).effects["vibration"].more["frequency"] is None
+
+
+@pytest.mark.parametrize("along", [np.cos, np.sin])
+def test_a_vibration_of_one_axis_has_the_root_mean_square_of_its_readings(
+    along: Callable[[Array], Array],
+) -> None:
+    setup = Setup(start=30.0, noise=0.1)
+    test = measured(LOST, setup, np.random.default_rng(12))
+    turn = 2.0 * np.pi * setup.radius / (setup.feed / 60.0)
+    seconds = (np.arange(setup.samples) + 0.5) * turn / setup.samples
+    runs = []
+    for run in test.runs:
+        wave = UM * np.sin(2.0 * np.pi * 7.3 * seconds) * along(np.radians(run.angles))
+        runs.append(replace(run, deviations=run.deviations + wave))
+    effect = diagnose(replace(test, runs=tuple(runs))).effects["vibration"]
+    assert abs(effect.value - np.sqrt(0.5)) < 2.0 * effect.std_error
+    # The readings alone have 7.3 Hz plus and minus one turn, 0.035 Hz, each with a half.
+    assert effect.more["frequency"] == pytest.approx(7.3, abs=0.01)
 
 
 def test_lobes_are_amplitudes_of_the_mean_trace() -> None:

@@ -117,8 +117,7 @@ def _fresh_runs(test: CircularTest, solution: Solution) -> tuple[FreshRun, ...]:
     """
     problem = solution.problem
     readings = problem.samples.deviations - problem.target + solution.draws.paths
-    # The angles as they were commanded, before a lag was taken off.
-    theta = problem.samples.theta + problem.samples.sense * problem.samples.lag
+    theta = problem.samples.commanded
     rng = np.random.default_rng(problem.target.size)
     where = (np.arange(problem.grid.size) + 0.5) * test.arc[1] / problem.grid.size
     drawn_halves = {
@@ -439,7 +438,7 @@ def _add_vibration(
     rest = problem.target - fitted_path(problem, fitted.active, fitted.values)
     found = search_vibration(problem, rest)
     if found.frequency is not None:
-        columns = vibration_columns(problem.samples, found.frequency)
+        columns = vibration_columns(problem.samples, found)
         shaken = problem.with_columns(columns)
         steady = _fit_with_noise(weighted_problem(shaken, fitted.spectra), shapes)
         places = [shaken.names.index(column.name) for column in columns]

@@ -104,6 +104,12 @@ class CircleSamples:
     lag_std: float = 0.0
 
     @property
+    def commanded(self) -> FloatArray:
+        """The commanded angles (n,), rad, before the ``lag`` was subtracted."""
+        angles: FloatArray = self.theta + self.sense * self.lag
+        return angles
+
+    @property
     def both_senses(self) -> bool:
         """Whether the test ran in both directions."""
         return bool(np.any(self.sense > 0) and np.any(self.sense < 0))

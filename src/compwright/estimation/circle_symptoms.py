@@ -76,8 +76,8 @@ def stick_slip(solution: Solution, axis: str) -> tuple[float, float] | None:
 
 
 def lobes(solution: Solution, order: int) -> tuple[float, float]:
-    """Return the amplitude, um, of the harmonic of ``order`` in the mean of both directions, with
-    its standard error.
+    """Return the amplitude, um, of the harmonic of ``order`` in the mean of both directions, over
+    the commanded angles, with its standard error.
 
     For the harmonic a cos nθ + b sin nθ of the readings, the amplitude is sqrt(a² + b² - σ²)
     (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995). σ comes from the spectrum of
@@ -86,16 +86,17 @@ def lobes(solution: Solution, order: int) -> tuple[float, float]:
     """
     problem = solution.problem
     samples = problem.samples
-    rows = [np.ones_like(samples.theta)]
+    theta = samples.commanded
+    rows = [np.ones_like(theta)]
     for each in range(1, 6):
-        rows += [np.cos(each * samples.theta), np.sin(each * samples.theta)]
+        rows += [np.cos(each * theta), np.sin(each * theta)]
     matrix = np.column_stack([*rows, *(samples.sense * row for row in rows)])
     if not samples.both_senses:
         matrix = matrix[:, : len(rows)]
     solved = np.linalg.solve(matrix.T @ matrix, matrix.T @ (problem.target / UM))
     power = float(solved[2 * order - 1] ** 2 + solved[2 * order] ** 2)
     density = float(solution.fitted.spectra[0].density[2 * order]) / UM**2
-    variance = 2.0 * density / samples.theta.size
+    variance = 2.0 * density / theta.size
     return float(np.sqrt(max(power - variance, 0.0))), float(np.sqrt(variance))
 
 

@@ -4,17 +4,22 @@ A vibration repeats in time; a cyclic error repeats with the position of an axis
 path turns the commanded angles into times. Each run is searched by its periodogram (Scargle,
 Astrophysical Journal 263, 1982), relative to the mean power of the neighbouring frequencies. A
 vibration faster than half the sample rate appears at a lower frequency.
+
+A vibration of one axis moves the bar in proportion to cosθ or sinθ. The readings then have two
+frequencies, one turn of the circle above and below that of the vibration, and readings times cosθ
+or sinθ have the vibration itself. All three are searched.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
 
 from compwright.estimation.circle_fit import CircleProblem
-from compwright.estimation.circle_model import UM, CauseColumn, CircleSamples, travelled_share
+from compwright.estimation.circle_model import AXES, UM, CauseColumn, CircleSamples, travelled_share
 from compwright.records.axis import FloatArray
 
 #: One search in a thousand finds a vibration where there is none.
@@ -25,6 +30,12 @@ _SLOWEST: Final = 2.0
 #: Frequencies on either side from which the power without a vibration is taken, in steps of one
 #: over the duration.
 _AROUND: Final = 40
+#: What readings are multiplied by to show the vibration of the bar (None) or of an axis.
+_DIRECTIONS: Final[Mapping[str | None, Callable[[FloatArray], FloatArray]]] = {
+    None: np.ones_like,
+    "first": np.cos,
+    "second": np.sin,
+}
 #: Prior of an amplitude, um.
 _WIDTH: Final = 5.0
 
@@ -34,7 +45,8 @@ class Vibration:
     """The strongest vibration in a circular test: its frequency, and the largest amplitude that the
     search can miss.
 
-    ``frequency``: Hz; None without a clear vibration. ``hidden``: amplitude, um, that may be
+    ``frequency``: Hz; None without a clear vibration. ``axis``: the axis that vibrates, None if the
+    bar vibrates along its length. ``hidden``: amplitude, um, that may be
     undetected. ``least``: a vibration is reported if its sum of squared amplitudes, in units of
     their variances, reaches this value.
     """
@@ -42,6 +54,7 @@ class Vibration:
     frequency: float | None
     hidden: float
     least: float = 0.0
+    axis: str | None = None
 
 
 def times(samples: CircleSamples) -> FloatArray:
@@ -62,38 +75,50 @@ def search_vibration(problem: CircleProblem, residual: FloatArray) -> Vibration:
     runs = [np.flatnonzero(samples.run == number) for number in np.unique(samples.run)]
     size = min(run.size for run in runs)
     duration = samples.arc[1] * samples.radius / samples.speed
-    padded = _OVERSAMPLING * size
-    power = np.zeros(padded // 2 + 1)
-    for run in runs:
-        even = (np.arange(size) + 0.5) * duration / size - 0.5 * duration
-        order = np.argsort(seconds[run])
-        values = np.interp(even, seconds[run][order], residual[run][order])
-        taper = np.sin(np.pi * (np.arange(size) + 0.5) / size)
-        spectrum = np.fft.rfft(values * taper, padded)
-        power += np.abs(spectrum) ** 2 / np.sum(taper**2)
-    frequencies = np.arange(power.size) / (_OVERSAMPLING * duration)
-    wide = _AROUND * _OVERSAMPLING
-    padded_power = np.pad(power, wide, mode="reflect") if power.size > wide else power
-    if padded_power.size == power.size:
+    frequencies = np.arange(_OVERSAMPLING * size // 2 + 1) / (_OVERSAMPLING * duration)
+    if frequencies.size <= _AROUND * _OVERSAMPLING:
         return Vibration(None, float("nan"))
-    windows = np.lib.stride_tricks.sliding_window_view(padded_power, 2 * wide + 1)
-    # The median of a sum of exponential powers lies below its mean by about a third of one of them.
-    floor = np.median(windows[:, ::_OVERSAMPLING], axis=1) / (1.0 - 0.31 / len(runs))
     keep = (frequencies * duration >= _SLOWEST * samples.arc[1]) & (
         frequencies <= 0.98 * 0.5 * size / duration
     )
     if not np.any(keep):
         return Vibration(None, float("nan"))
-    threshold = _threshold(int(np.sum(keep)) / _OVERSAMPLING * 2.0, len(runs))
-    ratio = np.where(keep, power / np.maximum(floor, 1e-300), 0.0)
-    best = int(np.argmax(ratio))
-    # Power of an amplitude a with this taper: 0.2 a² n for each run.
-    level = float(np.median(floor[keep]))
-    hidden = float(np.sqrt(level * threshold / len(runs) / (0.2 * size)) / UM)
-    if ratio[best] <= threshold:
-        return Vibration(None, hidden)
-    found = float(_peak(frequencies, power, best))
-    return Vibration(found, hidden, 2.0 * len(runs) * threshold)
+    threshold = _threshold(3.0 * int(np.sum(keep)) / _OVERSAMPLING * 2.0, len(runs))
+    even = (np.arange(size) + 0.5) * duration / size - 0.5 * duration
+    taper = np.sin(np.pi * (np.arange(size) + 0.5) / size)
+    best, found, hidden = threshold, Vibration(None, float("nan")), float("nan")
+    for axis, share in _DIRECTIONS.items():
+        power = np.zeros(frequencies.size)
+        seen = residual * share(samples.theta)
+        for run in runs:
+            order = np.argsort(seconds[run])
+            values = np.interp(even, seconds[run][order], seen[run][order])
+            spectrum = np.fft.rfft(values * taper, _OVERSAMPLING * size)
+            power += np.abs(spectrum) ** 2 / np.sum(taper**2)
+        floor = _floor(power, len(runs))
+        ratio = np.where(keep, power / np.maximum(floor, 1e-300), 0.0)
+        place = int(np.argmax(ratio))
+        if axis is None:
+            # Power of an amplitude a with this taper: 0.2 a² n for each run.
+            level = float(np.median(floor[keep]))
+            hidden = float(np.sqrt(level * threshold / len(runs) / (0.2 * size)) / UM)
+        if ratio[place] > best:
+            best, peak = float(ratio[place]), float(_peak(frequencies, power, place))
+            found = Vibration(peak, hidden, 2.0 * len(runs) * threshold, axis)
+    return replace(found, hidden=hidden)
+
+
+def _floor(power: FloatArray, runs: int) -> FloatArray:
+    """Return the power of the noise at each frequency (f,): a running median of the ``power`` that
+    was summed over ``runs`` runs.
+    """
+    wide = _AROUND * _OVERSAMPLING
+    windows = np.lib.stride_tricks.sliding_window_view(
+        np.pad(power, wide, mode="reflect"), 2 * wide + 1
+    )
+    # The median of a sum of exponential powers lies below its mean by about a third of one of them.
+    floor: FloatArray = np.median(windows[:, ::_OVERSAMPLING], axis=1) / (1.0 - 0.31 / runs)
+    return floor
 
 
 def _threshold(count: float, runs: int) -> float:
@@ -120,16 +145,22 @@ def _peak(frequencies: FloatArray, power: FloatArray, best: int) -> float:
     return float(frequencies[best] + shift * (frequencies[1] - frequencies[0]))
 
 
-def vibration_columns(samples: CircleSamples, frequency: float) -> list[CauseColumn]:
-    """Return two model columns for every run: cosine and sine of a radial vibration of
-    ``frequency`` Hz, um.
+def vibration_columns(samples: CircleSamples, found: Vibration) -> list[CauseColumn]:
+    """Return two model columns for every run: cosine and sine of the vibration ``found``, um.
+
+    A vibration of one axis has as its size that of a vibration along the bar with the same root
+    mean square of the readings over a full circle: its own amplitude by sqrt(2).
     """
-    phase = 2.0 * np.pi * frequency * times(samples)
-    cos, sin = np.cos(samples.theta), np.sin(samples.theta)
-    found = []
+    phase = 2.0 * np.pi * (found.frequency or 0.0) * times(samples)
+    x, y = (
+        (np.cos(samples.theta), np.sin(samples.theta))
+        if found.axis is None
+        else (np.sqrt(2.0) * (found.axis == axis) * np.ones_like(samples.theta) for axis in AXES)
+    )
+    columns = []
     for number in np.unique(samples.run):
         for part, wave in (("cos", np.cos(phase)), ("sin", np.sin(phase))):
             shape = UM * wave * (samples.run == number)
             name = f"_vibration_{part}_{int(number)}"
-            found.append(CauseColumn(name, shape * cos, shape * sin, _WIDTH))
-    return found
+            columns.append(CauseColumn(name, shape * x, shape * y, _WIDTH))
+    return columns
