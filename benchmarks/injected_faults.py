@@ -190,7 +190,7 @@ def _other_rows(plan: Plan, x: Floats) -> Iterator[Fault]:
         factor = plan.numbers_of[other]
         yield Fault("wrong_axis", f"of {other}", other, factor * plan.new.at(other, x))
         theirs, _ = plan.new.rows(other)
-        rows = _with_rows(plan, x, lambda v, rows=theirs[:, 1:]: _fitted(rows, v.shape))
+        rows = _with_rows(plan, x, partial(_fitted, theirs[:, 1:]))
         yield Fault("wrong_axis", f"of {other}, by number", other, rows, plain=False)
 
 
@@ -225,11 +225,11 @@ def _turned(values: Floats) -> Floats:
     return values[:, ::-1]
 
 
-def _fitted(rows: Floats, shape: tuple[int, ...]) -> Floats:
+def _fitted(rows: Floats, places: Floats) -> Floats:
     """The first of the rows, with zeros behind them, as many as there are places."""
-    fitted = np.zeros(shape)
-    count = min(shape[1], rows.shape[1])
-    fitted[:, :count] = rows[: shape[0], :count]
+    fitted = np.zeros(places.shape)
+    count = min(places.shape[1], rows.shape[1])
+    fitted[:, :count] = rows[: places.shape[0], :count]
     return fitted
 
 

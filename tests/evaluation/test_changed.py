@@ -207,13 +207,16 @@ def wear(count: int, multiple: float) -> Trend:
     off = np.random.default_rng(count).standard_normal(count)
     off -= np.polyval(np.polyfit(years, off, 1), years)
     off *= 0.1 / math.sqrt(float(off @ off) / (count - 2))
-    rate = 0.0
-    for _ in range(8):  # the standard error changes little with the rate
-        trend = trend_of(
-            years, rate * years + off, np.full(count, 0.05), np.zeros(count), [1e-6] * (count - 1)
-        )
+
+    def growing(rate: float) -> Trend:
+        values, errors = rate * years + off, np.full(count, 0.05)
+        trend = trend_of(years, values, errors, np.zeros(count), [1e-6] * (count - 1))
         assert trend is not None
-        rate = multiple * trend.std_error
+        return trend
+
+    trend = growing(0.0)
+    for _ in range(7):  # the standard error changes little with the rate
+        trend = growing(multiple * trend.std_error)
     return trend
 
 

@@ -31,7 +31,7 @@ def table(
     return AxisCompensation(
         address="1",
         kind=AxisKind.LINEAR if period is None else AxisKind.ROTARY,
-        positions=50.0 * (low + np.arange(len(values))),
+        positions=50.0 * np.arange(low, low + len(values), dtype=np.float64),
         positive=np.array(values) / 1000.0,
         negative=(np.array(values) - lost) / 1000.0,
         period=period,

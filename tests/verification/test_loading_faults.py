@@ -168,7 +168,7 @@ AROUND = np.interp(25.0 * np.arange(-11, 12), NODES - 200.0, WAVES - WAVES[8])
 ENTRIES = np.roll(AROUND, -12)
 WRAPPED = StoredTable(
     compensation=replace(
-        compensation(np.append(0.0, ENTRIES), nodes=200.0 + 25.0 * np.arange(24)), period=575.0
+        compensation(np.append(0.0, ENTRIES), nodes=np.linspace(200.0, 775.0, 24)), period=575.0
     ),
     order=np.arange(1, 24),
     zero=0,
