@@ -253,4 +253,5 @@ def _numbers(values: FloatArray) -> list[float | None]:
     """Return a list of numbers for JSON, with None in place of each number that is not finite."""
     if not np.all(np.isfinite(values)):
         return [_number(value) for value in values.tolist()]
-    return [round(value, _DIGITS) + 0.0 for value in values.tolist()]
+    rounded: list[float | None] = (np.round(values, _DIGITS) + 0.0).tolist()
+    return rounded

@@ -45,7 +45,7 @@ def _pieces(value: Any, line: str) -> Iterator[str]:
             before = f",{inside}"
         yield line + "}"
     elif isinstance(value, list | tuple) and value:
-        if all(type(one) is float or one is None for one in value):
+        if set(map(type, value)) <= {float, type(None)}:
             row = _PLAIN([None if one is None else one + 0.0 for one in value])
             yield f"[{inside}{row[1:-1].replace(', ', f',{inside}')}{line}]"
             return
