@@ -338,6 +338,37 @@ def test_a_gantry_of_a_control_without_files_has_no_table_between_axes(folder: P
     assert not list((folder / "job").rglob("*.INI"))
 
 
+@pytest.mark.parametrize(
+    ("output", "deviations", "next_step"),
+    [
+        ("Y2", "[0, 4, 8]", "move axis X instead (`cross: [{input: Y, output: X, ...}]`)"),
+        ("Y", "[0, 6, 0]", "no other table corrects a straightness"),
+    ],
+)
+def test_no_axis_of_a_gantry_is_moved_alone(
+    folder: Path, capsys: pytest.CaptureFixture[str], output: str, deviations: str, next_step: str
+) -> None:
+    """The slave neither, where the job has it as an axis. A straightness of Y over X is none of X
+    over Y, so the other axis is no way out.
+    """
+    job = folder / "job.yaml"
+    job.write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl, options: {cec: available,"
+        " cec_sign: correction, cec_tables: [0]}}\nstates: {as_found: none}\naxes:\n"
+        "  X: {travel: [0, 800], address: AX1, before: []}\n"
+        "  Y: {travel: [-500, 0], address: AX2, gantry: AX5, before: []}\n"
+        "  Y2: {travel: [-500, 0], address: AX5, before: []}\ncross:\n"
+        f"  - {{input: X, output: {output}, positions: [0, 400, 800], deviations: {deviations},"
+        " unit: um}\n"
+    )
+    assert compwright(["run", str(job)]) == 1
+    assert not list((folder / "job").rglob("*.INI"))
+    shown = codes(capsys)
+    assert "racks the machine" in shown
+    assert next_step in shown
+    assert "reference offset of the gantry" not in shown or output == "Y2"
+
+
 def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -442,6 +442,10 @@ def test_a_point_that_may_mark_thousands_is_told() -> None:
     assert "CW-R015" not in codes(
         read(LONG + "100.000,+,1,5\n200.000,+,1,5\n")
     )  # how instruments print
+    # every reading has a point: as thousands they were 6076 µm and 5810 µm, none below 1000
+    rows = "6,+,1,6.076\n20.896,+,1,5.810\n494,+,1,6.632\n"
+    assert "CW-R015" not in codes(read(LONG + rows))
+    assert "'20.896' was read" in message(read(LONG + rows.replace("6.632", "7")), "CW-R015")
 
 
 def test_decimal_comma_with_comma_as_delimiter() -> None:

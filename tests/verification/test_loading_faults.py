@@ -190,6 +190,9 @@ def by_entries(entries: FloatArray) -> FloatArray:
         (np.append(ENTRIES[-2::-1], 0.0), "mirrored"),  # the motor counts the other way
         (np.append(ENTRIES[1:], 0.0), "shifted"),
         (np.append(0.0, ENTRIES[:-1]), "shifted"),  # the first entry taken for that at zero
+        (AROUND, "shifted"),  # in the order of the positions
+        (np.append(AROUND[3:], np.zeros(3)), "shifted"),  # from the end of the travel on
+        (AROUND[::-1], "mirrored"),
         (np.where(np.arange(23) < 8, ENTRIES, 0.0), "partial"),
         (np.where(np.arange(23) < 17, ENTRIES, 0.0), "partial"),
         (np.where(np.arange(23) < 6, 0.0, ENTRIES), "partial"),
@@ -312,9 +315,7 @@ def test_a_fine_table_may_end_at_every_target() -> None:
 
 
 @pytest.mark.parametrize("steps", [False, True])
-def test_a_shift_has_the_odds_of_the_page_whatever_the_end_of_the_table_holds(
-    *, steps: bool
-) -> None:
+def test_a_moved_table_has_the_odds_of_the_page_whatever_its_ends_hold(*, steps: bool) -> None:
     """Zero and the last value are nearly the same test: 0.2 / (1 + abs(k)) for both together."""
     table = stored(compensation(WAVES), steps=steps)
     loading = Loading(new=table, old=NONE, active_before=NONE)
@@ -322,6 +323,9 @@ def test_a_shift_has_the_odds_of_the_page_whatever_the_end_of_the_table_holds(
     for by in (-2, -1, 1, 2):
         odds = sum(way.weight for way in ways if way.shift_nodes == by)
         assert odds == pytest.approx(0.2 / (1 + abs(by)))
+    # 0.2 and, one point off, 0.05: of the values, and of the steps
+    turned = [way.weight for way in loading_hypotheses(loading, TARGETS) if way.name == "mirrored"]
+    assert sum(turned) == pytest.approx((1 + steps) * (0.2 + 0.05))
 
 
 def test_the_table_of_an_axis_of_another_kind() -> None:

@@ -201,9 +201,12 @@ def table(
         (0.5, "radius and diameter"),
         (10.0, "ten times"),
         (0.1, "a tenth"),
-        (25.4, "inch taken for mm"),
-        (1000.0, "mm taken for µm"),
-        (0.001, "µm taken for mm"),
+        (16.0, "multiplied by 16 twice"),
+        (1.0 / 16.0, "counts entered in place of 1/16 counts"),
+        (25.4, "values in mm entered as inch"),
+        (1.0 / 25.4, "values in inch entered as mm"),
+        (1000.0, "values in µm entered as mm"),
+        (0.001, "values in mm entered as µm"),
     ],
 )
 @pytest.mark.parametrize("backlash", [0.0, 0.003])

@@ -34,6 +34,8 @@ def step(verdicts: dict[str, str], *codes: str) -> str:
             {"X": "state", "Y": "loaded", "Z": "not_active"},
             "Next: correct what is named above for Z, state what was active in the first test of X",
         ),
+        # without a table, or open: there is nothing to correct on the control
+        ({"X": "state", "Y": "undecided"}, "Next: state what was active in the first test of X"),
         ({"X": "loaded", "Z": "not_active"}, "Next: correct what is named above, measure again"),
     ],
 )

@@ -106,11 +106,12 @@ def write_planned(
         return control.format.between(request)
 
     whole, answer = planned, answered(planned)
-    racked = [entry for entry in planned if axes[entry.output].gantry is not None]
+    partners = _gantry_partners(axes)
+    racked = [entry for entry in planned if entry.output in partners]
     if racked and (answer.files is not None or answer.sheets):
         planned = [entry for entry in planned if entry not in racked]
         answer = answered(planned) if planned else Between()
-        refused = combined_answer(_racked(entry, axes[entry.output]) for entry in racked)
+        refused = combined_answer(_racked(entry, partners) for entry in racked)
         remarks, steps = (*answer.remarks, *refused.remarks), (*answer.steps, *refused.steps)
         answer = replace(answer, remarks=remarks, steps=steps)
     outcome = CrossOutcome(
@@ -134,20 +135,36 @@ def write_planned(
     )
 
 
-def _racked(entry: PlannedCross, axis: Axis) -> Between:
-    """Return the answer that the correction of a gantry ``axis`` is not written, because a table on
-    one of its two axes alone racks the machine.
+def _gantry_partners(axes: Mapping[str, Axis]) -> dict[str, tuple[str, str]]:
+    """Return, for each of the job's ``axes`` in a gantry, the name of the gantry's master, and the
+    other axis: the master's name for a slave, the slave's address for a master.
     """
-    plane = "".join(sorted((entry.input, entry.output)))
+    masters = {axis.gantry: name for name, axis in axes.items() if axis.gantry is not None}
+    led = {name: masters[a.address] for name, a in axes.items() if a.address in masters}
+    partners = {name: (master, master) for name, master in led.items()}
+    return partners | {name: (name, slave) for slave, name in masters.items()}
+
+
+def _racked(entry: PlannedCross, partners: Mapping[str, tuple[str, str]]) -> Between:
+    """Return the answer that the correction of a gantry axis is not written, because a table on one
+    of its two axes alone racks the machine. ``partners``: see `_gantry_partners`.
+
+    A squareness can be corrected by moving the other axis, a straightness cannot.
+    """
+    master, partner = partners[entry.output]
+    plane = "".join(sorted((entry.input, master)))
     instead = f"apply: {{squareness: {{{plane}: {entry.input}}}}}"
     if entry.source == "cross":
-        instead = f"cross: [{{input: {entry.output}, output: {entry.input}, ...}}]"
+        instead = f"cross: [{{input: {master}, output: {entry.input}, ...}}]"
+    added = entry.added
+    line = np.interp(added.positions, added.positions[[0, -1]], added.positive[[0, -1]])
     why = say(
         "between.racked",
         output=entry.output,
-        slave=axis.gantry,
+        partner=partner,
         input=entry.input,
-        instead=instead,
+        squareness=bool(np.max(np.abs(added.positive - line)) <= READ_BACK_WITHIN),
+        instead="" if entry.input in partners else instead,
     )
     return cannot_hold(entry, SentenceText(why))
 

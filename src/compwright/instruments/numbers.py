@@ -23,6 +23,8 @@ _NUMBER = re.compile(r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9
 _COULD_BE_THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2}(?:[.,][0-9]{3})+")
 _THOUSANDS = re.compile(r"[+-]?[0-9]{1,3}(?:[.,'’ \u00a0\u202f][0-9]{3})+(?:[.,][0-9]*)?")
 _NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity|1\.?#\w+|#num!?|∞)", re.IGNORECASE)
+#: How the names of columns with positions begin, which may all be 1000 or more.
+_POSITIONS = ("target", "position")
 _INTEGER = re.compile(r"[0-9]{1,9}")
 #: Numbers that need no second look: short, and with one decimal mark if any.
 _PLAIN = {
@@ -98,7 +100,7 @@ def counts_of(
 @dataclass(slots=True)
 class _Marked:
     """The numbers of a file that have the same decimal mark: how many, where the first one is, and
-    in which columns.
+    the first one of each column.
     """
 
     count: int = 0
@@ -108,7 +110,7 @@ class _Marked:
     text: str = ""
     #: Whether one of them can only be a decimal fraction.
     proven: bool = False
-    columns: set[str] = field(default_factory=set)
+    columns: dict[str, str] = field(default_factory=dict)
 
 
 class DecimalMarks:
@@ -148,7 +150,7 @@ class DecimalMarks:
         seen.proven = seen.proven or not _COULD_BE_THOUSANDS.fullmatch(
             text.strip().replace(TYPOGRAPHIC_MINUS, "-")
         )
-        seen.columns.add(column)
+        seen.columns.setdefault(column, text)
         return value
 
     def parse_all(
@@ -195,7 +197,7 @@ class DecimalMarks:
         seen.proven = seen.proven or not all(
             _COULD_BE_THOUSANDS.fullmatch(cells[index]) for index in at
         )
-        seen.columns.add(column)
+        seen.columns.setdefault(column, cells[at[0]])
 
     def check(self, *, comma_is_delimiter: bool = False) -> None:
         """Add a fault for mixed decimal marks, or a decimal comma that is also the delimiter."""
@@ -238,11 +240,13 @@ class DecimalMarks:
         The decimal mark of this form is the point. A point is doubtful if no number of the file
         proves that it is the decimal mark and the same column has whole numbers (500, 750, 1.000).
         A column with 100.000 and 200.000 throughout is not doubtful, because instruments print
-        numbers like this.
+        numbers like this. Such a column of readings is a proof: with thousands marks, none of them
+        would be below 1000.
         """
         point = self._marked["."]
-        return (
-            point.text
-            if point.count and not point.proven and point.columns & self._unmarked_columns
-            else ""
+        mixed = [text for name, text in point.columns.items() if name in self._unmarked_columns]
+        readings = any(
+            not name.startswith(_POSITIONS) and name not in self._unmarked_columns
+            for name in point.columns
         )
+        return mixed[0] if mixed and not point.proven and not readings else ""

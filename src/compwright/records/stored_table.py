@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from compwright.records.axis import FloatArray
+from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import AxisCompensation
 
 
@@ -22,12 +22,18 @@ class StoredTable:
     - ``zero``: the index of the point from which the rows are counted. The correction there is
       stored apart, as a backlash value; a point without a row has no other. None: the rows hold it
       all.
+    - ``ahead``: the direction of the first column; the second one holds how much the correction in
+      the other direction differs. None: one column for each direction.
+    - ``unit``: the correction, mm or deg, of a row with the number 1, if the numbers have a unit of
+      their own on each axis; negative if they have the opposite sign.
     """
 
     compensation: AxisCompensation
     order: NDArray[np.intp]
     steps: bool = False
     zero: int | None = None
+    ahead: Direction | None = None
+    unit: float = 1.0
 
     @classmethod
     def by_point(cls, compensation: AxisCompensation) -> StoredTable:
@@ -38,6 +44,12 @@ class StoredTable:
     def row_points(self) -> NDArray[np.intp]:
         """The indices of the points (r,) up to which each row determines the correction."""
         return self.order + 1 if self.steps else self.order
+
+    @property
+    def columns(self) -> tuple[Direction, Direction]:
+        """The directions of the first and the second column."""
+        first = self.ahead or Direction.POSITIVE
+        return first, first.opposite
 
     @property
     def apart(self) -> FloatArray:

@@ -124,12 +124,17 @@ class HypothesisBuilder:
             for d in Direction
         }
 
+    @property
+    def interval(self) -> float:
+        """The distance of two points of the table, mm or deg."""
+        return float(self.table.positions[1] - self.table.positions[0])
+
     def row_places(self) -> FloatArray:
         """Return the position (r,) of each row in the range of the targets, mm or deg."""
         points = self.table.positions
         places: FloatArray = points[self.stored.row_points]
         if self.table.period is not None:
-            beyond = places > self.targets.max() + (points[1] - points[0])
+            beyond = places > self.targets.max() + self.interval
             places = np.where(beyond, places - self.table.period, places)
         return places
 

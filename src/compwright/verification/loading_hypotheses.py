@@ -27,6 +27,7 @@ _FAULTS: Final = (
     whole_table_faults.inverted,
     whole_table_faults.scaled,
     whole_table_faults.shifted,
+    whole_table_faults.in_order_of_positions,
     whole_table_faults.mirrored,
     whole_table_faults.wrong_axis,
     partial_table_faults.one_direction,

@@ -11,6 +11,7 @@ import numpy as np
 
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.verification import ReadBack
+from compwright.verification.whole_table_faults import FACTORS, factor_text
 from compwright.words.sentences import SentenceText, say
 
 Correction = Callable[[FloatArray, Direction], FloatArray]
@@ -20,8 +21,6 @@ _Curves = dict[Direction, FloatArray]
 SAME = 1e-6
 #: Most points by which a loaded table may be shifted and still be recognised.
 _MOST_SHIFT = 5
-#: Factors with a known cause.
-_FACTORS = (2.0, 0.5, 10.0, 0.1, 25.4, 1000.0, 0.001)
 
 
 def judge_read_back(
@@ -87,9 +86,17 @@ def _causes(
         both = {side: wish[side] + before[side] for side in Direction}
         yield _mistake("on_top", both, "on_top")
     yield _mistake("inverted", {side: -wish[side] for side in Direction}, "inverted")
-    for factor in _FACTORS:
+    for factor in FACTORS:
         multiplied = {side: factor * wish[side] for side in Direction}
-        yield _mistake("scaled", multiplied, f"{factor:g}")
+        known = factor_text(factor)
+        yield _Mistake(
+            "scaled",
+            multiplied,
+            *(
+                SentenceText(say("read_back.scaled", factor=known, apart=apart))
+                for apart in (False, True)
+            ),
+        )
     for points in (shift * sign for shift in range(1, _MOST_SHIFT + 1) for sign in (1, -1)):
         yield _Mistake(
             "shifted",

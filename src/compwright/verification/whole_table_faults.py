@@ -9,12 +9,13 @@ from typing import Any, Final
 import numpy as np
 
 from compwright.records.axis import Direction, FloatArray
+from compwright.records.verification import LoadingName
 from compwright.verification.hypothesis import COMMON, RARE, UNKNOWN_FACTOR, Hypothesis
-from compwright.verification.hypothesis_builder import Curve, HypothesisBuilder
+from compwright.verification.hypothesis_builder import Curve, Held, HypothesisBuilder
 from compwright.words.sentences import Sentence, say
 
 #: Factors with a known cause (sentence ``loading.factor``), and the relative probability of each.
-_FACTORS: Final[Mapping[float, float]] = {
+FACTORS: Final[Mapping[float, float]] = {
     2.0: 1.0,
     0.5: 1.0,
     10.0: 1.0,
@@ -31,6 +32,11 @@ _MOST_SHIFT: Final = 5
 #: Of each way in which another axis's table may act: tables of axes that are alike are no fault
 #: that anybody would notice.
 _OTHER: Final = 0.01
+
+
+def factor_text(factor: float) -> Sentence:
+    """Return the sentence part that states one of the `FACTORS` with its cause."""
+    return say("loading.factor", factor=f"{factor:.4g}")
 
 
 def _apart(detail: Sentence | None = None) -> Sentence:
@@ -93,8 +99,8 @@ def scaled(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield hypotheses of a table multiplied by a wrong factor: each typical factor (such as one
     from a wrong unit), and an unknown factor.
     """
-    for factor, share in _FACTORS.items():
-        words = say("loading.factor", factor=f"{factor:.4g}")
+    for factor, share in FACTORS.items():
+        words = factor_text(factor)
         weight = COMMON * share
         curve = factor * ways.own
         more: dict[str, Any] = {"factor": factor, "inner": factor < 0.05}
@@ -121,41 +127,75 @@ def shifted(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
                 yield from ways.moved("shifted", curves, weight, shift_nodes=by)
 
 
+def in_order_of_positions(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
+    """Yield hypotheses of a repeating table whose rows were entered in the order of the positions,
+    from one end of the travel on, although the control counts them from a point inside it.
+
+    The first row is that at the end of the targets, or one of the rows beyond it, which the travel
+    hardly needs. Behind the other end, the rows go round, or are zero. If the rows are counted the
+    other way, the table is mirrored.
+    """
+    rows, stored = ways.held(), ways.stored
+    # of two rows of one section, the last one
+    numbers = stored.order.size - 1 - np.unique(stored.order[::-1], return_index=True)[1]
+    numbers = np.sort(numbers)
+    places = ways.row_places()[numbers]
+    ring = np.argsort(places, kind="stable")
+    if ways.table.period is None or ring.size < 3 or np.all(np.diff(ring) == 1):
+        return
+    upwards = bool(stored.order[0] <= stored.order[-1])
+    found: dict[LoadingName, list[tuple[Held, int, str]]] = {"shifted": [], "mirrored": []}
+    for end, along in (("low", ring), ("high", ring[::-1])):
+        name: LoadingName = "shifted" if (end == "low") is upwards else "mirrored"
+        lowest, highest = ways.targets.min(), ways.targets.max()
+        within = np.flatnonzero((places[along] >= lowest) & (places[along] <= highest))
+        for more in range(min(_MOST_SHIFT, ring.size - within.size) + 1 if within.size else 0):
+            entered = np.roll(along, more - int(within[0]))
+            by = round(float(places[0] - places[entered[0]]) / ways.interval)
+            for count in (ring.size, more + within.size + 1):
+                listed = {d: np.zeros(stored.order.size) for d in Direction}
+                for d, values in listed.items():
+                    values[numbers[:count]] = rows[d][numbers][entered[:count]]
+                found[name].append((ways.curves(listed), by, end))
+    for name, each in found.items():
+        for curves, by, end in each:
+            extra: dict[str, Any] = {"shift_nodes": by} if name == "shifted" else {}
+            detail = say("loading.in_order", end=end)
+            yield from ways.moved(name, curves, RARE / len(each), detail=detail, **extra)
+
+
 def mirrored(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield hypotheses of a table with its rows, or its values at the points, in reverse order."""
     rows = ways.held()
     if ways.stored.order.size < 3:
         return
-    more: dict[str, Any] = {}
+    kinds: list[tuple[Held, dict[str, Any]]] = [({d: v[::-1] for d, v in rows.items()}, {})]
     if ways.stored.steps:
-        values = {d: ways.table.curve(d)[::-1] for d in Direction}
-        yield from ways.moved("mirrored", values, COMMON)
-        # mirrored about a centre one point further: the first or last point has no value
-        for by in (1, -1):
-            for each in ways.shifts(by, {d: ways.stored.rows(v) for d, v in values.items()}):
-                yield from ways.moved("mirrored", each, RARE)
-        more = {"detail": say("loading.steps"), "inner": True}
-    turned = {d: values[::-1] for d, values in rows.items()}
-    yield from ways.moved("mirrored", ways.curves(turned), COMMON, **more)
-    for by in (1, -1):  # with one row too many, or one too few
-        for each in ways.shifts(by, turned):
-            yield from ways.moved("mirrored", each, 0.5 * RARE, **more)
+        turned = {d: ways.stored.rows(ways.table.curve(d)[::-1]) for d in Direction}
+        kinds = [(turned, {}), (kinds[0][0], {"detail": say("loading.steps"), "inner": True})]
+    for turned, more in kinds:
+        yield from ways.moved("mirrored", ways.curves(turned), COMMON, **more)
+        off = [each for by in (1, -1) for each in ways.shifts(by, turned)]
+        for each in off:  # with one row too many, or one too few
+            yield from ways.moved("mirrored", each, RARE / len(off), **more)
 
 
 def wrong_axis(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield hypotheses that the table of another axis is active: with its values at the same
     positions, or at the same point numbers. The numbers of a table in mm count as deg and the other
-    way round.
+    way round, unless the rows have a unit of their own on each axis.
     """
     stored = ways.stored
     for name, their in ways.loading.others.items():
-        other = their.compensation
+        other, ratio = their.compensation, stored.unit / their.unit
         if not other.positions.size:
             continue
-        backlash = ways.jump(other) + their.apart
+        columns = dict(zip(stored.columns, their.columns, strict=True))
+        sides = [list(Direction).index(columns[d]) for d in Direction]
+        backlash = ways.jump(other) + ratio * their.apart[sides]
         by_place = ways.at(replace(other, others=(), backlash=0.0)) - their.apart
         curves = [(by_place, "position")]
-        theirs = {d: their.rows(other.curve(d)) for d in Direction}
+        theirs = {d: ratio * their.rows(other.curve(columns[d])) for d in Direction}
         # a shorter table ends with nothing, or with its last value; rows that are counted from a
         # point inside the table begin with the first one, or have this point at the same place
         before = {0, (their.zero or 0) - (stored.zero or 0)} if stored.steps else {0}
@@ -164,13 +204,28 @@ def wrong_axis(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
         for skipped in sorted(before) if size else ():
             for held in (True, False) if short else (False,):
                 rows = {d: _resized(v, size, skipped, held=held) for d, v in theirs.items()}
-                curves.append((ways.values(ways.curves(rows)), "number"))
+                variants = (rows, *_first_column(ways, rows))
+                curves += [(ways.values(ways.curves(each)), "number") for each in variants]
         for curve, kind in curves:
             more = say("loading.other_axis", by=kind)
             yield from ways.both("wrong_axis", curve, _OTHER, more, of=name)
             if np.any(backlash != ways.backlash):
                 change = ways.total(curve, backlash)
                 yield ways.made("wrong_axis", change, _OTHER, more, of=name)
+
+
+def _first_column(ways: HypothesisBuilder, rows: Held) -> Iterator[Held]:
+    """Yield the ``rows`` (r,) of another axis' table of which only the first column is active: with
+    the second column of this axis, and with none. Only where the second column is a difference.
+    """
+    own, (first, second) = ways.held(), ways.stored.columns
+    if ways.stored.ahead is None:
+        return
+    differs = own[second] - own[first]
+    if np.any(differs):
+        yield {first: rows[first], second: rows[first] + differs}
+    if np.any(rows[second] != rows[first]):
+        yield {first: rows[first], second: rows[first]}
 
 
 def _resized(values: FloatArray, size: int, skipped: int, *, held: bool) -> FloatArray:

@@ -160,12 +160,17 @@ SENTENCES: Final[dict[str, str]] = {
         " noise of a reading is {noise}.{effect:if| Measured: {effect}.}"
     ),
     "loading.factor": (
-        "{factor:choose|2=twice: radius and diameter mixed up, or loaded on top of"
-        " itself|0.5=half: radius and diameter mixed up|10=ten times: another detection unit or"
-        " increment system|0.1=a tenth: another detection unit or increment system|16=16 times:"
-        " 1/16 count taken for a count|0.0625=1/16: count taken for 1/16 count|25.4=25.4 times:"
-        " inch taken for mm|0.03937=1/25.4: mm taken for inch|1000=a thousand times: mm taken for"
-        " µm|0.001=a thousandth: µm taken for mm}"
+        "{factor:choose|2=twice: radius and diameter mixed up, loaded on top of itself, or twice"
+        " the magnification|0.5=half: radius and diameter mixed up|10=ten times: another"
+        " detection unit or increment system|0.1=a tenth: another detection unit or increment"
+        " system|16=16 times: multiplied by 16 twice|0.0625=1/16: counts entered in place of"
+        " 1/16 counts|25.4=25.4 times: values in mm entered as inch|0.03937=1/25.4: values in"
+        " inch entered as mm|1000=a thousand times: values in µm entered as mm|0.001=a"
+        " thousandth: values in mm entered as µm}"
+    ),
+    "loading.in_order": (
+        "entered in the order of the positions, the {end:choose|low=lowest|high=highest} one"
+        " first; the control counts the entries from its zero point"
     ),
     "loading.instead": (
         "{active:choose|still=what was in the control before is still active|before=what was in the"
@@ -338,18 +343,11 @@ SENTENCES: Final[dict[str, str]] = {
         " is not the planned one"
     ),
     "read_back.cause": (
-        "{cause:choose|loaded=the table in the control is the planned table|before=what was in the"
-        " control before is still there|nothing=no table is active: it is off or"
+        "{cause:choose|loaded=the table in the control is the planned table|before=what was in"
+        " the control before is still there|nothing=no table is active: it is off or"
         " empty|increment=only the change to the existing table was loaded: load the"
-        " total|on_top=the new total was added to the existing table: clear the table and load it"
-        " again|inverted=every value has the opposite sign|2=every value is twice as large as"
-        " planned: radius and diameter mixed up, the table loaded on top of itself, or twice the"
-        " magnification|0.5=every value is half as large as planned: radius and diameter mixed"
-        " up|10=every value is ten times as large as planned: a different detection unit or"
-        " increment system|0.1=every value is a tenth of the planned one: a different detection"
-        " unit or increment system|25.4=every value is 25.4 times as large as planned: inch taken"
-        " for mm|1000=every value is 1000 times as large as planned: mm taken for µm|0.001=every"
-        " value is a thousandth of the planned one: µm taken for mm}{apart:if| (apart from the"
+        " total|on_top=the new total was added to the existing table: clear the table and load"
+        " it again|inverted=every value has the opposite sign}{apart:if| (apart from the"
         " backlash)|}"
     ),
     "read_back.one_side": (
@@ -365,6 +363,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "read_back.partly": (
         "only {loaded:and} was loaded: load {missing:and} too, before the axis moves; {why}"
+    ),
+    "read_back.scaled": (
+        "every value differs from the planned one by a factor ({factor}){apart:if| (apart from"
+        " the backlash)|}"
     ),
     "read_back.shifted": (
         "the table is {points} {points:plural|point|points} too far to {towards}{apart:if|, and"

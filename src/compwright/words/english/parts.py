@@ -13,9 +13,11 @@ SENTENCES: Final[dict[str, str]] = {
     "better_targets": "targets that would show this error: {targets:g} {unit}",
     "between.deviation": "the measured deviation of {output} over {input} ({slope:+.1f} µm/m)",
     "between.racked": (
-        "{output} is a gantry axis, and a table on {output} without {slave} racks the machine."
-        " Next: correct the squareness by the reference offset of {slave}, or move axis {input}"
-        " instead (`{instead}`)"
+        "{output} is a gantry axis, and a table on {output} without {partner} racks the machine."
+        " Next: {squareness:if|correct the squareness by the reference offset of the"
+        " gantry{instead:if|, or move axis {input} instead (`{instead}`)|}|have the guideway of"
+        " {input} aligned, and remove this entry from the job: no other table corrects a"
+        " straightness}"
     ),
     "between.squareness": "squareness of {output} over {input} ({slope:+.1f} µm/m)",
     "compared_not_removed": "{parameters:join|; }. The result contains all readings.",

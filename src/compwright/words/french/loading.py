@@ -164,13 +164,17 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.likely": "{verdict} {percent:.0f} %",
     "loading.factor": (
-        "{factor:choose|2=double : rayon et diamètre confondus, ou chargée sur"
-        " elle-même|0.5=moitié : rayon et diamètre confondus|10=dix fois : autre unité de"
+        "{factor:choose|2=double : rayon et diamètre confondus, chargée sur elle-même, ou double"
+        " grossissement|0.5=moitié : rayon et diamètre confondus|10=dix fois : autre unité de"
         " détection ou autre système d'incréments|0.1=un dixième : autre unité de détection ou"
-        " autre système d'incréments|16=16 fois : 1/16 d'impulsion pris pour une"
-        " impulsion|0.0625=1/16 : impulsion prise pour 1/16 d'impulsion|25.4=25,4 fois : pouces"
-        " pris pour des mm|0.03937=1/25,4 : mm pris pour des pouces|1000=mille fois : mm pris pour"
-        " des µm|0.001=un millième : µm pris pour des mm}"
+        " autre système d'incréments|16=16 fois : multipliées deux fois par 16|0.0625=1/16 :"
+        " impulsions saisies au lieu de 1/16 d'impulsion|25.4=25,4 fois : valeurs en mm saisies"
+        " comme pouces|0.03937=1/25,4 : valeurs en pouces saisies comme mm|1000=mille fois :"
+        " valeurs en µm saisies comme mm|0.001=un millième : valeurs en mm saisies comme µm}"
+    ),
+    "loading.in_order": (
+        "saisies dans l'ordre des positions, la plus {end:choose|low=basse|high=haute}"
+        " d'abord ; la commande compte les entrées à partir de son point zéro"
     ),
     "loading.instead": (
         "{active:choose|still=ce qui était dans la commande avant est encore actif|before=ce qui"
@@ -362,17 +366,10 @@ SENTENCES: Final[dict[str, str]] = {
     "read_back.cause": (
         "{cause:choose|loaded=la table dans la commande est la table prévue|before=ce qui était"
         " avant dans la commande y est encore|nothing=aucune table n'est active : elle est"
-        " désactivée ou vide|increment=seule la modification de la table existante a été chargée :"
-        " charger le total|on_top=le nouveau total a été ajouté à la table existante : effacer la"
-        " table et la charger de nouveau|inverted=chaque valeur a le signe opposé|2=chaque valeur"
-        " est le double de celle prévue : rayon et diamètre confondus, table chargée sur elle-même,"
-        " ou double grossissement|0.5=chaque valeur est la moitié de celle prévue : rayon et"
-        " diamètre confondus|10=chaque valeur est dix fois celle prévue : autre unité de détection"
-        " ou autre système d'incréments|0.1=chaque valeur est un dixième de celle prévue : autre"
-        " unité de détection ou autre système d'incréments|25.4=chaque valeur est 25,4 fois celle"
-        " prévue : pouces pris pour des mm|1000=chaque valeur est 1000 fois celle prévue : mm pris"
-        " pour des µm|0.001=chaque valeur est un millième de celle prévue : µm pris pour des"
-        " mm}{apart:if| (jeu mis à part)|}"
+        " désactivée ou vide|increment=seule la modification de la table existante a été chargée"
+        " : charger le total|on_top=le nouveau total a été ajouté à la table existante : effacer"
+        " la table et la charger de nouveau|inverted=chaque valeur a le signe opposé}{apart:if|"
+        " (jeu mis à part)|}"
     ),
     "read_back.one_side": (
         "seules les valeurs pour l'arrivée en {direction} sont égales aux valeurs prévues"
@@ -388,6 +385,10 @@ SENTENCES: Final[dict[str, str]] = {
     "read_back.partly": (
         "seul {loaded:and} a été chargé : charger aussi {missing:and}, avant que l'axe ne se"
         " déplace ; {why}"
+    ),
+    "read_back.scaled": (
+        "chaque valeur diffère de celle prévue par un facteur ({factor}){apart:if| (jeu mis à"
+        " part)|}"
     ),
     "read_back.shifted": (
         "la table est décalée de {points} {points:plural|point|points} vers {towards}{apart:if|,"

@@ -13,9 +13,11 @@ SENTENCES: Final[dict[str, str]] = {
     "better_targets": "points visés qui montreraient cette erreur : {targets:g} {unit}",
     "between.deviation": "l'écart mesuré de {output} sur {input} ({slope:+.1f} µm/m)",
     "between.racked": (
-        "{output} est un axe de portique, et une table sur {output} sans {slave} vrille la"
-        " machine. Ensuite : corriger la perpendicularité par le décalage de référence de {slave},"
-        " ou déplacer l'axe {input} à la place (`{instead}`)"
+        "{output} est un axe de portique, et une table sur {output} sans {partner} vrille la"
+        " machine. Ensuite : {squareness:if|corriger la perpendicularité par le décalage de"
+        " référence du portique{instead:if|, ou déplacer l'axe {input} à la place"
+        " (`{instead}`)|}|faire aligner le guidage de {input}, et retirer cette entrée du dossier :"
+        " aucune autre table ne corrige une rectitude}"
     ),
     "between.squareness": "perpendicularité de {output} à {input} ({slope:+.1f} µm/m)",
     "compared_not_removed": "{parameters:join|; }. Le résultat contient toutes les mesures.",

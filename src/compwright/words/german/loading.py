@@ -168,13 +168,19 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.likely": "{verdict} {percent:.0f} %",
     "loading.factor": (
-        "{factor:choose|2=doppelt: Radius und Durchmesser verwechselt oder auf sich selbst"
-        " geladen|0.5=halb: Radius und Durchmesser verwechselt|10=zehnfach: andere"
-        " Erfassungseinheit oder anderes Inkrementsystem|0.1=ein Zehntel: andere Erfassungseinheit"
-        " oder anderes Inkrementsystem|16=16-fach: 1/16 Inkrement für ein Inkrement"
-        " genommen|0.0625=1/16: Inkrement für 1/16 Inkrement genommen|25.4=25,4-fach: Zoll für mm"
-        " genommen|0.03937=1/25,4: mm für Zoll genommen|1000=tausendfach: mm für µm"
-        " genommen|0.001=ein Tausendstel: µm für mm genommen}"
+        "{factor:choose|2=doppelt: Radius und Durchmesser verwechselt, auf sich selbst geladen"
+        " oder doppelte Vergrößerung|0.5=halb: Radius und Durchmesser verwechselt|10=zehnfach:"
+        " andere Erfassungseinheit oder anderes Inkrementsystem|0.1=ein Zehntel: andere"
+        " Erfassungseinheit oder anderes Inkrementsystem|16=16-fach: zweimal mit 16"
+        " multipliziert|0.0625=1/16: Inkremente statt 1/16 Inkrementen"
+        " eingegeben|25.4=25,4-fach: Werte in mm als Zoll eingegeben|0.03937=1/25,4: Werte in"
+        " Zoll als mm eingegeben|1000=tausendfach: Werte in µm als mm eingegeben|0.001=ein"
+        " Tausendstel: Werte in mm als µm eingegeben}"
+    ),
+    "loading.in_order": (
+        "in der Reihenfolge der Positionen eingegeben, die"
+        " {end:choose|low=niedrigste|high=höchste} zuerst; die Steuerung zählt die Einträge"
+        " von ihrem Nullpunkt an"
     ),
     "loading.instead": (
         "{active:choose|still=was vorher in der Steuerung war, ist noch aktiv|before=was vorher in"
@@ -370,15 +376,8 @@ SENTENCES: Final[dict[str, str]] = {
         " der Steuerung war, ist noch da|nothing=keine Tabelle ist aktiv: Sie ist ausgeschaltet"
         " oder leer|increment=nur die Änderung zur vorhandenen Tabelle wurde geladen: die Summe"
         " laden|on_top=die neue Summe wurde zur vorhandenen Tabelle addiert: die Tabelle löschen"
-        " und neu laden|inverted=jeder Wert hat das entgegengesetzte Vorzeichen|2=jeder Wert ist"
-        " doppelt so groß wie geplant: Radius und Durchmesser verwechselt, Tabelle auf sich selbst"
-        " geladen oder doppelte Vergrößerung|0.5=jeder Wert ist halb so groß wie geplant: Radius"
-        " und Durchmesser verwechselt|10=jeder Wert ist zehnmal so groß wie geplant: andere"
-        " Erfassungseinheit oder anderes Inkrementsystem|0.1=jeder Wert ist ein Zehntel des"
-        " geplanten: andere Erfassungseinheit oder anderes Inkrementsystem|25.4=jeder Wert ist"
-        " 25,4-mal so groß wie geplant: Zoll für mm gehalten|1000=jeder Wert ist 1000-mal so groß"
-        " wie geplant: mm für µm gehalten|0.001=jeder Wert ist ein Tausendstel des geplanten: µm"
-        " für mm gehalten}{apart:if| (abgesehen von der Lose)|}"
+        " und neu laden|inverted=jeder Wert hat das entgegengesetzte Vorzeichen}{apart:if|"
+        " (abgesehen von der Lose)|}"
     ),
     "read_back.one_side": (
         "nur die Werte für die Annäherung in {direction} sind gleich den geplanten Werten"
@@ -393,6 +392,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "read_back.partly": (
         "nur {loaded:and} wurde geladen: auch {missing:and} laden, bevor die Achse fährt; {why}"
+    ),
+    "read_back.scaled": (
+        "jeder Wert weicht vom geplanten um einen Faktor ab ({factor}){apart:if| (abgesehen von"
+        " der Lose)|}"
     ),
     "read_back.shifted": (
         "die Tabelle liegt {points} {points:plural|Punkt|Punkte} zu weit in {towards}{apart:if|,"

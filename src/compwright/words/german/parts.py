@@ -13,9 +13,11 @@ SENTENCES: Final[dict[str, str]] = {
     "better_targets": "Zielpositionen, die diesen Fehler zeigen würden: {targets:g} {unit}",
     "between.deviation": "die gemessene Abweichung von {output} über {input} ({slope:+.1f} µm/m)",
     "between.racked": (
-        "{output} ist eine Gantry-Achse, und eine Tabelle auf {output} ohne {slave} verspannt die"
-        " Maschine. Weiter: die Rechtwinkligkeit über den Referenzversatz von {slave} korrigieren"
-        " oder stattdessen Achse {input} bewegen (`{instead}`)"
+        "{output} ist eine Gantry-Achse, und eine Tabelle auf {output} ohne {partner} verspannt die"
+        " Maschine. Weiter: {squareness:if|die Rechtwinkligkeit über den Referenzversatz des Gantry"
+        " korrigieren{instead:if| oder stattdessen Achse {input} bewegen (`{instead}`)|}|die"
+        " Führung von {input} ausrichten lassen und diesen Eintrag aus dem Auftrag entfernen: keine"
+        " andere Tabelle korrigiert eine Geradheit}"
     ),
     "between.squareness": "Rechtwinkligkeit von {output} zu {input} ({slope:+.1f} µm/m)",
     "compared_not_removed": "{parameters:join|; }. Das Ergebnis enthält alle Messwerte.",

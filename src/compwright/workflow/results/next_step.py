@@ -99,7 +99,8 @@ def after_verify(
         )
     verdicts = {name: axis["loading"]["verdict"] for name, axis in document["axes"].items()}
     idle = [name for name, verdict in verdicts.items() if verdict == "state"]
-    faulty = [name for name, verdict in verdicts.items() if verdict not in ("state", "loaded")]
+    open_ = ("state", "loaded", "undecided")  # of these, nothing above names a fault to correct
+    faulty = [name for name, verdict in verdicts.items() if verdict not in open_]
     if idle:
         first = f"correct what is named above for {', '.join(faulty)}, " if faulty else ""
         return (

@@ -162,7 +162,9 @@ def stored_entries(
         negative=curves[Direction.NEGATIVE],
         period=size * points.step,
     )
-    return StoredTable(compensation=table, order=order, zero=zero)
+    # one entry of 1, as the correction of this axis
+    unit = float(counts.added("value_positive", np.ones(1))[0])
+    return StoredTable(compensation=table, order=order, zero=zero, ahead=counts.forward, unit=unit)
 
 
 def _numbers(
