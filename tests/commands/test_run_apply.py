@@ -287,6 +287,28 @@ def test_an_own_table_that_is_changed_while_others_are_free_is_named(
         assert ("`cec_tables: [6, 2]`" in shown) is named
 
 
+@pytest.mark.parametrize(("limit", "value"), [("", "0.1"), ("1", "0.1"), ("0.065", "0.053")])
+def test_the_sign_is_checked_with_what_the_control_can_add(
+    folder: Path, limit: str, value: str
+) -> None:
+    """The control cuts the sum of the tables at MD32720: of 65 µm, table 0 has 12 µm."""
+    control = folder / "control"
+    write_own_table(control)
+    if limit:
+        (control / "SUM.INI").write_text(f"CHANDATA(1)\n$MA_CEC_MAX_SUM[AX2]={limit}\nM17\n")
+    job = folder / "job.yaml"
+    job.write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl, options: {cec: available,"
+        " cec_sign: correction, cec_tables: [1]}}\nstates: {as_found: [control]}\naxes:\n"
+        "  X: {travel: [0, 800], address: AX1, before: []}\n"
+        "  Y: {travel: [-500, 0], address: AX2, before: []}\ncross:\n"
+        "  - {input: X, output: Y, positions: [0, 800], deviations: [0, 8], unit: um}\n"
+    )
+    assert compwright(["run", str(job)]) == 0
+    assert f"write {value} mm into every point of table 1" in card(folder)
+    assert f"must show +{value} mm for cec_sign: correction, -{value} mm for" in card(folder)
+
+
 @pytest.mark.parametrize(("deviation", "tables"), [(8, "[0]"), (-8, "[1]")])
 def test_a_control_in_inch_takes_a_table_in_mm(folder: Path, deviation: int, tables: str) -> None:
     """MD32711 = 1: the values and positions of a CEC table are in mm, and the file of a new table

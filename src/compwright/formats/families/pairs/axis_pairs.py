@@ -19,18 +19,18 @@ from compwright.formats.families.axis_pairs import (
 from compwright.formats.families.card_texts import and_joined, file_stem
 from compwright.formats.families.control_texts import gathered_files
 from compwright.formats.families.family import Family
+from compwright.formats.families.pairs.cross_steps import cross_steps
 from compwright.formats.families.pairs.existing_tables import ExistingTables
 from compwright.formats.families.pairs.options import (
     allowed_tables,
     available,
-    reserving,
-    tables_in_words,
     too_few,
     unit_unknown,
 )
 from compwright.formats.families.pairs.places import Pair
 from compwright.formats.families.pairs.updated_tables import (
     added_up,
+    largest_sum,
     over_own_points,
     own_tables,
     updated_table,
@@ -39,7 +39,6 @@ from compwright.formats.families.pairs.writing import CecWriter, PairEntry
 from compwright.formats.text.own_files import OwnFiles
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.foundations.findings import Severity
-from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import (
     AxisCompensation,
@@ -48,7 +47,7 @@ from compwright.records.correction import (
     CrossCompensation,
 )
 from compwright.records.plan import PlannedCross
-from compwright.words.sentences import Sentence, SentenceText, control_text, say
+from compwright.words.sentences import Sentence, say
 
 
 def write_cross(
@@ -192,20 +191,9 @@ def _beyond_sum(writer: CecWriter, cross: Sequence[CrossCompensation]) -> list[F
     axis = writer.tables.axis
     new = [replace(one, input=axis(one.input), output=axis(one.output)) for one in cross]
     for output in dict.fromkeys(entry.output for entry in new):
-        facts = state.facts_of(output).pairs
-        active = [entry for entry in (*state.cross, *new) if entry.output == output]
-        own = state.axes.get(output)
-        low, high = -facts.odd_sum, facts.odd_sum
-        for base in dict.fromkeys(entry.input for entry in active):
-            mine = [entry for entry in active if entry.input == base]
-            where = np.unique(np.concatenate([entry.positions for entry in mine]))
-            sums = [np.sum([one.at(where, way) for one in mine], axis=0) for way in Direction]
-            low, high = low + float(np.min(sums)), high + float(np.max(sums))
-        for one in () if own is None else (*own.others, *((own,) if facts.own else ())):
-            low += float(np.min([one.positive, one.negative]))
-            high += float(np.max([one.positive, one.negative]))
-        reach = max(high, -low)
-        if facts.max_sum is None or reach <= facts.max_sum * (1 + 1e-9):
+        limit = state.facts_of(output).pairs.max_sum
+        reach = largest_sum(state, output, new)
+        if limit is None or reach <= limit * (1 + 1e-9):
             continue
         inputs = and_joined(list(dict.fromkeys(one.input for one in new if one.output == output)))
         faults.append(
@@ -214,7 +202,7 @@ def _beyond_sum(writer: CecWriter, cross: Sequence[CrossCompensation]) -> list[F
                     f"axis {output}: with the correction over {inputs}, the sum of all CEC tables"
                     " of this axis would exceed CEC_MAX_SUM (MD32720)"
                 ),
-                expected=f"at most {facts.max_sum:g}",
+                expected=f"at most {limit:g}",
                 found=f"up to {reach:g}",
                 hint="reduce the correction or the other tables of this axis, or raise MD32720,"
                 " then run the job again",
@@ -309,7 +297,9 @@ def pairs_between(family: Family, request: BetweenRequest, *, small: bool) -> Be
     steps = (
         step
         for entry in request.planned
-        for step in _steps(family, entry, _named(family, entry, new, small=small), before, after)
+        for step in cross_steps(
+            family, entry, _named(family, entry, new, small=small), before, after
+        )
     )
     remarks = tuple(_own_changed(family, held, before, after))
     return Between(files=new, held=held, steps=tuple(steps), remarks=remarks)
@@ -367,134 +357,3 @@ def _named(family: Family, entry: PlannedCross, new: Sequence[ControlFile], *, s
         return and_joined([file.name for file in new])
     form = next(file.name for file in family.definition.writing if file.when == "cross")
     return print_form(form, {"axis": file_stem(family, entry.added.output)})
-
-
-def _steps(
-    family: Family,
-    entry: PlannedCross,
-    named: str,
-    before: ControlState,
-    after: ControlState,
-) -> list[dict[str, str]]:
-    """Return the card's steps for new tables: reserve memory, check the sign, load, activate.
-    ``named``: the files to load; ``before`` and ``after``: the state of the control's files without
-    and with the new tables.
-
-    Other tables of the same axes are not in these steps, because they stay unchanged.
-    """
-    added = entry.added
-    pair, others = (added.input, added.output), before.tables
-    updated = {
-        one: len(curve[0])
-        for one, curve in after.tables.curves.items()
-        if others.curves.get(one) not in (None, curve)
-    }
-    mine = [
-        index
-        for index, axes in sorted(after.tables.used.items())
-        if axes == pair and (index not in others.used or index in updated)
-    ]
-    if not mine:  # nothing changes
-        return []
-    which = tables_in_words([str(index) for index in mine])
-    points = max(updated.get(index, added.positions.size) for index in mine)
-    room = reserving(family.definition, points, which)
-    each = control_text("it") if len(mine) == 1 else control_text("each of them")
-    axes = {"output": entry.output, "input": entry.input}
-    check = _checking(entry, named, which, each)
-    steps = {
-        control_text("{output} over {input}: reserve and switch off", **axes): _reserving(
-            added.output, room, which
-        ),
-        control_text("{output} over {input}: check the sign", **axes): (
-            _in_use(check, which) if updated.keys() & set(mine) else check
-        ),
-        control_text("{output} over {input}: load", **axes): _loading(entry, named),
-        control_text("{output} over {input}: switch on", **axes): _switching(entry, which),
-    }
-    return [{"title": title, "text": text, "evidence": "inferred"} for title, text in steps.items()]
-
-
-def _switches(address: str) -> tuple[str, str]:
-    return f"MD32710 $MA_CEC_ENABLE[{address}]", "SD41300 $SN_CEC_TABLE_ENABLE"
-
-
-def _reserving(address: str, room: str, which: str) -> str:
-    enable, switch = _switches(address)
-    return control_text(
-        "{room} Set {enable} = 0 and {switch} = 0 for {which}, NEW CONF. Note what MD32710 was"
-        " before: if it was 0, find out what else sleeps on axis {address} (every other table"
-        " with this output axis and a value that is not 0), and switch it off (SD41300 = 0)"
-        " before anything else. MD32710 would wake it.",
-        room=room,
-        enable=enable,
-        switch=switch,
-        which=which,
-        address=address,
-    )
-
-
-def _checking(entry: PlannedCross, named: str, which: str, each: str) -> str:
-    unit = entry.added.output_kind.unit
-    return control_text(
-        "Before {files} is loaded: write 0.1 {unit} into every point of {which} and switch"
-        " {each} on for this check: MD32710, NEW CONF, SD41300, NEW CONF, NCK reset. A dial"
-        " gauge on {address} must show +0.1 {unit} for cec_sign: correction, -0.1"
-        " {unit} for cec_sign: error. If it does not: load nothing, and run again with the"
-        " other one. Write 0 again and switch off as in the step before.",
-        files=named,
-        unit=unit,
-        which=which,
-        each=each,
-        address=entry.added.output,
-    )
-
-
-def _in_use(check: str, which: str) -> str:
-    return control_text(
-        "{check} In use: {which}. The file holds its old values plus this correction. After"
-        " the check its values are 0.1 or 0: if you load nothing, load its old values of the folder"
-        " rollback again, and set MD32710 and SD41300 as they were.",
-        check=check,
-        which=which,
-    )
-
-
-def _loading(entry: PlannedCross, named: str) -> str:
-    added, own = entry.added, entry.added.output_kind.unit
-    factor, unit = outside_factor(own), shown_unit(own)
-    ends = [
-        control_text(
-            "{value} {unit} at {input} {position}",
-            value=f"{round(value * factor, 2) + 0.0:+.2f}",
-            unit=unit,
-            input=entry.input,
-            position=f"{position:g}",
-        )
-        for position, value in zip(added.positions[[0, -1]], added.positive[[0, -1]], strict=True)
-    ]
-    return control_text(
-        "Load {files}. {error}: {output} is moved by {ends}, 0 at the reference of {input}.",
-        files=named,
-        error=SentenceText(say("card.capital", text=error_label(entry))),
-        output=entry.output,
-        ends=SentenceText(say("as_written", text=ends)),
-        input=entry.input,
-    )
-
-
-def _switching(entry: PlannedCross, which: str) -> str:
-    address = entry.added.output
-    enable, switch = _switches(address)
-    return control_text(
-        "If MD32710 was 0 before: SD41300 = 0 for what else sleeps on axis {address}, first."
-        " Set {enable} = 1, NEW CONF, then {switch} = 1 for {which}, NEW CONF, NCK reset. Work"
-        " offsets of {output} shift with {input}: probe them again. Compare the result"
-        " with a square or a dial gauge before production.",
-        address=address,
-        enable=enable,
-        switch=switch,
-        which=which,
-        output=entry.output,
-        input=entry.input,
-    )

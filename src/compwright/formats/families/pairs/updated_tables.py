@@ -6,6 +6,7 @@ table.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from math import gcd
 
@@ -14,7 +15,7 @@ import numpy as np
 from compwright.formats.families.family import Family
 from compwright.formats.families.pairs.options import allowed_tables
 from compwright.records.axis import Direction, FloatArray
-from compwright.records.correction import CrossCompensation
+from compwright.records.correction import ControlState, CrossCompensation
 
 #: Positions closer than this are one, mm or deg.
 _SAME = 1e-6
@@ -80,6 +81,24 @@ def over_own_points(control: Family, entry: CrossCompensation) -> CrossCompensat
             if updated_table(control, wider) is not None:
                 return wider
     return entry
+
+
+def largest_sum(state: ControlState, output: str, new: Sequence[CrossCompensation] = ()) -> float:
+    """Return the largest amount, mm or deg, that the sum of all active tables of the axis
+    ``output`` can reach, together with the corrections ``new``.
+    """
+    facts, own = state.facts_of(output).pairs, state.axes.get(output)
+    active = [entry for entry in (*state.cross, *new) if entry.output == output]
+    low, high = -facts.odd_sum, facts.odd_sum
+    for base in dict.fromkeys(entry.input for entry in active):
+        mine = [entry for entry in active if entry.input == base]
+        where = np.unique(np.concatenate([entry.positions for entry in mine]))
+        sums = [np.sum([one.at(where, way) for one in mine], axis=0) for way in Direction]
+        low, high = low + float(np.min(sums)), high + float(np.max(sums))
+    for one in () if own is None else (*own.others, *((own,) if facts.own else ())):
+        low += float(np.min([one.positive, one.negative]))
+        high += float(np.max([one.positive, one.negative]))
+    return max(high, -low)
 
 
 def _room(control: Family) -> int:

@@ -163,22 +163,22 @@ TEXTS: Final[dict[str, str]] = {
         " (toute autre table avec cet axe de sortie et une valeur autre que 0), et le"
         " désactiver (SD41300 = 0) avant toute autre chose. MD32710 le réveillerait."
     ),
-    "Before {files} is loaded: write 0.1 {unit} into every point of {which} and switch"
+    "Before {files} is loaded: write {value} {unit} into every point of {which} and switch"
     " {each} on for this check: MD32710, NEW CONF, SD41300, NEW CONF, NCK reset. A dial"
-    " gauge on {address} must show +0.1 {unit} for cec_sign: correction, -0.1 {unit} for"
+    " gauge on {address} must show +{value} {unit} for cec_sign: correction, -{value} {unit} for"
     " cec_sign: error. If it does not: load nothing, and run again with the other one. Write"
     " 0 again and switch off as in the step before.": (
-        "Avant de charger {files} : écrire 0.1 {unit} dans chaque point de {which} et activer"
+        "Avant de charger {files} : écrire {value} {unit} dans chaque point de {which} et activer"
         " {each} pour cette vérification : MD32710, NEW CONF, SD41300, NEW CONF, NCK reset. Un"
-        " comparateur sur {address} doit montrer +0.1 {unit} pour cec_sign: correction, -0.1"
-        " {unit} pour cec_sign: error. Sinon : ne rien charger, et recommencer le calcul avec"
-        " l'autre. Réécrire 0 et désactiver comme à l'étape précédente."
+        " comparateur sur {address} doit montrer +{value} {unit} pour cec_sign: correction,"
+        " -{value} {unit} pour cec_sign: error. Sinon : ne rien charger, et recommencer le calcul"
+        " avec l'autre. Réécrire 0 et désactiver comme à l'étape précédente."
     ),
     "{check} In use: {which}. The file holds its old values plus this correction. After"
-    " the check its values are 0.1 or 0: if you load nothing, load its old values of the folder"
+    " the check its values are {value} or 0: if you load nothing, load its old values of the folder"
     " rollback again, and set MD32710 and SD41300 as they were.": (
         "{check} En service : {which}. Le fichier contient ses anciennes valeurs plus cette"
-        " correction. Après la vérification ses valeurs sont 0,1 ou 0 : si rien n'est chargé,"
+        " correction. Après la vérification ses valeurs sont {value} ou 0 : si rien n'est chargé,"
         " recharger ses anciennes valeurs du dossier rollback, et remettre MD32710 et SD41300 à"
         " leur ancienne valeur."
     ),

@@ -165,23 +165,23 @@ TEXTS: Final[dict[str, str]] = {
         " (jede andere Tabelle mit dieser Ausgangsachse und einem Wert, der nicht 0 ist), und"
         " es vor allem anderen ausschalten (SD41300 = 0). MD32710 würde es wecken."
     ),
-    "Before {files} is loaded: write 0.1 {unit} into every point of {which} and switch"
+    "Before {files} is loaded: write {value} {unit} into every point of {which} and switch"
     " {each} on for this check: MD32710, NEW CONF, SD41300, NEW CONF, NCK reset. A dial"
-    " gauge on {address} must show +0.1 {unit} for cec_sign: correction, -0.1 {unit} for"
+    " gauge on {address} must show +{value} {unit} for cec_sign: correction, -{value} {unit} for"
     " cec_sign: error. If it does not: load nothing, and run again with the other one. Write"
     " 0 again and switch off as in the step before.": (
-        "Bevor {files} geladen wird: 0.1 {unit} in jeden Punkt von {which} schreiben und {each}"
+        "Bevor {files} geladen wird: {value} {unit} in jeden Punkt von {which} schreiben und {each}"
         " für diese Prüfung einschalten: MD32710, NEW CONF, SD41300, NEW CONF, NCK-Reset. Eine"
-        " Messuhr an {address} muss +0.1 {unit} zeigen für cec_sign: correction, -0.1 {unit}"
-        " für cec_sign: error. Wenn nicht: nichts laden und mit dem anderen Wert noch einmal"
+        " Messuhr an {address} muss +{value} {unit} zeigen für cec_sign: correction, -{value}"
+        " {unit} für cec_sign: error. Wenn nicht: nichts laden und mit dem anderen Wert noch einmal"
         " ausführen. Wieder 0 schreiben und ausschalten wie im Schritt davor."
     ),
     "{check} In use: {which}. The file holds its old values plus this correction. After"
-    " the check its values are 0.1 or 0: if you load nothing, load its old values of the folder"
+    " the check its values are {value} or 0: if you load nothing, load its old values of the folder"
     " rollback again, and set MD32710 and SD41300 as they were.": (
         "{check} In Gebrauch: {which}. Die Datei enthält ihre alten Werte plus diese Korrektur."
-        " Nach der Prüfung sind ihre Werte 0,1 oder 0: Wird nichts geladen, ihre alten Werte aus"
-        " dem Ordner rollback wieder laden und MD32710 und SD41300 setzen wie zuvor."
+        " Nach der Prüfung sind ihre Werte {value} oder 0: Wird nichts geladen, ihre alten Werte"
+        " aus dem Ordner rollback wieder laden und MD32710 und SD41300 setzen wie zuvor."
     ),
     "Load {files}. {error}: {output} is moved by {ends}, 0 at the reference of {input}.": (
         "{files} laden. {error}: {output} wird um {ends} bewegt, 0 an der Referenz von {input}."

@@ -159,22 +159,22 @@ TEXTS: Final[dict[str, str]] = {
         " другая таблица с этой выходной осью и значением не 0), и выключите это (SD41300 = 0)"
         " прежде всего остального. MD32710 разбудило бы его."
     ),
-    "Before {files} is loaded: write 0.1 {unit} into every point of {which} and switch"
+    "Before {files} is loaded: write {value} {unit} into every point of {which} and switch"
     " {each} on for this check: MD32710, NEW CONF, SD41300, NEW CONF, NCK reset. A dial"
-    " gauge on {address} must show +0.1 {unit} for cec_sign: correction, -0.1 {unit} for"
+    " gauge on {address} must show +{value} {unit} for cec_sign: correction, -{value} {unit} for"
     " cec_sign: error. If it does not: load nothing, and run again with the other one. Write"
     " 0 again and switch off as in the step before.": (
-        "До загрузки {files}: запишите 0.1 {unit} в каждую точку {which} и включите {each} для"
+        "До загрузки {files}: запишите {value} {unit} в каждую точку {which} и включите {each} для"
         " этой проверки: MD32710, NEW CONF, SD41300, NEW CONF, NCK reset. Индикатор на"
-        " {address} должен показать +0.1 {unit} для cec_sign: correction, -0.1 {unit} для"
+        " {address} должен показать +{value} {unit} для cec_sign: correction, -{value} {unit} для"
         " cec_sign: error. Если нет: ничего не загружайте и выполните расчёт снова с другим"
         " значением. Снова запишите 0 и выключите, как в шаге до этого."
     ),
     "{check} In use: {which}. The file holds its old values plus this correction. After"
-    " the check its values are 0.1 or 0: if you load nothing, load its old values of the folder"
+    " the check its values are {value} or 0: if you load nothing, load its old values of the folder"
     " rollback again, and set MD32710 and SD41300 as they were.": (
         "{check} Используется: {which}. В файле её прежние значения плюс эта коррекция. После"
-        " проверки её значения равны 0,1 или 0: если ничего не загружается, снова загрузите её"
+        " проверки её значения равны {value} или 0: если ничего не загружается, снова загрузите её"
         " прежние значения из папки rollback и верните MD32710 и SD41300 прежние значения."
     ),
     "Load {files}. {error}: {output} is moved by {ends}, 0 at the reference of {input}.": (
