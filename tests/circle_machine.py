@@ -23,6 +23,8 @@ class Machine:
     """Causes in the contract's units: um, um/m, ms; pitch and decay in mm, centre in mm, phase in
     rad.
 
+    ``s_shape_first`` um: straightness of third order, 2 u³ - 1.2 u with u = x / R, whose mean line
+    over the travel is zero. ``spiral`` um: growth of the radius during each run.
     ``lag`` ms: dead time that both axes have in common.
     """
 
@@ -48,7 +50,10 @@ class Machine:
     phase_second: float = 1.1
     straightness_first: float = 0.0
     straightness_second: float = 0.0
+    s_shape_first: float = 0.0
+    s_shape_second: float = 0.0
     radius_change: float = 0.0
+    spiral: float = 0.0
     lag: float = 0.0
     centre: tuple[float, float] = (0.0, 0.0)
 
@@ -125,6 +130,9 @@ def distance(machine: Machine, setup: Setup, theta: Array, sense: float) -> Arra
     )
     actual_x = actual_x + um * machine.straightness_second * (y / R) ** 2
     actual_y = actual_y + um * machine.straightness_first * (x / R) ** 2
+    u, w = x / R, y / R
+    actual_x = actual_x + um * machine.s_shape_second * (2.0 * w**3 - 1.2 * w)
+    actual_y = actual_y + um * machine.s_shape_first * (2.0 * u**3 - 1.2 * u)
     for axis, along, height, decay, points in (
         ("x", x, machine.reversal_spike_first, machine.decay_first, (0.0, np.pi)),
         ("y", y, machine.reversal_spike_second, machine.decay_second, (0.5 * np.pi, 1.5 * np.pi)),
@@ -166,6 +174,8 @@ def measured(
         angles = setup.start + (steps if name == "ccw" else setup.extent - steps)
         sense = 1.0 if name == "ccw" else -1.0
         deviations = distance(machine, setup, np.radians(angles), sense) - setup.radius
+        travelled = steps / setup.extent  # of the run, in time
+        deviations = deviations + 1e-3 * machine.spiral * (travelled - 0.5)
         if rng is not None:
             deviations = deviations + 1e-3 * noise(setup, rng)
         if name in setup.extra:

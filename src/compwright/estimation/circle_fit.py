@@ -292,7 +292,7 @@ def _lasting(samples: CircleSamples, axis: str) -> list[int]:
     """Return, for both reversal points of an axis, in how many directions the arc begins so shortly
     after this point that a reversal spike can continue inside the arc.
     """
-    if samples.arc[1] >= 2.0 * np.pi - 1e-9:
+    if samples.full_circle:
         return [0, 0]
     start = 0.0 if axis == "first" else 0.5 * np.pi
     counts = []

@@ -48,6 +48,7 @@ PRIORS: Final = {
     "backlash": 20.0,
     "lateral_play": 10.0,
     "straightness": 10.0,
+    "_s_shape": 4.0,
     "master_slave": 3.0,
     "spiral": 3.0,
     "offset_change": 3.0,
@@ -62,11 +63,12 @@ PRIORS: Final = {
     "_spike": 10.0,
     "_cyclic": 10.0,
 }
-#: Prior probability of causes and nuisances that most machines do not have.
+#: Prior probability of causes and nuisances that most machines do not have (`is_rare`).
 RARE: Final = {
     "spiral": 0.2,
     "_spiral_change": 0.1,
     "master_slave": 0.1,
+    "_s_shape": 0.3,
     "_lost_profile_first": 0.3,
     "_lost_profile_second": 0.3,
     "_lateral_change_first": 0.3,
@@ -114,14 +116,18 @@ class CircleSamples:
         """Whether the test ran in both directions."""
         return bool(np.any(self.sense > 0) and np.any(self.sense < 0))
 
+    @property
+    def full_circle(self) -> bool:
+        """Whether the runs are closed circles."""
+        return self.arc[1] >= 2.0 * np.pi - 1e-9
+
     def reversals(self, axis: str) -> tuple[bool, bool]:
         """Return whether the arc contains the reversal points of an axis at its positive and its
         negative end.
         """
         at = (0.0, np.pi) if axis == "first" else (0.5 * np.pi, 1.5 * np.pi)
-        whole = self.arc[1] >= 2.0 * np.pi - 1e-9
         inside = [
-            whole
+            self.full_circle
             or REVERSAL_MARGIN
             <= (point - self.arc[0]) % (2.0 * np.pi)
             <= self.arc[1] - REVERSAL_MARGIN
@@ -201,6 +207,16 @@ def fixed_columns(samples: CircleSamples) -> tuple[CauseColumn, ...]:
     )
 
 
+def is_rare(name: str, samples: CircleSamples) -> bool:
+    """Return whether a cause may be absent (`RARE`). On a full circle a spiral is always unknown.
+
+    From the end of a run to its start the radius jumps. Where the start is a reversal point, this
+    jump has the shape of lost motion in both directions. Only the ramp distinguishes them, which
+    correlated noise can hide. Without the spiral in the model, all of it is lost motion.
+    """
+    return name in RARE and not (name == "spiral" and samples.full_circle)
+
+
 _Named = tuple[str, FloatArray, FloatArray]
 
 
@@ -246,6 +262,7 @@ def _even(samples: CircleSamples) -> Iterator[_Named]:
     yield "squareness", -1e-6 * samples.radius * sin, zero
     yield "straightness_first", zero, UM * cos**2
     yield "straightness_second", UM * sin**2, zero
+    yield "_s_shape", zero, UM * (2.0 * cos**3 - cos)
     changeover = 0.5 * UM * np.sign(cos**2 - sin**2)
     yield "master_slave", changeover * cos, changeover * sin
 
@@ -279,7 +296,7 @@ def _lost_motion(samples: CircleSamples, axis: str) -> Iterator[_Named]:
     changes = {}
     if end is not None:
         changes["change"] = own - end
-    if samples.both_senses and any(samples.reversals(axis)):
+    if samples.full_circle or (samples.both_senses and any(samples.reversals(axis))):
         changes["profile"] = own - np.sign(own)
     for name, change in changes.items():
         moved = 0.5 * UM * lag * change

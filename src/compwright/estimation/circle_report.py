@@ -5,7 +5,7 @@ standard error, or a reason why its value is missing.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -22,6 +22,13 @@ from compwright.estimation.circle_model import (
     prior_width,
 )
 from compwright.estimation.circle_path import absent_causes, by_full_circle
+from compwright.estimation.circle_reported import (
+    ReportedCause,
+    linear_cause,
+    scale_errors,
+    scale_mismatch,
+    squareness,
+)
 from compwright.estimation.circle_reversal import INWARD, SpikeDraws
 from compwright.estimation.circle_solution import Solution
 from compwright.estimation.circle_symptoms import (
@@ -55,32 +62,6 @@ _FILTER: Final = 0.3
 #: Share of its height that a sum of two decays cuts off a spike with an edge, which an axis makes
 #: that stands still until its drive moves it (9 to 26 % by least squares).
 _EDGE: Final = 0.17
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _ReportedCause:
-    """One cause as reported: its value, random draws of the value, and its radial deviations.
-
-    ``drawn`` (d,): random draws of the value from its posterior. ``curve`` (n,): its radial
-    deviation, mm. ``variance``: variance of the value that the draws do not contain. ``of_shape``:
-    the part of this variance from the unknown shape of a spike. ``reason``: why the cause is not
-    reported.
-    """
-
-    name: str
-    value: float
-    drawn: FloatArray
-    curve: FloatArray
-    detail: bool = False
-    positive: bool = False
-    variance: float = 0.0
-    of_shape: float = 0.0
-    more: Mapping[str, float | None] = field(default_factory=dict)
-    reason: Sentence | None = None
-
-    @property
-    def std_error(self) -> float:
-        return float(np.sqrt(np.var(self.drawn) + self.variance))
 
 
 def report_effects(
@@ -128,7 +109,7 @@ def report_effects(
     return effects, correlation, reasons, diagnosis_findings(test, solution, effects, correlation)
 
 
-def _prior_reason(cause: _ReportedCause, samples: CircleSamples) -> Sentence | None:
+def _prior_reason(cause: ReportedCause, samples: CircleSamples) -> Sentence | None:
     try:
         width = prior_width(cause.name, samples.radius)
     except KeyError:
@@ -142,17 +123,17 @@ def _prior_reason(cause: _ReportedCause, samples: CircleSamples) -> Sentence | N
     )
 
 
-def _causes(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause]:
+def _causes(test: CircularTest, solution: Solution) -> Iterator[ReportedCause]:
     samples = solution.problem.samples
 
-    def linear(name: str, parts: Mapping[str, float], *, detail: bool = False) -> _ReportedCause:
-        return _linear(solution, name, parts, detail=detail)
+    def linear(name: str, parts: Mapping[str, float], *, detail: bool = False) -> ReportedCause:
+        return linear_cause(solution, name, parts, detail=detail)
 
-    yield linear("squareness", {"squareness": 1.0})
-    mismatch = _scale_mismatch(solution)
+    yield squareness(solution)
+    mismatch = scale_mismatch(solution)
     yield mismatch
     if test.calibrated:
-        yield from _scale_errors(solution, mismatch)
+        yield from scale_errors(solution, mismatch)
     lost = {axis: _lost_motion_parts(samples, axis) for axis in AXES}
     unsure = dict.fromkeys(AXES, 0.0)
     for axis in AXES:
@@ -177,27 +158,6 @@ def _causes(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause]:
     yield from _symptoms(test, solution)
 
 
-def _linear(
-    solution: Solution, name: str, parts: Mapping[str, float], *, detail: bool = False
-) -> _ReportedCause:
-    """Return the reported cause ``name``: a sum of fitted causes with the weights in ``parts``."""
-    gradient = np.zeros(len(solution.problem.names))
-    for part, weight in parts.items():
-        gradient[solution.problem.names.index(part)] = weight
-    mean = np.mean(solution.draws.values, axis=0)
-    curve = solution.problem.slopes @ (mean * (gradient != 0.0))
-    drawn = solution.draws.values @ gradient
-    hidden = solution.draws.least_error.get(name, 0.0)
-    return _ReportedCause(
-        name=name,
-        value=float(gradient @ mean),
-        drawn=drawn,
-        curve=curve,
-        detail=detail,
-        variance=max(hidden**2 - float(np.var(drawn)), 0.0),
-    )
-
-
 def _lost_motion_parts(samples: CircleSamples, axis: str) -> dict[str, float]:
     """Return the columns whose weighted sum is the mean lost motion of both ends of an axis."""
     end = samples.only_end(axis)
@@ -210,7 +170,7 @@ def _lost_motion_parts(samples: CircleSamples, axis: str) -> dict[str, float]:
 
 def _lost_motion_ends(
     solution: Solution, axis: str, parts: Mapping[str, float]
-) -> Iterator[_ReportedCause]:
+) -> Iterator[ReportedCause]:
     """Yield the lost motion at each reversal point of an axis in the arc. Its variance includes the
     uncertainty of the spike shape, times the squared slope of the drawn lost motion over the drawn
     heights (Seber and Lee, Linear Regression Analysis, 2nd ed. 2003, ch. 6).
@@ -220,7 +180,7 @@ def _lost_motion_ends(
         name = f"backlash_{axis}_at_{end}"
         if not inside:
             continue
-        cause = _linear(
+        cause = linear_cause(
             solution, name, {name if name in parts else f"backlash_{axis}": 1.0}, detail=True
         )
         if (axis, end) in spikes:
@@ -231,61 +191,7 @@ def _lost_motion_ends(
         yield cause
 
 
-def _scale_mismatch(solution: Solution) -> _ReportedCause:
-    """Return the scale mismatch after the effect of unequal servo lags is subtracted.
-
-    A first-order lag T reduces the radius of its axis by (ωT)² / 2. A mean lag of angle a and a
-    servo mismatch τ thus change the mismatch by -2 a v τ over the diameter. A dead time changes
-    nothing. It is unknown which kind of lag the axes have. Therefore half of the effect is
-    subtracted, and the other half is a standard uncertainty (two values of equal probability: JCGM
-    100:2008, 4.3.1). ``lag_taken_off`` and ``lag_error`` are these halves, um. Circles at several
-    feeds can determine the effect.
-    """
-    samples = solution.problem.samples
-    cause = _linear(solution, "scale_mismatch", {"scale_mismatch": 1.0})
-    if not samples.both_senses:
-        return replace(cause, more={"lag_taken_off": 0.0, "lag_error": 0.0})
-    names = solution.problem.names
-    drawn = solution.draws.values[:, names.index("servo_mismatch")]
-    off = samples.speed * samples.lag * drawn
-    error = samples.speed * (samples.lag + samples.lag_std) * abs(float(np.mean(drawn)))
-    either = np.where(np.arange(off.size) % 2, error, -error)
-    return replace(
-        cause,
-        value=cause.value + float(np.mean(off)),
-        drawn=cause.drawn + off + either,
-        more={"lag_taken_off": float(np.mean(off)), "lag_error": error},
-    )
-
-
-def _scale_errors(solution: Solution, mismatch: _ReportedCause) -> Iterator[_ReportedCause]:
-    """Yield the scale errors of both axes, um/m, from the radius and the scale ``mismatch``.
-
-    They are the mean radius deviation over R, plus and minus a quarter of the mismatch over R.
-    """
-    samples = solution.problem.samples
-    radius = _linear(solution, "_radius", {"_radius": 1e6 / samples.radius})
-    for axis, sign, shape in (
-        ("first", 1.0, np.cos(samples.theta) ** 2),
-        ("second", -1.0, np.sin(samples.theta) ** 2),
-    ):
-        share = sign * 0.25 * UM * 1e6 / samples.radius
-        value = radius.value + share * mismatch.value
-        yield _ReportedCause(
-            name=f"scale_error_{axis}",
-            value=value,
-            drawn=radius.drawn + share * mismatch.drawn,
-            curve=1e-6 * value * samples.radius * shape,
-            detail=True,
-            variance=share**2 * mismatch.variance,
-            more={
-                "lag_taken_off": share * (mismatch.more["lag_taken_off"] or 0.0),
-                "lag_error": abs(share) * (mismatch.more["lag_error"] or 0.0),
-            },
-        )
-
-
-def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
+def _spikes(solution: Solution, axis: str) -> Iterator[ReportedCause]:
     """Yield the mean reversal spike of an axis, then the spike at each end, followed by the spike
     of each direction if the directions probably differ.
     """
@@ -297,7 +203,7 @@ def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
     if not found:
         return
     ends = [_spike(solution, spike) for spike in found]
-    mean = _ReportedCause(
+    mean = ReportedCause(
         name=f"reversal_spike_{axis}",
         value=float(np.mean([end.value for end in ends])),
         drawn=np.mean([end.drawn for end in ends], axis=0),
@@ -317,7 +223,7 @@ def _spikes(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
 
 def _spike(
     solution: Solution, spike: SpikeDraws, index: int | None = None, suffix: str = ""
-) -> _ReportedCause:
+) -> ReportedCause:
     """Return the spike at one reversal point, positive outward. ``index`` selects a direction
     (None: mean of both); ``suffix``: end of the name of the result.
 
@@ -362,7 +268,7 @@ def _spike(
     curve = solution.problem.spike_curve(np.outer(here, np.mean(spike.curve[pick], axis=0)))
     # The part of the shape that takes up lost motion gradually is no effect of the spike.
     curve = curve * min(1.0, abs(value) * UM / max(float(np.ptp(curve)), 1e-12))
-    return _ReportedCause(
+    return ReportedCause(
         name=f"reversal_spike_{axis}_at_{end}{suffix}",
         value=value,
         drawn=heights,
@@ -380,7 +286,7 @@ def _unseen_spike(value: float, error: float) -> Sentence | None:
     return say("undetermined.spike") if error > max(_NO_SPIKE, abs(value)) else None
 
 
-def _cyclic(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
+def _cyclic(solution: Solution, axis: str) -> Iterator[ReportedCause]:
     """Yield the amplitude of the cyclic error of an axis. If none was found, the amplitude is 0,
     and its standard error is half of the largest amplitude that the search can miss.
 
@@ -400,7 +306,7 @@ def _cyclic(solution: Solution, axis: str) -> Iterator[_ReportedCause]:
         "period": 1.0 / solution.frequencies[axis],
         "phase": float(np.degrees(np.arctan2(sine, cosine))),
     }
-    yield _ReportedCause(name=name, value=value, drawn=drawn, curve=curve, positive=True, more=more)
+    yield ReportedCause(name=name, value=value, drawn=drawn, curve=curve, positive=True, more=more)
 
 
 def _amplitude(
@@ -426,10 +332,10 @@ def _stated(
     found: tuple[float, float] | None = None,
     *,
     detail: bool,
-) -> _ReportedCause:
+) -> ReportedCause:
     """Return a cause with the value and standard error ``found`` or, if None, with a ``reason``."""
     value, error = found or (0.0, 0.0)
-    return _ReportedCause(
+    return ReportedCause(
         name=name,
         value=value,
         drawn=np.zeros(solution.draws.values.shape[0]),
@@ -441,7 +347,7 @@ def _stated(
     )
 
 
-def _symptoms(test: CircularTest, solution: Solution) -> Iterator[_ReportedCause]:
+def _symptoms(test: CircularTest, solution: Solution) -> Iterator[ReportedCause]:
     yield _vibration(solution)
     for axis, name in zip(AXES, test.axes, strict=True):
         reason = (
@@ -468,7 +374,7 @@ def _faded(samples: CircleSamples, frequency: float) -> float:
     return float(1.0 - 1.0 / np.hypot(1.0, 2.0 * np.pi * frequency * slow))
 
 
-def _vibration(solution: Solution) -> _ReportedCause:
+def _vibration(solution: Solution) -> ReportedCause:
     """Return the amplitude of the vibration. If none was found, the amplitude is 0, and its
     standard error is half of the largest amplitude that the search can miss.
     """
@@ -476,7 +382,7 @@ def _vibration(solution: Solution) -> _ReportedCause:
     if found.frequency is None:
         known = np.isfinite(found.hidden)
         span = float(np.ptp(times(samples)))
-        return _ReportedCause(
+        return ReportedCause(
             name="vibration",
             value=0.0,
             drawn=np.zeros(solution.draws.values.shape[0]),
@@ -489,7 +395,7 @@ def _vibration(solution: Solution) -> _ReportedCause:
     runs = np.unique(samples.run)
     parts = [f"_vibration_{part}_{int(number)}" for number in runs for part in ("cos", "sin")]
     value, drawn, curve = _amplitude(solution, parts, runs.size)
-    return _ReportedCause(
+    return ReportedCause(
         name="vibration",
         value=value,
         drawn=drawn,

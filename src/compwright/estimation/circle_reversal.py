@@ -27,7 +27,7 @@ from compwright.estimation.circle_fit import (
     fitted_path,
     sample_spacing,
 )
-from compwright.estimation.circle_model import RARE, UM, SpikeShape, TakeUp
+from compwright.estimation.circle_model import RARE, UM, SpikeShape, TakeUp, is_rare
 from compwright.estimation.circle_noise import IndexArray
 from compwright.records.axis import FloatArray
 
@@ -81,8 +81,8 @@ class SpikeShapes:
         for slot in self.slots():
             self._find_columns(*slot)
         self.count = len(problem.names)
-        self.always = np.array([i for i, n in enumerate(problem.names) if n not in RARE])
-        self.rare = {n: i for i, n in enumerate(problem.names) if n in RARE}
+        self.rare = {n: i for i, n in enumerate(problem.names) if is_rare(n, problem.samples)}
+        self.always = np.setdiff1d(np.arange(self.count), list(self.rare.values()))
 
     def columns(self, reversal: int, slot: int) -> list[int]:
         """Return the model columns (indices) of the shape in ``slot`` at a reversal point."""

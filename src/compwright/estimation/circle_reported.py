@@ -1,0 +1,137 @@
+"""Causes of a circular test as they are reported, and the straight errors of both axes: squareness
+and scale.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.circle_model import UM
+from compwright.estimation.circle_solution import Solution
+from compwright.records.axis import FloatArray
+from compwright.words.sentences import Sentence
+
+#: Slope of the least-squares straight line through 2u³ - u over the travel -1 < u < 1: the line is
+#: (3 * 2/5 - 1) u.
+_TURN: Final = 0.2
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ReportedCause:
+    """One cause as reported: its value, random draws of the value, and its radial deviations.
+
+    ``drawn`` (d,): random draws of the value from its posterior. ``curve`` (n,): its radial
+    deviation, mm. ``variance``: variance of the value that the draws do not contain. ``of_shape``:
+    the part of this variance from the unknown shape of a spike. ``reason``: why the cause is not
+    reported.
+    """
+
+    name: str
+    value: float
+    drawn: FloatArray
+    curve: FloatArray
+    detail: bool = False
+    positive: bool = False
+    variance: float = 0.0
+    of_shape: float = 0.0
+    more: Mapping[str, float | None] = field(default_factory=dict)
+    reason: Sentence | None = None
+
+    @property
+    def std_error(self) -> float:
+        """Standard error of the value."""
+        return float(np.sqrt(np.var(self.drawn) + self.variance))
+
+
+def linear_cause(
+    solution: Solution, name: str, parts: Mapping[str, float], *, detail: bool = False
+) -> ReportedCause:
+    """Return the reported cause ``name``: a sum of fitted causes with the weights in ``parts``."""
+    gradient = np.zeros(len(solution.problem.names))
+    for part, weight in parts.items():
+        gradient[solution.problem.names.index(part)] = weight
+    mean = np.mean(solution.draws.values, axis=0)
+    curve = solution.problem.slopes @ (mean * (gradient != 0.0))
+    drawn = solution.draws.values @ gradient
+    hidden = solution.draws.least_error.get(name, 0.0)
+    return ReportedCause(
+        name=name,
+        value=float(gradient @ mean),
+        drawn=drawn,
+        curve=curve,
+        detail=detail,
+        variance=max(hidden**2 - float(np.var(drawn)), 0.0),
+    )
+
+
+def squareness(solution: Solution) -> ReportedCause:
+    """Return the squareness of the two axes.
+
+    A straightness of third order has a straight part, which depends on its reference line. A circle
+    shows the line that leaves no second harmonic, u³ - u/2 with the position u = x/R. The mean line
+    of ISO 230-1, by least squares over the travel, leaves u³ - 3u/5. The angle between both lines
+    has either sign, because it is unknown which axis is bent. It is a standard uncertainty (two
+    values of equal probability: JCGM 100:2008, 4.3.1).
+    """
+    cause = linear_cause(solution, "squareness", {"squareness": 1.0})
+    size = solution.draws.values[:, solution.problem.names.index("_s_shape")]
+    turn = _TURN * size / solution.problem.samples.radius / UM
+    return replace(cause, variance=cause.variance + float(np.mean(turn**2)))
+
+
+def scale_mismatch(solution: Solution) -> ReportedCause:
+    """Return the scale mismatch after the effect of unequal servo lags is subtracted.
+
+    A first-order lag T reduces the radius of its axis by (ωT)² / 2. A mean lag of angle a and a
+    servo mismatch τ thus change the mismatch by -2 a v τ over the diameter. A dead time changes
+    nothing. It is unknown which kind of lag the axes have. Therefore half of the effect is
+    subtracted, and the other half is a standard uncertainty (two values of equal probability: JCGM
+    100:2008, 4.3.1). ``lag_taken_off`` and ``lag_error`` are these halves, um. Circles at several
+    feeds can determine the effect.
+    """
+    samples = solution.problem.samples
+    cause = linear_cause(solution, "scale_mismatch", {"scale_mismatch": 1.0})
+    if not samples.both_senses:
+        return replace(cause, more={"lag_taken_off": 0.0, "lag_error": 0.0})
+    names = solution.problem.names
+    drawn = solution.draws.values[:, names.index("servo_mismatch")]
+    off = samples.speed * samples.lag * drawn
+    error = samples.speed * (samples.lag + samples.lag_std) * abs(float(np.mean(drawn)))
+    either = np.where(np.arange(off.size) % 2, error, -error)
+    return replace(
+        cause,
+        value=cause.value + float(np.mean(off)),
+        drawn=cause.drawn + off + either,
+        more={"lag_taken_off": float(np.mean(off)), "lag_error": error},
+    )
+
+
+def scale_errors(solution: Solution, mismatch: ReportedCause) -> Iterator[ReportedCause]:
+    """Yield the scale errors of both axes, um/m, from the radius and the scale ``mismatch``.
+
+    They are the mean radius deviation over R, plus and minus a quarter of the mismatch over R.
+    """
+    samples = solution.problem.samples
+    radius = linear_cause(solution, "_radius", {"_radius": 1e6 / samples.radius})
+    for axis, sign, shape in (
+        ("first", 1.0, np.cos(samples.theta) ** 2),
+        ("second", -1.0, np.sin(samples.theta) ** 2),
+    ):
+        share = sign * 0.25 * UM * 1e6 / samples.radius
+        value = radius.value + share * mismatch.value
+        yield ReportedCause(
+            name=f"scale_error_{axis}",
+            value=value,
+            drawn=radius.drawn + share * mismatch.drawn,
+            curve=1e-6 * value * samples.radius * shape,
+            detail=True,
+            variance=share**2 * mismatch.variance,
+            more={
+                "lag_taken_off": share * (mismatch.more["lag_taken_off"] or 0.0),
+                "lag_error": abs(share) * (mismatch.more["lag_error"] or 0.0),
+            },
+        )
