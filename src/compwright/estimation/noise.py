@@ -157,6 +157,7 @@ def _noise(
     tails = [TAILS[member] for member in members]
     spread = np.array([draw.spread for draw in draws])
     drift = np.array([draw.drift for draw in draws])
+    waves = np.array([draw.wave for draw in draws])
     return NoiseDraws(
         centre=readings.centre,
         half=readings.half,
@@ -169,7 +170,8 @@ def _noise(
         core=np.array([tail.core for tail in tails]),
         reach=REACH[members],
         pattern=np.array([draw.pattern for draw in draws]),
-        pace=np.array([draw.pace for draw in draws]),
+        pace=waves[:, 0],
+        cycles=waves[:, 1],
         moved=np.array([draw.share for draw in draws]),
         offset=sizes[:, 0],
         tilt=sizes[:, 1],

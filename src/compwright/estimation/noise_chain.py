@@ -60,7 +60,7 @@ class NoiseState:
     ``sigmas`` (`WAYS`,): equally likely alternatives for ``tail`` and ``sigma``. ``outlier`` (c,
     n): which readings are outliers.
 
-    Shifts of traverses. ``size`` (4,), ``pattern``, ``pace``, ``moved`` (q,), ``rate``: as in
+    Shifts of traverses. ``size`` (4,), ``pattern``, ``wave``, ``moved`` (q,), ``rate``: as in
     `Sizes`, but sizes in mm or deg. ``share``: share of traverses with an offset. ``drift`` (2,):
     drift of offset and of tilt. ``again`` (2,): standard deviations of offset and tilt in a
     repeated test, at least as large as in this test. ``effects`` (k,): mean shifts of the
@@ -77,7 +77,7 @@ class NoiseState:
     tails: NDArray[np.intp]
     sigmas: FloatArray
     pattern: int
-    pace: float
+    wave: tuple[float, float]
     moved: BoolArray
     share: float
     size: FloatArray
@@ -174,7 +174,7 @@ class GibbsChain:
             tails=self.tails,
             sigmas=self.sigmas,
             pattern=self.sizes.pattern,
-            pace=self.sizes.pace,
+            wave=self.sizes.wave,
             moved=self.sizes.moved,
             share=share,
             size=self.sizes.size * np.sqrt(variance),

@@ -27,13 +27,19 @@ from compwright.records.noise import (
 from compwright.records.positioning import Cycle
 
 OFFSET, TILT, DRIFT, DRIFT_TILT = range(4)
-#: Correlation times of waves, in parts of the test: one that is shorter than a traverse is scatter,
-#: one as long as the test is a drift.
-PACES: Final = np.array([0.1, 0.2, 0.4])
-#: Prior of the forms of offsets: the patterns `INDEPENDENT`, `RUNS`, `WALK`, and `WAVE` by pace. A
-#: judgement, no count: what clamps, sticks or reverses differently moves each traverse on its own,
-#: the plainest form, nearly as often as all others together.
-FORM_SHARES: Final = np.array([0.45, 0.15, 0.2, 0.2 / 3, 0.2 / 3, 0.2 / 3])
+#: Waves: correlation time in parts of the test, and oscillations per test. The first have no
+#: period: with a correlation time shorter than a traverse they are scatter, with one as long as the
+#: test a drift. The others have one, as from a heating control: fewer than half an oscillation is a
+#: drift, one in each of five runs looks like the error. Their spectra are so wide that they fill
+#: the steps between them. A test shows one amplitude of such a wave, with two degrees of freedom.
+_OSCILLATIONS: Final = np.arange(0.5, 5.0, 0.35)
+WAVES: Final = np.array([(0.1, 0.0), (0.2, 0.0), (0.4, 0.0), *((2.0, k) for k in _OSCILLATIONS)])
+#: Prior of the forms of offsets: the patterns `INDEPENDENT`, `RUNS`, `WALK`, and `WAVES`, half
+#: of them with a period. A judgement, no count: what clamps, sticks or reverses differently moves
+#: each traverse on its own, the plainest form, nearly as often as all others together.
+FORM_SHARES: Final = np.concatenate(
+    [[0.45, 0.15, 0.2], np.full(3, 0.1 / 3), np.full(_OSCILLATIONS.size, 0.1 / _OSCILLATIONS.size)]
+)
 #: Time constants of warming up, in parts of the test: none (even drift), a half, a fifth.
 RATES: Final = np.array([0.0, 2.0, 5.0])
 #: Prior of these: even drift, the plainest, in more than half of the cases; a judgement.
@@ -63,11 +69,12 @@ class Sizes:
         return min(self.form, WAVE)
 
     @property
-    def pace(self) -> float:
-        """The correlation time of offsets that follow a wave, as a share of the test; 1 for other
-        patterns.
+    def wave(self) -> tuple[float, float]:
+        """The correlation time of offsets that follow a wave, as a share of the test, and its
+        oscillations per test; 1 and 0 for other patterns.
         """
-        return float(PACES[self.form - WAVE]) if self.form >= WAVE else 1.0
+        pace, cycles = WAVES[self.form - WAVE] if self.form >= WAVE else (1.0, 0.0)
+        return float(pace), float(cycles)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -76,7 +83,7 @@ class Patterns:
     size.
 
     ``moves`` (3, q, k): effect of each possible shift; the three patterns are a shift of one
-    traverse, a shift of one run, and a step that shifts all later traverses. ``waves`` (paces, k,
+    traverse, a shift of one run, and a step that shifts all later traverses. ``waves`` (waves, k,
     k), ``tilt`` (forms, k, k): covariances of waves and of tilts. ``drift``, ``drift_tilt`` (rates,
     k): effects of a drift of offset and of tilt, one row for each rate. ``walks``: whether time
     passes between the runs, so that drift is possible.
@@ -123,13 +130,14 @@ class Patterns:
         A drawn standard deviation is that in ``sizes`` times the standard deviation of a reading,
         the root of ``variance``. The rms is about the mean of each direction. ``share``: share of
         the traverses with an offset. ``made`` (2, n): which traverses exist, by direction and run.
-        A standard deviation of 0 remains 0.
+        A standard deviation of 0 remains 0. That of a wave remains as drawn: a test shows one
+        amplitude, and the next test may show a smaller one.
         """
         found: FloatArray = sizes.size[:DRIFT] * np.sqrt(variance)
         forms = self.offset_of(sizes.form, np.ones_like(sizes.moved)), self.tilt[sizes.form]
         parts = effects.reshape(2, 2, -1)
         for kind, (unit, part) in enumerate(zip(forms, (share, 1.0), strict=True)):
-            if found[kind] == 0.0:
+            if found[kind] == 0.0 or (kind == OFFSET and sizes.form >= WAVE):
                 continue
             shown = expected = 0.0
             for way, there in enumerate(made):
@@ -167,7 +175,7 @@ def build_patterns(readings: CellReadings, cycle: Cycle, runs: tuple[int, int]) 
     offset[:, :, :, 0] = flat
     tilt[:, :, :, 1] = flat
     signs = np.repeat([1.0, -1.0], n)
-    waves = [wave_effects(order.ravel().astype(float), signs, sum(runs), pace) for pace in PACES]
+    waves = [wave_effects(order.ravel().astype(float), signs, sum(runs), *wave) for wave in WAVES]
     # By direction, offset before tilt, run.
     parts = np.stack(waves).reshape(-1, 2, 2, n, 2, 2, n).transpose(0, 2, 1, 3, 5, 4, 6)
     rows = tilt.reshape(len(moves), 2 * n, 4 * n)
@@ -176,7 +184,7 @@ def build_patterns(readings: CellReadings, cycle: Cycle, runs: tuple[int, int]) 
     return Patterns(
         moves=offset.reshape(rows.shape),
         waves=parts.reshape(-1, 4 * n, 4 * n),
-        tilt=np.concatenate([turned, np.repeat(turned[:1], len(PACES), axis=0)]),
+        tilt=np.concatenate([turned, np.repeat(turned[:1], len(WAVES), axis=0)]),
         drift=drift,
         drift_tilt=drift_tilt,
         walks=cycle == "standard" and n > 1,

@@ -109,9 +109,11 @@ def _traverses(
     order = traverse_order(positive, negative)
     offsets = _moved(draws, draws.offset, units, order)
     tilts = _moved(draws, draws.tilt, rng.standard_normal(shape), order)
-    for pace in sorted(set(draws.pace[draws.pattern == WAVE].tolist())):
-        waved = np.flatnonzero((draws.pattern == WAVE) & (draws.pace == pace))
-        root = _wave_root(positive, negative, pace)
+    waving = draws.pattern == WAVE
+    pairs = zip(draws.pace[waving].tolist(), draws.cycles[waving].tolist(), strict=True)
+    for pace, cycles in sorted(set(pairs)):
+        waved = np.flatnonzero(waving & (draws.pace == pace) & (draws.cycles == cycles))
+        root = _wave_root(positive, negative, pace, cycles)
         waves = rng.standard_normal((waved.size, root.shape[0])) @ root.T
         offset, tilt = _at_all(draws.offset[waved, np.newaxis] * waves, positive, negative)
         for way, part in ((_PLUS, slice(0, positive)), (_MINUS, slice(positive, None))):
@@ -127,15 +129,15 @@ def _few(positive: int, negative: int) -> tuple[int, int]:
     return min(positive, _MOST_WAVED), min(negative, _MOST_WAVED)
 
 
-@functools.lru_cache(maxsize=8)
-def _wave_root(positive: int, negative: int, pace: float) -> FloatArray:
+@functools.lru_cache(maxsize=32)
+def _wave_root(positive: int, negative: int, pace: float, cycles: float) -> FloatArray:
     """Return the Cholesky factor of the covariance matrix of the traverses' offsets and tilts that
     a slow disturbance causes. ``pace``: the correlation time of the disturbance, as a fraction of
-    the duration of the test.
+    the duration of the test, in which it has ``cycles`` oscillations.
     """
     few = _few(positive, negative)
     signs = np.repeat([1.0, -1.0], few)
-    unit = wave_effects(np.concatenate(traverse_order(*few)), signs, sum(few), pace)
+    unit = wave_effects(np.concatenate(traverse_order(*few)), signs, sum(few), pace, cycles)
     unit = unit.reshape(2 * signs.size, -1)
     unit.flat[:: unit.shape[0] + 1] += _LEAST  # a short traverse hardly has a tilt of its own
     return np.asarray(np.linalg.cholesky(unit), dtype=np.float64)

@@ -44,8 +44,8 @@ class NoiseDraws:
     - ``offset``, ``tilt``: standard deviations of offset_jd and tilt_jd, which are drawn anew for
       every test. ``pattern``: how they follow each other (`INDEPENDENT`, `RUNS`, `WALK`, `WAVE`).
       For `WALK` they are those of one step. For `WAVE` ``offset`` is that of the wave, whose
-      correlation time is ``pace`` of the test, and ``tilt`` is added for each traverse. ``moved``:
-      the share of the offsets (steps) that are not zero.
+      correlation time is ``pace`` of the test, with ``cycles`` oscillations per test, and ``tilt``
+      is added for each traverse. ``moved``: the share of the offsets (steps) that are not zero.
     - ``drift``, ``drift_tilt``: the drift that the test showed from its first run to its last. p is
       from `progress` with ``drift_rate``, and q from `slackening`. The drift within a run
       (`within_run`) is the same in every run and part of the error curve.
@@ -64,6 +64,7 @@ class NoiseDraws:
     reach: FloatArray
     pattern: IndexArray
     pace: FloatArray
+    cycles: FloatArray
     moved: FloatArray
     offset: FloatArray
     tilt: FloatArray
@@ -134,6 +135,7 @@ def normal_noise(sigma: FloatArray, centre: float = 0.0, half: float = 1.0) -> N
         reach=np.ones(sigma.shape),
         pattern=np.zeros(sigma.shape, dtype=np.intp),
         pace=np.ones(sigma.shape),
+        cycles=nothing,
         moved=np.ones(sigma.shape),
         offset=nothing,
         tilt=nothing,
@@ -187,26 +189,31 @@ def traverse_order(positive: int, negative: int) -> tuple[IndexArray, IndexArray
     )
 
 
-def wave_effects(order: FloatArray, signs: FloatArray, count: int, pace: float) -> FloatArray:
+def wave_effects(
+    order: FloatArray, signs: FloatArray, count: int, pace: float, cycles: float = 0.0
+) -> FloatArray:
     """Return the covariance of the offsets and tilts that a slow disturbance causes in k of the
     ``count`` traverses of a test: in those at the places ``order`` (k,) of time, with the
     directions ``signs`` (k,).
 
     Places count from 0; directions are 1 or -1. The disturbance is a wave of unit standard
-    deviation. Its correlation time ``pace`` is a part of the duration of the test. The result has
-    the shape (2, k, 2, k), offsets before tilts.
+    deviation. Its correlation time ``pace`` is a part of the duration of the test, in which it has
+    ``cycles`` oscillations. The result has the shape (2, k, 2, k), offsets before tilts.
 
-    The covariance of the wave is (1 + a) exp(-a), a = √3 t / pace (Rasmussen and Williams, Gaussian
-    Processes for Machine Learning, 2006, equation 4.17). It is that of a body with a time constant
-    in air whose temperature is a first-order process with the same time constant. Offset and tilt
-    are the first two Legendre coefficients of the wave over the time of a traverse.
+    The covariance of the wave is (1 + a) exp(-a) cos(2 π cycles t), a = √3 t / pace (Rasmussen and
+    Williams, Gaussian Processes for Machine Learning, 2006, equation 4.17). Without ``cycles`` it
+    is that of a body with a time constant in air whose temperature is a first-order process with
+    the same time constant. With them, amplitude and phase of an oscillation change slowly (Wilson
+    and Adams, Gaussian process kernels for pattern discovery and extrapolation, 2013). Offset and
+    tilt are the first two Legendre coefficients of the wave over the time of a traverse.
     """
     places, weights = np.polynomial.legendre.leggauss(_WITHIN)
     half = 0.5 / count
     times = ((order + 0.5) / count)[:, np.newaxis] + half * np.outer(signs, places)
-    apart = np.sqrt(3.0) / pace * np.abs(np.subtract.outer(times, times))
+    between = np.abs(np.subtract.outer(times, times))
+    apart = np.sqrt(3.0) / pace * between
     shapes = np.stack([0.5 * weights, 1.5 * weights * places])
-    covariance = (1.0 + apart) * np.exp(-apart)
+    covariance = (1.0 + apart) * np.exp(-apart) * np.cos(2.0 * np.pi * cycles * between)
     found: FloatArray = np.einsum("ap,ipjq,bq->aibj", shapes, covariance, shapes)
     return found
 
