@@ -309,6 +309,29 @@ def test_the_sign_is_checked_with_what_the_control_can_add(
     assert f"must show +{value} mm for cec_sign: correction, -{value} mm for" in card(folder)
 
 
+@pytest.mark.parametrize(("deviation", "doubt"), [("-12", True), ("-11.8", False), ("12", False)])
+def test_a_table_between_axes_is_not_made_twice_from_one_measurement(
+    folder: Path, capsys: pytest.CaptureFixture[str], deviation: str, doubt: bool
+) -> None:
+    """Table 0 adds 12 µm at 800 mm; a measurement with it active that shows -12 µm again is
+    probably the one from which it was made.
+    """
+    write_own_table(folder / "control")
+    job = folder / "job.yaml"
+    job.write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl, options: {cec: available,"
+        " cec_sign: correction, cec_tables: [0]}}\nstates: {as_found: [control]}\naxes:\n"
+        "  X: {travel: [0, 800], address: AX1, before: []}\n"
+        "  Y: {travel: [-500, 0], address: AX2, before: []}\ncross:\n"
+        f"  - {{input: X, output: Y, positions: [0, 800], deviations: [0, {deviation}], unit: um}}\n"
+    )
+    assert compwright(["run", str(job)]) == int(doubt)
+    assert ("CW-P167" in codes(capsys)) is doubt
+    if doubt:
+        job.write_text(job.read_text() + "acknowledged: {CW-P167: the dial showed it again}\n")
+        assert compwright(["run", str(job), "--force"]) == 0
+
+
 @pytest.mark.parametrize(("deviation", "tables"), [(8, "[0]"), (-8, "[1]")])
 def test_a_control_in_inch_takes_a_table_in_mm(folder: Path, deviation: int, tables: str) -> None:
     """MD32711 = 1: the values and positions of a CEC table are in mm, and the file of a new table

@@ -109,6 +109,22 @@ def test_an_own_table_that_cannot_be_read_is_named_with_its_reason() -> None:
     assert "direction 0" not in str(caught.value)
 
 
+@pytest.mark.parametrize("tables", [[0], [1]])
+@pytest.mark.parametrize(("line", "on"), [("", True), ("$MN_MM_CEC_MAX_POINTS[0]=0\n", False)])
+def test_a_cross_axis_table_that_is_on_and_in_no_file_is_not_free(
+    tables: Sequence[int], line: str, on: bool
+) -> None:
+    """Setting data say that table 0 is on, and only they were exported: it would be overwritten."""
+    given = files(MD__INI=f"{ON}{FACTS}{line}M17\n")
+    options = {"cec": "available", "cec_tables": tables, "cec_sign": "correction"}
+    control, axes = control_format(SIEMENS, options), [axis_of("AX1"), axis_of("AX2")]
+    if not on or tables != [0]:
+        assert not control.read(given, axes).cross
+        return
+    with pytest.raises(InputError, match=r"CEC table 0: it is switched on.*NC_CEC\.INI"):
+        control.read(given, axes)
+
+
 def test_a_table_that_is_on_and_in_no_file_is_refused_by_its_parameters() -> None:
     """Squareness alone too: what the axis does now is unknown."""
     md = f"{ON}{FACTS}$MA_NUM_ENCS[AX1]=2\n$MA_ENC_COMP_ENABLE[0,AX1]=0\n$MA_BACKLASH[1,AX1]=0\n"

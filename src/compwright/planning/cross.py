@@ -45,6 +45,9 @@ FAR = 2.0
 QUANTUM, STEP = 1e-6, 1e-3
 MOST_POINTS = 100
 _PPM = 1e6
+#: A change differs from an existing table that was made from the same readings by less than this
+#: share of it, also where these have fewer digits.
+_EQUAL = 0.005
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,7 +88,30 @@ def plan_cross(
     """
     planner = _Planner(job, circles, states, now)
     planned = tuple(planner.measured()) + tuple(planner.squareness())
-    return CrossPlan(planned, tuple(planner.findings))
+    doubled = (finding for entry in planned for finding in _counted_twice(entry, now))
+    return CrossPlan(planned, (*planner.findings, *doubled))
+
+
+def _counted_twice(entry: PlannedCross, now: ActiveCorrections) -> Iterator[Finding]:
+    """Yield the doubt CW-P167 if a change equals the present correction, because the table was
+    probably made from this very measurement.
+    """
+    added = entry.added
+    existing = now.between(entry.input, entry.output)
+    largest = float(np.max(np.abs([added.positive, added.negative])))
+    off = max(
+        float(np.max(np.abs(added.at(added.positions, way) - existing(added.positions, way))))
+        for way in Direction
+    )
+    if largest > 0.0 and off <= max(_EQUAL * largest, 2.0 * QUANTUM):
+        yield Finding.of(
+            "CW-P167",
+            "warning",
+            (entry.input, entry.output),
+            input=entry.input,
+            output=entry.output,
+            largest=1e3 * largest,
+        )
 
 
 class _Planner:

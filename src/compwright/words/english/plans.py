@@ -388,6 +388,14 @@ SENTENCES: Final[dict[str, str]] = {
         " not known well: the correction makes it worse with a probability of {percent:2sig} %."
         " Measure more full circles in both directions, and give all of them"
     ),
+    "CW-P167": (
+        "The correction of {output} over {input} that would be added equals the one that is in"
+        " the control (up to {largest:.1f} µm). If that table was made from this measurement,"
+        " the same error would be corrected twice. Measure again with the table active, or name"
+        " under measured_in the entry of `states` that was in the control during the"
+        " measurement. If the table was active, write in the job how you know it: `acknowledged:"
+        " {{CW-P167: reason}}`"
+    ),
     "grid.even": "{points} points from {start:.10g} to {end:.10g} {unit}, every {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": "predicted {name} {value:.2f} {unit} ({elsewhere:.2f} at new targets)",

@@ -63,6 +63,12 @@ SENTENCES: Final[dict[str, str]] = {
         "Every sample of {run} is exactly zero. The run was probably not measured: measure it"
         " again."
     ),
+    "CW-C014": (
+        "The deviations fit the causes of ISO 230-4 better with the angles of the cw runs"
+        " mirrored: {mirrored} rms are left, not {given}. The angles of both directions must"
+        " increase from the first axis to the second. If those of cw were counted in the"
+        " direction of travel, write 360° minus each of them."
+    ),
     "CW-T001": (
         "The standard asks for 5 approaches to each target and direction; found {counts:and}."
     ),

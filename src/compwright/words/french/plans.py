@@ -399,6 +399,14 @@ SENTENCES: Final[dict[str, str]] = {
         " mais mal connue : la correction l'aggrave avec une probabilité de {percent:2sig} %."
         " Mesurer d'autres cercles entiers dans les deux sens, et les donner tous"
     ),
+    "CW-P167": (
+        "La correction de {output} sur {input} qui serait ajoutée est égale à celle de la"
+        " commande (jusqu'à {largest:.1f} µm). Si cette table a été faite à partir de cette"
+        " mesure, la même erreur serait corrigée deux fois. Mesurer de nouveau avec la table"
+        " active, ou nommer sous measured_in l'entrée de `states` qui était dans la commande"
+        " pendant la mesure. Si la table était active, écrire dans le dossier de travail comment"
+        " on le sait : `acknowledged: {{CW-P167: raison}}`"
+    ),
     "grid.even": "{points} points de {start:.10g} à {end:.10g} {unit}, tous les {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": (

@@ -68,6 +68,12 @@ SENTENCES: Final[dict[str, str]] = {
         "Chaque point de mesure de {run} est exactement nul. Le parcours n'a probablement pas été"
         " mesuré : le mesurer de nouveau."
     ),
+    "CW-C014": (
+        "Les écarts correspondent mieux aux causes de l'ISO 230-4 si les angles des passages en"
+        " cw sont inversés : il reste {mirrored} rms au lieu de {given}. Les angles des deux"
+        " sens doivent croître du premier axe vers le second. Si ceux de cw ont été comptés dans"
+        " le sens du mouvement, écrire 360° moins chacun d'eux."
+    ),
     "CW-T001": (
         "La norme demande 5 approches de chaque point visé dans chaque sens ; trouvées :"
         " {counts:and}."

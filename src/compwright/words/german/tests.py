@@ -67,6 +67,12 @@ SENTENCES: Final[dict[str, str]] = {
         "Jeder Messpunkt von {run} ist genau null. Der Lauf wurde wahrscheinlich nicht gemessen:"
         " neu messen."
     ),
+    "CW-C014": (
+        "Die Abweichungen passen besser zu den Ursachen der ISO 230-4, wenn die Winkel der Läufe"
+        " in cw gespiegelt werden: Es bleiben {mirrored} rms statt {given}. Die Winkel beider"
+        " Richtungen müssen von der ersten zur zweiten Achse zunehmen. Wurden die von cw in"
+        " Fahrtrichtung gezählt, jeden durch 360° minus den Winkel ersetzen."
+    ),
     "CW-T001": (
         "Die Norm verlangt 5 Anfahrten je Zielposition und Richtung; gefunden: {counts:and}."
     ),

@@ -149,7 +149,10 @@ class CecReader(SingleValues):
         """Return one cross-axis table; None if its lines contain no table, or a table that cannot
         be used or written.
         """
-        if not any(name in places for name in DATA) or is_unused(places):
+        if not any(name in places for name in DATA):
+            self._refuse_missing(index, places)
+            return None
+        if is_unused(places):
             return None
         one = _CrossTableReader(self.gathered, index, places, self.activity, self.units)
         stays = self.writable.stays(one)
@@ -170,6 +173,27 @@ class CecReader(SingleValues):
         else:
             self._leave_alone(one)
         return None
+
+    def _refuse_missing(self, index: int, places: Places) -> None:
+        """Refuse a table that may be written and is switched on, if no file contains it: what it
+        adds now is unknown, and a new table would replace it.
+        """
+        on, room = last("cross_table_enabled", places), last("cross_max_points", places)
+        allowed = {*(self.writable.drafted or ())}.union(*self.writable.indices.values())
+        if index not in allowed or on is None or not same_value(on.text, "1"):
+            return
+        if room is not None and Decimal(room.text) == 0:
+            return
+        name = self.values(f"CEC table {index}").name
+        self.notes.refuse(
+            f"CEC table {index}",
+            f"it is switched on ({name('cross_table_enabled')}), but no given file contains it"
+            f" ({name('cross_value')})",
+            on,
+            expected="the file with the table too",
+            hint="export the cross-axis tables from the control (NC_CEC.INI), and add this file to"
+            " the control's files; or take the index out of `cec_tables`",
+        )
 
     def _note_empty(self) -> None:
         """Report tables of zeros whose positions cannot be read."""

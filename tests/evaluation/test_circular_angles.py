@@ -1,0 +1,63 @@
+"""Angles of one run that were counted in its direction of travel; circles from the exact path."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from circle_machine import Machine, Setup, measured
+from compwright.evaluation.circular_angles import mirrored_angles
+from compwright.records.circular import CircularTest
+
+BENT = Machine(
+    squareness=35.0,
+    backlash_first_at_positive=3.0,
+    backlash_first_at_negative=3.0,
+    backlash_second_at_positive=2.0,
+    backlash_second_at_negative=2.0,
+    reversal_spike_first=2.0,
+    servo_mismatch=0.3,
+    centre=(0.003, -0.002),
+)
+
+
+def mirrored(test: CircularTest, sense: str) -> CircularTest:
+    """The test with the angles of one direction counted as it travels."""
+    runs = (
+        replace(run, angles=np.mod(-run.angles, 360.0)) if run.sense == sense else run
+        for run in test.runs
+    )
+    return replace(test, runs=tuple(runs))
+
+
+@pytest.mark.parametrize("samples", [180, 1500])
+@pytest.mark.parametrize("lag", [0.0, 20.0])
+def test_angles_in_the_direction_of_travel_are_a_doubt(samples: int, lag: float) -> None:
+    setup = Setup(feed=1000.0, noise=0.2, samples=samples)
+    test = measured(replace(BENT, lag=lag), setup, np.random.default_rng(samples))
+    assert not mirrored_angles(test)
+    (finding,) = mirrored_angles(mirrored(test, "cw"))
+    assert finding.code == "CW-C014"
+    assert finding.is_doubt
+
+
+def test_a_ball_that_moved_between_the_runs_is_none() -> None:
+    """10 µm along the second axis, the bar well centred: mirrored, both centres agree."""
+    test = measured(replace(BENT, centre=(0.0, 0.0)), Setup(noise=0.2), np.random.default_rng(3))
+    moved = tuple(
+        replace(
+            run,
+            deviations=run.deviations
+            + (0.005 if run.sense == "cw" else -0.005) * np.sin(np.radians(run.angles)),
+        )
+        for run in test.runs
+    )
+    assert not mirrored_angles(replace(test, runs=moved))
+
+
+def test_samples_without_noise_and_arcs_are_none() -> None:
+    assert not mirrored_angles(measured(Machine(squareness=35.0), Setup()))
+    arc = measured(BENT, Setup(extent=220.0, noise=0.2), np.random.default_rng(4))
+    assert not mirrored_angles(arc)
