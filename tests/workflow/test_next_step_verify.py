@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from compwright.workflow.results.next_step import after_verify
+from compwright.workflow.results.next_step import after_run, after_verify
 
 
 def step(verdicts: dict[str, str], *codes: str) -> str:
@@ -50,3 +50,11 @@ def test_a_coupling_that_is_new_is_nothing_to_load() -> None:
     coupled = step({"X": "loaded"}, "CW-S088")
     assert coupled.startswith("Next: check on the control the coupling that CW-S088 names")
     assert coupled.endswith("compwright run job.yaml --out job --force")
+
+
+@pytest.mark.parametrize("sheet", ["entry_X.csv", "cross_X_Y.csv", "straightness_X_Y.csv"])
+def test_an_entry_sheet_is_something_to_load(sheet: str) -> None:
+    files = (Path("job") / "card" / sheet,)
+    outcome = SimpleNamespace(no_tables=False, prediction={"doubts": []}, files=files)
+    last = after_run(outcome, Path("job.yaml"), Path("job"), apart=False)
+    assert last.startswith("Next: do the steps of job/card/card.html, measure again")

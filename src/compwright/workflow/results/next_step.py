@@ -11,6 +11,8 @@ from typing import Any, Final
 #: Stands for the folder with the files that were saved from the control after loading.
 READ_BACK = "READ_BACK"
 _AFTER = "AFTER_FILE"
+#: How the names of entry sheets begin.
+_SHEETS: Final = ("entry_", "cross_", "straightness_")
 #: What shells read inside of double quotes.
 _ODD: Final = re.compile(r'["$`\\!%]')
 
@@ -35,7 +37,7 @@ def after_run(outcome: Any, job: Path, out: Path, *, apart: bool) -> str:
             f"Next: do the steps of {card}, save the control's files to {READ_BACK}, then type: "
             + _command("compare", out, "--loaded", READ_BACK)
         )
-    if any(path.name.startswith(("entry_", "cross_")) for path in outcome.files):
+    if any(path.name.startswith(_SHEETS) for path in outcome.files):
         return f"Next: do the steps of {card}, measure again, then type: " + _command(
             "verify", job, "--after", _AFTER, *(("--plan", out) if apart else ())
         )
