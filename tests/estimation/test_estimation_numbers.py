@@ -28,6 +28,7 @@ from compwright.estimation.circle_model import (
     TakeUp,
     circle_samples,
     cyclic_columns,
+    fixed_columns,
     lag_column,
     since_reversal,
     spike_columns,
@@ -62,14 +63,24 @@ def radial(of: CircleSamples, x: Array, y: Array) -> Array:
 
 # ---------------------------------------------------------------- circles
 
-#: Radial deviation, µm by rad, of one unit of each smooth cause (handbook's table; the first
+#: Radial deviation, µm by rad, of one unit of each cause (handbook's table; the first
 #: harmonic of a sag belongs to the centre): mismatch over the diameter, squareness in µm/m.
 SHAPES: dict[str, Any] = {
     "scale_mismatch": lambda t: 0.25 * np.cos(2 * t),
     "squareness": lambda t: -0.5 * R * 1e-3 * np.sin(2 * t),
     "straightness_first": lambda t: np.cos(t) ** 2 * np.sin(t) - 0.25 * np.sin(t),
     "straightness_second": lambda t: np.sin(t) ** 2 * np.cos(t) - 0.25 * np.cos(t),
+    "backlash_first": lambda t: 0.5 * np.sign(np.sin(t)) * np.cos(t),
+    "backlash_second": lambda t: -0.5 * np.sign(np.cos(t)) * np.sin(t),
+    "lateral_play_first": lambda t: -0.5 * np.abs(np.sin(t)),
+    "lateral_play_second": lambda t: 0.5 * np.abs(np.cos(t)),
+    "_centre_x": lambda t: np.cos(t) / UM,
+    "_centre_y": lambda t: np.sin(t) / UM,
 }
+
+
+#: These change their sign with the direction: the shapes are those of ccw.
+ODD = ("backlash", "lateral_play")
 
 
 @pytest.mark.parametrize("sense", [1.0, -1.0])
@@ -77,21 +88,25 @@ SHAPES: dict[str, Any] = {
 def test_a_lag_moves_the_trace_of_a_cause_by_its_slope(name: str, sense: float) -> None:
     """What was measured at θ belongs to θ - d lag: the trace differs by -d lag times its slope."""
     of, value, h = samples(sense), 7.0, 1e-6
-    found = lag_column(of, {name: value})
-    shape = SHAPES[name]
+    ends = [f"{name}_at_{end}" for end in ("positive", "negative")]
+    known = dict.fromkeys(ends if name.startswith("backlash") else [name], value)
+    found = lag_column(of, fixed_columns(of), known)
+    shape, sign = SHAPES[name], sense if name.startswith(ODD) else 1.0
     slope = (shape(of.theta + h) - shape(of.theta - h)) / (2.0 * h)
-    expected = -sense * of.lag_std * value * UM * slope
-    assert radial(of, found.x, found.y) == pytest.approx(expected, abs=1e-12)
+    expected = -sense * sign * of.lag_std * value * UM * slope
+    assert radial(of, found.x, found.y) == pytest.approx(expected, rel=1e-9, abs=1e-12)
 
 
 def test_a_late_machine_is_seen_where_it_is() -> None:
     """Constant feed: what is commanded at θ arrives d v T / R later."""
     of = samples(-1.0)
-    assert at_actual_angles(of, Lag(2e-3, 1e-4)).theta == pytest.approx(of.theta + 2e-3, abs=1e-15)
-    assert at_actual_angles(samples(), Lag(2e-3, 1e-4)).theta == pytest.approx(
+    assert at_actual_angles(of, Lag(2e-3, 1e-4, clear=True)).theta == pytest.approx(
+        of.theta + 2e-3, abs=1e-15
+    )
+    assert at_actual_angles(samples(), Lag(2e-3, 1e-4, clear=True)).theta == pytest.approx(
         of.theta - 2e-3, abs=1e-15
     )
-    assert at_actual_angles(of, Lag(2e-3, 1e-4)).lag_std == 1e-4
+    assert at_actual_angles(of, Lag(2e-3, 1e-4, clear=True)).lag_std == 1e-4
 
 
 @pytest.mark.parametrize("axis", ["first", "second"])

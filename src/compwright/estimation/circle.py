@@ -81,15 +81,16 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
     a wrong period.
     """
     _refuse(test, periods or {})
+    every = circle_samples(test)
     test = replace(test, runs=tuple(map(_average_neighbours, test.runs)))
     samples = circle_samples(test)
     _refuse_few(test, samples)
     frequencies, findings = _visible_periods(test, samples, periods or {})
     measured, plain, grid = samples, harmonic_regression(samples), angle_grid(samples)
-    start, lag = _start_fit(samples, grid)
+    start = _start_fit(samples, grid, common_lag(every))
     samples = start.problem.samples
-    if lag is not None:
-        findings.append(_lag_finding(samples, lag))
+    if samples.lag:
+        findings.append(_lag_finding(samples))
     solution = _solution(start, frequencies)
     effects, correlation, undetermined, noticed = report_effects(
         test, solution, undetermined_causes(test, samples)
@@ -286,10 +287,9 @@ def _visible_periods(
     return frequencies, findings
 
 
-def _lag_finding(samples: CircleSamples, lag: Lag) -> Finding:
-    time = 1e3 * lag.angle * samples.radius / samples.speed
-    doubt = 1e3 * lag.doubt * samples.radius / samples.speed
-    return Finding.of("CW-D011", "info", lag=time, error=doubt)
+def _lag_finding(samples: CircleSamples) -> Finding:
+    time = 1e3 * samples.radius / samples.speed
+    return Finding.of("CW-D011", "info", lag=time * samples.lag, error=time * samples.lag_std)
 
 
 @dataclass(frozen=True, slots=True)
@@ -308,20 +308,19 @@ class _CircleStart:
         return fit_evidence(self.fitted, self.shapes.precision) + self.shapes.log_prior
 
 
-def _start_fit(samples: CircleSamples, grid: AngleGrid) -> tuple[_CircleStart, Lag | None]:
-    """Return the first fit of a circular test. It includes a common lag of both axes if a lag
-    explains the samples better.
+def _start_fit(samples: CircleSamples, grid: AngleGrid, lag: Lag) -> _CircleStart:
+    """Return the first fit of a circular test. It includes the common ``lag`` of both axes if this
+    is clear and explains the samples better.
 
     Next to the reversal points, lost motion that is taken up while an axis stands still looks like
     a lag. Therefore the model is fitted with and without the lag, and the evidence of the whole
     model decides.
     """
-    without = _likeliest(circle_problem(with_undetected_lag(samples), grid))
-    lag = common_lag(samples)
-    if lag is None:
-        return without, None
+    without = _likeliest(circle_problem(with_undetected_lag(samples, lag), grid))
+    if not lag.clear:
+        return without
     late = _likeliest(circle_problem(at_actual_angles(samples, lag), grid))
-    return (late, lag) if late.evidence > without.evidence else (without, None)
+    return late if late.evidence > without.evidence else without
 
 
 def _likeliest(problem: CircleProblem, *starts: _CircleStart) -> _CircleStart:

@@ -163,7 +163,7 @@ def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
     fixed = list(fixed_columns(samples))
     towards, target, known = _linear(samples, fixed)
     if samples.lag_std > 0.0:
-        fixed.append(lag_column(samples, known))
+        fixed.append(lag_column(samples, fixed, known))
     reversals, spikes = _reversals(samples, len(fixed))
     slopes = np.column_stack([c.x * towards[0] + c.y * towards[1] for c in fixed])
     shapes = np.array([c.x * towards[0] + c.y * towards[1] for c in spikes])

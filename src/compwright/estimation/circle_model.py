@@ -22,7 +22,7 @@ Inspection of NC Machine Tools by Double Ball Bar Method, 1993.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -74,8 +74,10 @@ RARE: Final = {
     "_lateral_change_first": 0.3,
     "_lateral_change_second": 0.3,
 }
+#: Causes that displace the tool by a constant along a quarter of the circle.
+_DISPLACED: Final = ("_centre", "offset_change", "backlash", "lateral_play")
 #: How slow instrument and drive may be, s, and how much of a cyclic error that may lose.
-_RESPONSE: Final = 0.003
+RESPONSE: Final = 0.003
 _MOST_FADING: Final = 0.3
 #: Closer to its reversal point (rad) the direction of an axis is a matter of rounding; such a
 #: sample tells nothing.
@@ -374,28 +376,34 @@ def spike_columns(
     return found
 
 
-def lag_column(samples: CircleSamples, known: Mapping[str, float]) -> CauseColumn:
+def lag_column(
+    samples: CircleSamples, fixed: Iterable[CauseColumn], known: Mapping[str, float]
+) -> CauseColumn:
     """Return the effect (n,), mm, that an uncertainty ``lag_std`` of the delay has on the
-    deviations. ``known``: sizes of causes from a first fit, by name.
+    deviations. ``known``: sizes of the causes with the columns ``fixed`` from a first fit, by name.
 
-    The effect is the slope of the ``known`` smooth causes along the motion (derivatives by θ of the
-    table in the module docstring; ISO 230-4:1996, annex B). The part that shifts the centre is left
-    out. Of straightness, k cos²θ sinθ = k/4 (sinθ + sin3θ), only the third harmonic counts, because
-    the first harmonic is an offset of the centre. A servo mismatch τ, large at a high feed, changes
-    the scale mismatch by 4 v τ per radian.
+    The effect is the slope of the ``known`` causes along the motion (derivatives by θ of the table
+    in the module docstring; ISO 230-4:1996, annex B). The part that shifts the centre is left out.
+    Of straightness, k cos²θ sinθ = k/4 (sinθ + sin3θ), only the third harmonic counts, because the
+    first harmonic is an offset of the centre. A servo mismatch τ, large at a high feed, changes the
+    scale mismatch by 4 v τ per radian. Under centre, lost motion and lateral play the tool is
+    displaced by the same (x, y) along a quarter of the circle, so that the slope is y cosθ - x
+    sinθ.
     """
+    cos, sin = np.cos(samples.theta), np.sin(samples.theta)
     double, triple = 2.0 * samples.theta, 3.0 * samples.theta
     slope = (
         -0.5 * UM * known.get("scale_mismatch", 0.0) * np.sin(double)
         - 1e-6 * samples.radius * known.get("squareness", 0.0) * np.cos(double)
         + 0.75 * UM * known.get("straightness_first", 0.0) * np.cos(triple)
         + 0.75 * UM * known.get("straightness_second", 0.0) * np.sin(triple)
-        - known.get("_centre_x", 0.0) * np.sin(samples.theta)
-        + known.get("_centre_y", 0.0) * np.cos(samples.theta)
         + samples.sense * (UM * samples.speed * known.get("servo_mismatch", 0.0)) * np.cos(double)
     )
+    for column in fixed:
+        if column.name.startswith(_DISPLACED):
+            slope = slope + known.get(column.name, 0.0) * (column.y * cos - column.x * sin)
     moved = -samples.lag_std * samples.sense * slope
-    return CauseColumn("_lag", moved * np.cos(samples.theta), moved * np.sin(samples.theta), 1.0)
+    return CauseColumn("_lag", moved * cos, moved * sin, 1.0)
 
 
 def cyclic_columns(
@@ -425,7 +433,7 @@ def cyclic_columns(
     faded = -(behind**2) * (amplitudes[0] * cosine + amplitudes[1] * sine)
     spacing = samples.radius * samples.arc[1] * np.unique(samples.run).size / samples.theta.size
     sooner = float(np.hypot(samples.lag_std * samples.radius, spacing))
-    lost = 0.5 * (2.0 * np.pi * frequency) ** 2 * (spacing**2 + (_RESPONSE * samples.speed) ** 2)
+    lost = 0.5 * (2.0 * np.pi * frequency) ** 2 * (spacing**2 + (RESPONSE * samples.speed) ** 2)
     named = [
         (f"_cyclic_cos_{axis}", cosine, PRIORS["_cyclic"]),
         (f"_cyclic_sin_{axis}", sine, PRIORS["_cyclic"]),
