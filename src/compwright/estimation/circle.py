@@ -51,6 +51,7 @@ from compwright.records.circular import (
     FittedRun,
     FreshRun,
 )
+from compwright.words.sentences import say
 
 #: ISO 230-4 asks for arcs of at least 90°; a shorter one tells hardly anything apart.
 LEAST_ARC: Final = 90.0
@@ -92,9 +93,12 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
     if samples.lag:
         findings.append(_lag_finding(samples))
     solution = _solution(start, frequencies)
-    effects, correlation, undetermined, noticed = report_effects(
-        test, solution, undetermined_causes(test, samples)
-    )
+    reasons = undetermined_causes(test, samples)
+    if measured.theta.size < every.theta.size:
+        # The mean of neighbouring samples is smaller than a vibration, and may have another
+        # frequency.
+        reasons["vibration"] = say("undetermined.averaged", most=MOST_SAMPLES)
+    effects, correlation, undetermined, noticed = report_effects(test, solution, reasons)
     return Diagnosis(
         effects=effects,
         plain={name: plain[name] for name in effects if name in plain},
@@ -398,6 +402,11 @@ def _fit_with_noise(weighted: WeightedProblem, shapes: SpikeShapes) -> CircleFit
         ]
         if max(changes) < _NOISE_STEADY:
             break
+    else:
+        # The covariance has to belong to the last spectra.
+        active = shapes.active()
+        weighted = weighted_problem(weighted.problem, spectra, active)
+        fitted = fit_causes(weighted, active, shapes.precision)
     return replace(fitted, spectra=spectra)
 
 
