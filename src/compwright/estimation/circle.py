@@ -9,13 +9,18 @@ of each cause on a circle is described in ISO 230-4:1996, annex B.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_cyclic import longest_pitch, search_cyclic, shortest_pitch
+from compwright.estimation.circle_cyclic import (
+    CyclicSearch,
+    longest_pitch,
+    search_cyclic,
+    shortest_pitch,
+)
 from compwright.estimation.circle_fit import (
     CircleFit,
     CircleProblem,
@@ -311,6 +316,16 @@ class _CircleStart:
         """The log probability of the readings and the spike shapes under this fit."""
         return fit_evidence(self.fitted, self.shapes.precision) + self.shapes.log_prior
 
+    def cyclic(self, axes: Sequence[str]) -> CyclicSearch:
+        """Return the result of the search for cyclic errors of the ``axes``. The causes are fitted
+        again first: the covariance has to belong to the last noise spectra.
+        """
+        active = self.fitted.active
+        weighted = weighted_problem(self.problem, self.fitted.spectra, active)
+        return search_cyclic(
+            self.problem, fit_causes(weighted, active, self.shapes.precision), axes
+        )
+
 
 def _start_fit(samples: CircleSamples, grid: AngleGrid, lag: Lag) -> _CircleStart:
     """Return the first fit of a circular test. It includes the common ``lag`` of both axes if this
@@ -354,7 +369,7 @@ def _solution(start: _CircleStart, given: dict[str, float]) -> Solution:
     if given:
         start = _likeliest(start.problem, start)
     open_axes = [axis for axis in AXES if axis not in frequencies]
-    found = search_cyclic(start.problem, start.fitted, open_axes)
+    found = start.cyclic(open_axes)
     while found.found:
         for axis, frequency in found.found.items():
             problem, frequencies[axis] = _fit_cyclic(start, axis, frequency)
@@ -362,7 +377,7 @@ def _solution(start: _CircleStart, given: dict[str, float]) -> Solution:
         open_axes = [axis for axis in AXES if axis not in frequencies]
         if not open_axes:
             break
-        found = search_cyclic(start.problem, start.fitted, open_axes)
+        found = start.cyclic(open_axes)
     problem, shapes, fitted = start.problem, start.shapes, start.fitted
     problem, fitted, waves = _add_vibration(problem, shapes, fitted)
     draws = draw_shapes(
@@ -402,11 +417,6 @@ def _fit_with_noise(weighted: WeightedProblem, shapes: SpikeShapes) -> CircleFit
         ]
         if max(changes) < _NOISE_STEADY:
             break
-    else:
-        # The covariance has to belong to the last spectra.
-        active = shapes.active()
-        weighted = weighted_problem(weighted.problem, spectra, active)
-        fitted = fit_causes(weighted, active, shapes.precision)
     return replace(fitted, spectra=spectra)
 
 
