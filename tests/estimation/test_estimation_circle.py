@@ -557,11 +557,10 @@ def test_plain_regression_agrees_with_the_vendor() -> None:
     assert found.plain["lateral_play_second"] == pytest.approx(0.6, abs=0.3)
     assert found.plain["radius_change"] == pytest.approx(-0.2, abs=0.3)
     assert found.plain["servo_mismatch"] == pytest.approx(-0.01, abs=0.02)  # ms
-    for name in (
-        "squareness",
-        "scale_mismatch",
-    ):  # no spikes in these: the full model says the same within its error
-        assert abs(found.effects[name].value - found.plain[name]) < found.effects[name].std_error
+    # Unequal spikes count as scale in the plain model: within two errors, as for any value.
+    for name in ("squareness", "scale_mismatch"):
+        effect = found.effects[name]
+        assert abs(effect.value - found.plain[name]) < 2.0 * effect.std_error
 
 
 # ---------------------------------------------------------------- parts and refusals

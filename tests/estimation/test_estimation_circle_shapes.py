@@ -44,3 +44,22 @@ def test_a_spiral_that_begins_at_a_reversal_point_is_no_lost_motion(
     for name, true in truth(machine, setup).items():
         if name.startswith("backlash"):
             assert abs(found[name].value - true) < 2.5 * found[name].std_error, name
+
+
+@pytest.mark.parametrize("ramp", [True, False])
+@pytest.mark.parametrize("time", [0.02, 0.05, 0.08])
+def test_a_changeover_that_takes_a_time_is_no_scale_mismatch(time: float, ramp: bool) -> None:
+    """A change of the radius by 3 µm at 45°, 135°, ..., passed in a time after these angles."""
+    setup = Setup(radius=50.0, feed=4000.0, noise=0.1)
+    steps = (np.arange(setup.samples) + 0.5) * 360.0 / setup.samples
+    since = np.radians(np.mod(steps - 45.0, 90.0)) * setup.radius / (setup.feed / 60.0)
+    into = np.where(np.mod(steps - 45.0, 180.0) < 90.0, -1.5, 1.5)
+    left = np.maximum(1.0 - since / time, 0.0) if ramp else np.exp(-since / time)
+    change = into * (1.0 - 2.0 * left)
+    # The same angles by the time of a cw run, which begins at 360°: 45° from there is 315°.
+    extra = {"ccw": change, "cw": change}
+    test = measured(Machine(), replace(setup, extra=extra), np.random.default_rng(9))
+    found = diagnose(test).effects
+    assert abs(found["master_slave"].value - 3.0) < 2.0 * found["master_slave"].std_error
+    assert abs(found["scale_mismatch"].value) < 2.0 * found["scale_mismatch"].std_error
+    assert found["scale_mismatch"].std_error < 1.0

@@ -43,7 +43,8 @@ from compwright.estimation.circle_noise import (
 from compwright.estimation.circle_path import undetermined_causes
 from compwright.estimation.circle_plain import harmonic_regression
 from compwright.estimation.circle_report import report_effects
-from compwright.estimation.circle_reversal import SpikeShapes, choose_shapes, draw_shapes
+from compwright.estimation.circle_reversal import choose_shapes, draw_shapes
+from compwright.estimation.circle_shapes import SpikeShapes
 from compwright.estimation.circle_solution import Solution
 from compwright.estimation.circle_vibration import Vibration, search_vibration, vibration_columns
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all

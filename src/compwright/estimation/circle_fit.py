@@ -24,8 +24,10 @@ from compwright.estimation.circle_model import (
     CircleSamples,
     SpikeShape,
     TakeUp,
+    changeover_columns,
     fixed_columns,
     lag_column,
+    sample_spacing,
     spike_columns,
 )
 from compwright.estimation.circle_noise import (
@@ -162,6 +164,7 @@ def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
     """Return the equations of a circular test, without cyclic errors and vibration."""
     fixed = list(fixed_columns(samples))
     towards, target, known = _linear(samples, fixed)
+    fixed += changeover_columns(samples)
     if samples.lag_std > 0.0:
         fixed.append(lag_column(samples, fixed, known))
     reversals, spikes = _reversals(samples, len(fixed))
@@ -313,12 +316,6 @@ def _take_ups(radius: float, spacing: float) -> list[TakeUp]:
         return []
     count = int(np.ceil(np.log(most / least) / np.log(_TAKEN_RATIO))) + 1
     return [TakeUp(float(length)) for length in np.geomspace(least, most, count)]
-
-
-def sample_spacing(samples: CircleSamples) -> float:
-    """Return the length of arc between neighbouring samples of a run, mm."""
-    runs = np.unique(samples.run).size
-    return float(samples.radius * samples.arc[1] * runs / samples.theta.size)
 
 
 @dataclass(frozen=True, slots=True)

@@ -50,6 +50,9 @@ PRIORS: Final = {
     "straightness": 10.0,
     "_s_shape": 4.0,
     "master_slave": 3.0,
+    "_changeover_after": 1.0,
+    "_changeover_before": 1.0,
+    "_changeover_late": 1.0,
     "spiral": 3.0,
     "offset_change": 3.0,
     "radius_change": 3.0,
@@ -68,6 +71,9 @@ RARE: Final = {
     "spiral": 0.2,
     "_spiral_change": 0.1,
     "master_slave": 0.1,
+    "_changeover_after": 0.1,
+    "_changeover_before": 0.1,
+    "_changeover_late": 0.1,
     "_s_shape": 0.3,
     "_lost_profile_first": 0.3,
     "_lost_profile_second": 0.3,
@@ -76,6 +82,10 @@ RARE: Final = {
 }
 #: Causes that displace the tool by a constant along a quarter of the circle.
 _DISPLACED: Final = ("_centre", "offset_change", "backlash", "lateral_play")
+#: Least and longest time, s, that a changeover of master and slave axis may take, if it is no step,
+#: and how many times are tried.
+_CHANGEOVER: Final = (0.005, 0.08)
+_TRIED: Final = 5
 #: How slow instrument and drive may be, s, and how much of a cyclic error that may lose.
 RESPONSE: Final = 0.003
 _MOST_FADING: Final = 0.3
@@ -209,14 +219,16 @@ def fixed_columns(samples: CircleSamples) -> tuple[CauseColumn, ...]:
     )
 
 
-def is_rare(name: str, samples: CircleSamples) -> bool:
-    """Return whether a cause may be absent (`RARE`). On a full circle a spiral is always unknown.
+def rare_cause(name: str, samples: CircleSamples) -> str | None:
+    """Return the cause in `RARE` of which a model column is one shape, or None if the column is in
+    every model. On a full circle a spiral is.
 
     From the end of a run to its start the radius jumps. Where the start is a reversal point, this
     jump has the shape of lost motion in both directions. Only the ramp distinguishes them, which
     correlated noise can hide. Without the spiral in the model, all of it is lost motion.
     """
-    return name in RARE and not (name == "spiral" and samples.full_circle)
+    cause = name.partition("@")[0]
+    return cause if cause in RARE and not (cause == "spiral" and samples.full_circle) else None
 
 
 _Named = tuple[str, FloatArray, FloatArray]
@@ -248,6 +260,12 @@ def _set_up(samples: CircleSamples) -> Iterator[_Named]:
         yield "_spiral_change", samples.sense * progress * cos, samples.sense * progress * sin
 
 
+def sample_spacing(samples: CircleSamples) -> float:
+    """Return the length of arc between neighbouring samples of a run, mm."""
+    runs = np.unique(samples.run).size
+    return float(samples.radius * samples.arc[1] * runs / samples.theta.size)
+
+
 def travelled_share(samples: CircleSamples) -> FloatArray:
     """Return the completed share of the run at each sample, minus a half (n,): -0.5 to 0.5."""
     share = np.empty_like(samples.theta)
@@ -265,8 +283,39 @@ def _even(samples: CircleSamples) -> Iterator[_Named]:
     yield "straightness_first", zero, UM * cos**2
     yield "straightness_second", UM * sin**2, zero
     yield "_s_shape", zero, UM * (2.0 * cos**3 - cos)
-    changeover = 0.5 * UM * np.sign(cos**2 - sin**2)
+    changeover = 0.5 * UM * np.sign(np.cos(2.0 * samples.commanded))
     yield "master_slave", changeover * cos, changeover * sin
+
+
+def changeover_columns(samples: CircleSamples) -> list[CauseColumn]:
+    """Return model columns, um, of a change of the radius that takes a time, where the faster axis
+    changes: at the commanded angle of 45° and every 90° from there.
+
+    ``master_slave@``: a change by 1 um, as a first-order response or as a ramp from the point on,
+    for each time that is tried. ``_changeover_*@``: what dies out in that time before or after the
+    point, or is largest that time after it. They make other responses of it.
+    """
+    spacing = sample_spacing(samples) / samples.speed
+    times = np.geomspace(max(_CHANGEOVER[0], 0.7 * spacing), max(_CHANGEOVER[1], spacing), _TRIED)
+    turned = samples.sense * (samples.commanded - 0.25 * np.pi) + 0.25 * np.pi
+    since = (np.mod(turned, 0.5 * np.pi) - 0.25 * np.pi) * samples.radius / samples.speed
+    into = samples.sense * (2.0 * np.mod(np.floor(turned / (0.5 * np.pi)), 2.0) - 1.0)
+    share = since / times[:, np.newaxis]
+    after = np.where(share >= 0.0, np.exp(-np.maximum(share, 0.0)), 0.0)
+    first_order = np.where(share >= 0.0, 0.5, -0.5) - after
+    ramps = np.clip(share, 0.0, 1.0) - 0.5
+    named = {
+        "master_slave": np.concatenate([first_order, ramps]),
+        "_changeover_before": np.where(share < 0.0, np.exp(np.minimum(share, 0.0)), 0.0),
+        "_changeover_after": after,
+        "_changeover_late": np.e * share * after,
+    }
+    cos, sin = UM * into * np.cos(samples.theta), UM * into * np.sin(samples.theta)
+    return [
+        CauseColumn(f"{name}@{index}", shape * cos, shape * sin, PRIORS[name])
+        for name, shapes in named.items()
+        for index, shape in enumerate(shapes, 1)
+    ]
 
 
 def _odd(samples: CircleSamples) -> Iterator[_Named]:
@@ -431,7 +480,7 @@ def cyclic_columns(
     cosine, sine = UM * np.cos(phase), -UM * np.sin(phase)
     slope = 2.0 * np.pi * (amplitudes[0] * sine - amplitudes[1] * cosine)
     faded = -(behind**2) * (amplitudes[0] * cosine + amplitudes[1] * sine)
-    spacing = samples.radius * samples.arc[1] * np.unique(samples.run).size / samples.theta.size
+    spacing = sample_spacing(samples)
     sooner = float(np.hypot(samples.lag_std * samples.radius, spacing))
     lost = 0.5 * (2.0 * np.pi * frequency) ** 2 * (spacing**2 + (RESPONSE * samples.speed) ** 2)
     named = [

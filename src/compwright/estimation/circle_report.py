@@ -12,7 +12,6 @@ import numpy as np
 
 from compwright.estimation.circle_centre import radial_ranges
 from compwright.estimation.circle_findings import diagnosis_findings
-from compwright.estimation.circle_fit import sample_spacing
 from compwright.estimation.circle_lag import shrink_uncertainty
 from compwright.estimation.circle_model import (
     AXES,
@@ -20,10 +19,12 @@ from compwright.estimation.circle_model import (
     UM,
     CircleSamples,
     prior_width,
+    sample_spacing,
 )
 from compwright.estimation.circle_path import absent_causes, by_full_circle
 from compwright.estimation.circle_reported import (
     ReportedCause,
+    changeover,
     linear_cause,
     scale_errors,
     scale_mismatch,
@@ -153,8 +154,8 @@ def _causes(test: CircularTest, solution: Solution) -> Iterator[ReportedCause]:
     if samples.both_senses:
         for name in ("radius_change", "offset_change_first", "offset_change_second"):
             yield linear(name, {name: 1.0})
-    for name in ("spiral", "master_slave"):
-        yield linear(name, {name: 1.0})
+    yield linear("spiral", {"spiral": 1.0})
+    yield changeover(solution)
     yield from _symptoms(test, solution)
 
 

@@ -13,7 +13,6 @@ George and McCulloch, Statistica Sinica 7, 1997).
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
 
@@ -25,22 +24,20 @@ from compwright.estimation.circle_fit import (
     Reversal,
     WeightedProblem,
     fitted_path,
-    sample_spacing,
 )
-from compwright.estimation.circle_model import RARE, UM, SpikeShape, TakeUp, is_rare
+from compwright.estimation.circle_model import RARE, UM, SpikeShape, sample_spacing
 from compwright.estimation.circle_noise import IndexArray
+from compwright.estimation.circle_shapes import (
+    DECAYS,
+    PRIOR,
+    SLOTS,
+    THERE,
+    UNLIKE,
+    SpikeShapes,
+    set_shape,
+)
 from compwright.records.axis import FloatArray
 
-#: Decays that a spike may be the sum of, and the slot of the take-up of lost motion.
-_DECAYS: Final = 2
-SLOTS: Final = _DECAYS + 1
-#: Standard deviations of the amplitudes of a decay or take-up, um, equally probable: a single wide
-#: one would make small ones improbable (Bartlett, Biometrika 44, 1957).
-_SIZES: Final = np.array([0.4, 2.0, 10.0])
-_PRIOR: Final = (_SIZES**-2.0)[:, np.newaxis]
-#: Prior probability that a decay is there, and that the two directions differ in it.
-_THERE: Final = 0.5
-_UNLIKE: Final = 0.1
 #: Sweeps over all reversal points to find the likeliest shapes, to forget the start, and to draw.
 _CLIMBS: Final = 4
 _FORGOTTEN: Final = 6
@@ -60,110 +57,6 @@ _HIDDEN: Final = 4.0
 _PAIRS: Final = 6
 
 
-class SpikeShapes:
-    """The spike shapes in the model: the sum of up to `SLOTS` shapes at each reversal point. Each
-    shape has an index (-1: no shape) and can differ between the two directions.
-    """
-
-    def __init__(self, problem: CircleProblem) -> None:
-        self.present = dict.fromkeys(RARE, True)
-        self.place = np.full((len(problem.reversals), SLOTS), -1)
-        self.unlike = np.zeros((len(problem.reversals), SLOTS), dtype=bool)
-        self.size = np.zeros((len(problem.reversals), SLOTS), dtype=np.intp)
-        self.adopt(problem)
-
-    def adopt(self, problem: CircleProblem) -> None:
-        """Use these shapes in the equations ``problem``, whose columns have other numbers."""
-        self.reversals = problem.reversals
-        self._kinds = [_kinds_of(reversal) for reversal in problem.reversals]
-        self.precision = problem.widths**-2.0
-        self._columns: dict[tuple[int, int], list[int]] = {}
-        for slot in self.slots():
-            self._find_columns(*slot)
-        self.count = len(problem.names)
-        self.rare = {n: i for i, n in enumerate(problem.names) if is_rare(n, problem.samples)}
-        self.always = np.setdiff1d(np.arange(self.count), list(self.rare.values()))
-
-    def columns(self, reversal: int, slot: int) -> list[int]:
-        """Return the model columns (indices) of the shape in ``slot`` at a reversal point."""
-        return self._columns[reversal, slot]
-
-    def at(self, place: tuple[int, int] | str) -> tuple[object, ...]:
-        """Return columns and size of the shape at ``place``, or if a rare cause is in the model."""
-        if isinstance(place, str):
-            return (self.present[place],)
-        return *self._columns[place], self.size[place]
-
-    def put(
-        self, reversal: int, slot: int, place: int, *, unlike: bool = False, size: int = 0
-    ) -> None:
-        """Put the shape with index ``place`` (-1: none) in this ``slot`` of a reversal point;
-        ``unlike``: it differs by direction; ``size``: index of its prior standard deviation.
-        """
-        self.place[reversal, slot] = place
-        if place >= 0:
-            self.unlike[reversal, slot], self.size[reversal, slot] = unlike, size
-        self._find_columns(reversal, slot)
-
-    def _find_columns(self, reversal: int, slot: int) -> None:
-        place, here = self.place[reversal, slot], self.reversals[reversal]
-        found = [int(here.alike[place])] if place >= 0 else []
-        if found and self.unlike[reversal, slot]:
-            found.append(int(here.unlike[place]))
-        self._columns[reversal, slot] = found
-        self.precision[found] = _SIZES[self.size[reversal, slot]] ** -2.0
-
-    def chosen(self, but: tuple[int, int] | str | None = None) -> IndexArray:
-        """Return the columns of all spikes and rare causes in the model, except that of ``but``."""
-        rare = [column for name, column in self.rare.items() if self.present[name] and name != but]
-        found = [
-            column
-            for place, columns in self._columns.items()
-            if columns and place != but
-            for column in columns
-        ]
-        return np.array(rare + found, dtype=np.intp)
-
-    def active(self) -> IndexArray:
-        """Return all columns (causes of deviation) that are in the model."""
-        return np.concatenate([self.always, self.chosen()])
-
-    def options(self, reversal: int, slot: int) -> IndexArray:
-        """Return the indices of the shapes that are possible in a ``slot`` of a reversal point."""
-        return self._kinds[reversal][slot >= _DECAYS]
-
-    @property
-    def log_prior(self) -> float:
-        """The logarithm of the prior probability of the spikes and rare causes in the model."""
-        total = 0.0
-        for reversal, slot in self.slots():
-            count = self.options(reversal, slot).size * _SIZES.size
-            if self.place[reversal, slot] < 0:
-                total += float(np.log(1.0 - _THERE)) if count else 0.0
-                continue
-            total += float(np.log(_THERE / count))
-            if self.reversals[reversal].unlike.size:
-                unlike = self.unlike[reversal, slot]
-                total += float(np.log(_UNLIKE if unlike else 1.0 - _UNLIKE))
-        for name in self.rare:
-            total += float(np.log(RARE[name] if self.present[name] else 1.0 - RARE[name]))
-        return total
-
-    def slots(self) -> Iterator[tuple[int, int]]:
-        """Yield each pair of a reversal point and a shape number (slot), as indices."""
-        for slot in range(SLOTS):
-            for reversal in range(len(self.reversals)):
-                yield reversal, slot
-
-
-def _kinds_of(reversal: Reversal) -> tuple[IndexArray, IndexArray]:
-    """Return the indices of the decaying spikes, and of the gradual take-ups of lost motion, among
-    the shapes of a reversal point.
-    """
-    take_up = np.array([isinstance(shape, TakeUp) for shape in reversal.shapes], dtype=bool)
-    return np.flatnonzero(~take_up), np.flatnonzero(take_up)
-
-
 def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
     """Change the spike shapes one at a time until no change makes the fit more probable."""
     marginal = weighted.without(shapes.always)
@@ -177,25 +70,13 @@ def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
                 continue
             before = shapes.at(place)
             if isinstance(place, str):
-                shapes.present[place] = _odds(marginal, shapes, place)[0] > 0.0
+                shapes.present[place] = int(np.argmax(_odds(marginal, shapes, place)[0])) - 1
             else:
-                _set(shapes, *place, int(np.argmax(every[place].evidence(marginal, shapes))))
+                set_shape(shapes, *place, int(np.argmax(every[place].evidence(marginal, shapes))))
             changes += shapes.at(place) != before
             compared[place] = changes
         if changes == start:
             break
-
-
-def _set(shapes: SpikeShapes, reversal: int, slot: int, option: int) -> None:
-    """Replace the shape in ``slot`` at a reversal point by possibility ``option`` (0: no shape)."""
-    options = shapes.options(reversal, slot)
-    if option == 0:
-        shapes.put(reversal, slot, -1)
-        return
-    # Alike or not, size, place: the order of `_Options.evidence`.
-    rest, place = divmod(option - 1, options.size)
-    unlike, size = divmod(rest, _SIZES.size)
-    shapes.put(reversal, slot, int(options[place]), unlike=bool(unlike), size=size)
 
 
 class _Tried:
@@ -229,15 +110,27 @@ class _Tried:
         return self.right - known.T @ (root @ marginal.right[chosen]), weight, known
 
 
-def _odds(marginal: MarginalEquations, shapes: SpikeShapes, name: str) -> tuple[float, float]:
-    """Return log odds that the rare cause ``name`` exists, and the standard error of its size."""
-    tried = _Tried(marginal, np.array([shapes.rare[name]]))
-    rest, found, _ = tried.added(marginal, shapes, shapes.chosen(name))
-    prior = shapes.precision[shapes.rare[name]]
-    weight = float(found[0] + prior)
-    gain = 0.5 * float(rest[0]) ** 2 / weight - 0.5 * math.log(weight / prior)
-    odds = RARE[name] / (1.0 - RARE[name])
-    return math.log(odds) + gain, 1.0 / math.sqrt(weight)
+def _odds(
+    marginal: MarginalEquations, shapes: SpikeShapes, name: str
+) -> tuple[FloatArray, FloatArray]:
+    """Return the log probability of each possibility of a rare cause: absent, or one of its m
+    shapes (1 + m,), and the standard error of its size for each shape (m,).
+    """
+    columns = np.array(shapes.rare[name])
+    rest, found, _ = _Tried(marginal, columns).added(marginal, shapes, shapes.chosen(name))
+    prior = shapes.precision[columns]
+    weight = found + prior
+    gain = 0.5 * rest**2 / weight - 0.5 * np.log(weight / prior)
+    there = math.log(RARE[name] / columns.size)
+    if name.startswith("_changeover") and shapes.present["master_slave"] < 0:
+        there = -math.inf  # the response of a changeover that is absent
+    return np.concatenate([[math.log(1.0 - RARE[name])], there + gain]), 1.0 / np.sqrt(weight)
+
+
+def _drawn(score: FloatArray, rng: np.random.Generator) -> int:
+    """Return the index of a possibility, drawn by the log probabilities ``score``."""
+    chance = np.exp(score - score.max()).cumsum()
+    return min(int(chance.searchsorted(rng.random() * chance[-1])), score.size - 1)
 
 
 class _Options:
@@ -265,25 +158,25 @@ class _Options:
         if not count:
             return np.zeros(1)
         rest, found, known = self.tried.added(marginal, shapes, shapes.chosen(self.place))
-        weight = found[:count] + _PRIOR
-        alike = 0.5 * rest[:count] ** 2 / weight - 0.5 * np.log(weight / _PRIOR)
+        weight = found[:count] + PRIOR
+        alike = 0.5 * rest[:count] ** 2 / weight - 0.5 * np.log(weight / PRIOR)
         # Two slots with one shape are one decay of another size.
         reversal, slot = self.place
         for each in range(SLOTS):
             if each != slot:
                 alike[:, self.options == shapes.place[reversal, each]] = -np.inf
-        there = np.log(_THERE / alike.size)
+        there = np.log(THERE / alike.size)
         if not self.both:
-            return np.concatenate([[np.log(1.0 - _THERE)], there + alike.ravel()])
+            return np.concatenate([[np.log(1.0 - THERE)], there + alike.ravel()])
         cross = self.cross - np.einsum("ct,ct->t", known[:, :count], known[:, count:])
-        left = np.maximum(found[count:] - cross**2 / weight, 0.0) + _PRIOR
+        left = np.maximum(found[count:] - cross**2 / weight, 0.0) + PRIOR
         more = rest[count:] - cross / weight * rest[:count]
-        unlike = alike + 0.5 * more**2 / left - 0.5 * np.log(left / _PRIOR)
+        unlike = alike + 0.5 * more**2 / left - 0.5 * np.log(left / PRIOR)
         return np.concatenate(
             [
-                [np.log(1.0 - _THERE)],
-                there + np.log(1.0 - _UNLIKE) + alike.ravel(),
-                there + np.log(_UNLIKE) + unlike.ravel(),
+                [np.log(1.0 - THERE)],
+                there + np.log(1.0 - UNLIKE) + alike.ravel(),
+                there + np.log(UNLIKE) + unlike.ravel(),
             ]
         )
 
@@ -345,13 +238,11 @@ def draw_shapes(
     recorded = [_Recorder(weighted.problem, reversal) for reversal in shapes.reversals]
     for sweep in range(_FORGOTTEN + _SWEEPS):
         for place, options in every.items():
-            score = options.evidence(marginal, shapes)
-            chance = np.exp(score - score.max()).cumsum()
-            option = int(chance.searchsorted(rng.random() * chance[-1]))
-            _set(shapes, *place, min(option, score.size - 1))
+            set_shape(shapes, *place, _drawn(options.evidence(marginal, shapes), rng))
         for name in shapes.rare if sweep % _RARELY == 0 else ():
-            odds, errors[name] = _odds(marginal, shapes, name)
-            shapes.present[name] = bool(np.log(1.0 / max(rng.random(), 1e-300) - 1.0) < odds)
+            score, each = _odds(marginal, shapes, name)
+            shapes.present[name] = _drawn(score, rng) - 1
+            errors[name] = float(each[np.argmax(score[1:])])
         if sweep < _FORGOTTEN:
             continue
         active = shapes.active()
@@ -455,7 +346,7 @@ class _Recorder:
             if len(columns) > 1:
                 size = size + of[columns[1]][:, np.newaxis] * self.senses
             self.curve[:, place] += np.mean(size, axis=0)
-            if slot >= _DECAYS:
+            if slot >= DECAYS:
                 size = of_the_spike(size, curve[:, :, 0], of[self.lost][:, np.newaxis])
             else:
                 sizes[place] = size
@@ -488,7 +379,7 @@ class _Recorder:
         slow = slow - 0.5 * unseen
         self.parts.append((heights, depths, slow, unseen, deepest - depths, decay, rise))
         self.there += bool(sizes)
-        decays = slice(_DECAYS)
+        decays = slice(DECAYS)
         turned = shapes.unlike[index, decays] & (shapes.place[index, decays] >= 0)
         self.unlike += bool(np.any(turned))
 
