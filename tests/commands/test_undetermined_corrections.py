@@ -117,6 +117,8 @@ def test_a_scale_that_the_path_cannot_separate_is_no_table(
         (12.0, 7.0, "undetermined"),  # -2 to 26 µm/m: nothing at all, or more than 15
         (-12.0, 7.0, "undetermined"),
         (100.0, 30.0, "undetermined"),
+        (0.03, 0.004, "negligible"),  # 0.03 µm over a metre: no table holds that
+        (-1.5, 0.2, "correct"),
     ],
 )
 def test_an_interval_of_95_percent_decides(value: float, std_error: float, need: str) -> None:

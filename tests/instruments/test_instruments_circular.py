@@ -392,11 +392,21 @@ def test_repeated_angles_without_run_ask_for_the_column() -> None:
     )
 
 
+def test_millimetres_in_a_column_of_micrometres_are_a_doubt() -> None:
+    """A circle of G = 20 µm, whose deviations are in mm."""
+    body = "".join(
+        f"{way},{angle:g},{0.01 * np.cos(np.radians(2.0 * angle)):.5f}\n"
+        for way in ("ccw", "cw")
+        for angle in FULL
+    )
+    assert "CW-R036" in codes(read(csv(body, "direction,angle_deg,deviation_um")))
+
+
 def test_what_is_remarkable() -> None:
     body = "".join(f"ccw,{angle:g},0,a\ncw,{angle:g},1500.5,b\n" for angle in FULL)
     test = read(csv(body, "direction,angle_deg,deviation_um,note"))
     assert codes(test) == ["CW-R001", "CW-R005", "CW-R035", "CW-R036"]
-    assert "Every deviation of run ccw 1 is zero" in test.findings[-1].message
+    assert "Every deviation of run ccw 1 is below 0.1 µm" in test.findings[-1].message
 
 
 def test_what_is_circular() -> None:

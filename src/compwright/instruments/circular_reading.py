@@ -3,7 +3,7 @@
 Codes made here:
 
 - ``CW-R035`` warning: a deviation of a circle larger than 1 mm
-- ``CW-R036`` warning: a run of zeros
+- ``CW-R036`` warning: a run whose deviations are all below the resolution of a ballbar
 - ``CW-R037`` warning: files of one test differ in facts other than those that identify the test
 """
 
@@ -26,7 +26,7 @@ from compwright.instruments.circular_arcs import check_same_arc
 from compwright.instruments.circular_csv import read_circular_csv
 from compwright.instruments.fault_list import FaultList
 from compwright.instruments.own_forms import spans_of_plain_csv
-from compwright.instruments.plausibility import LARGEST_PLAUSIBLE, SMALLEST_PLAUSIBLE
+from compwright.instruments.plausibility import LARGEST_PLAUSIBLE
 from compwright.instruments.reading import stem
 from compwright.instruments.spans import Grammar
 from compwright.records.circular import CircularRun, CircularTest
@@ -35,6 +35,8 @@ _SAME_RADIUS: Final = 1e-6  # mm, rounding of printed lengths
 #: Feeds of the runs of one test may differ by the override's last digit and by sampling, not more.
 _SAME_FEED: Final = 0.05
 _SAME_CENTRE: Final = 0.01  # mm
+#: Resolution of a ballbar, mm: smaller deviations are in another unit, or were not measured.
+_RESOLUTION: Final = 1e-4
 
 
 @dataclass(frozen=True, slots=True)
@@ -216,11 +218,11 @@ def _plausibility(test: CircularTest) -> list[Finding]:
     largest = max(float(np.abs(run.deviations).max()) for run in test.runs)
     if largest > LARGEST_PLAUSIBLE:
         findings.append(Finding.of("CW-R035", "warning", largest=largest))
-    zero = [
+    small = [
         f"{run.sense} {run.number}"
         for run in test.runs
-        if float(np.abs(run.deviations).max()) < SMALLEST_PLAUSIBLE
+        if float(np.abs(run.deviations).max()) < _RESOLUTION
     ]
-    if zero:
-        findings.append(Finding.of("CW-R036", "warning", runs=zero))
+    if small:
+        findings.append(Finding.of("CW-R036", "warning", runs=small))
     return findings

@@ -10,6 +10,9 @@ from compwright.words.sentences import Sentence, say
 MOST_UNCERTAIN: Final = 30.0
 #: A value that stays below this with two standard errors, µm/m, needs no correction.
 NEGLIGIBLE: Final = 15.0
+#: A well known value below this, µm/m, needs none either: over a metre it is the usual unit of a
+#: table, 1 µm.
+LEAST: Final = 1.0
 _BOTH_SIDES: Final = 2.0  # standard errors to either end of the 95 % interval
 
 Need = Literal["correct", "negligible", "undetermined"]
@@ -20,7 +23,7 @@ def correction_need(value: float, std_error: float) -> Need:
     ``undetermined`` (too uncertain).
     """
     uncertainty = _BOTH_SIDES * std_error
-    if uncertainty < most_uncertain(value):
+    if uncertainty < most_uncertain(value) and abs(value) >= LEAST:
         return "correct"
     return "negligible" if abs(value) + uncertainty < NEGLIGIBLE else "undetermined"
 

@@ -98,8 +98,8 @@ SENTENCES: Final[dict[str, str]] = {
         " nominal et montage."
     ),
     "CW-R036": (
-        "Chaque écart du parcours {runs} est nul (moins de 0,001 µm). Vérifier si le parcours a"
-        " été mesuré."
+        "Chaque écart du parcours {runs} est inférieur à 0,1 µm, la résolution d'un ballbar."
+        " Vérifier l'unité des écarts, et si le parcours a été mesuré."
     ),
     "CW-R037": (
         "L'instrument n'était pas étalonné pour {files}. Le rayon absolu n'est donc utilisé pour"

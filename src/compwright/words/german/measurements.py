@@ -100,8 +100,8 @@ SENTENCES: Final[dict[str, str]] = {
         " Aufbau prüfen."
     ),
     "CW-R036": (
-        "Jede Abweichung in Lauf {runs} ist null (unter 0,001 µm). Prüfen, ob der Lauf gemessen"
-        " wurde."
+        "Jede Abweichung in Lauf {runs} liegt unter 0,1 µm, der Auflösung eines"
+        " Kreisformmessgeräts. Einheit der Abweichungen prüfen, und ob der Lauf gemessen wurde."
     ),
     "CW-R037": (
         "Das Messgerät war für {files} nicht kalibriert. Der absolute Radius wird deshalb für"
