@@ -342,5 +342,7 @@ def test_the_effect_of_a_spike_is_no_larger_than_the_spike(name: str, tmp_path: 
     causes = json.loads(answer.read_text("utf-8"))["results"][0]["diagnosis"]
     ends = {key: each for key, each in causes.items() if "spike" in key and "_at_" in key}
     assert len(ends) >= 4
-    for each in ends.values():
+    known = [each for each in ends.values() if each["value"] is not None]
+    assert len(known) >= 3
+    for each in known:
         assert each["effect"] <= abs(each["value"]) + 1e-3
