@@ -20,6 +20,8 @@ from compwright.words.sentences import SentenceText
 #: Digits after the decimal point: takes away the noise of binary numbers and the last bits of the
 #: fit, keeps every real digit.
 _DIGITS: Final = OUTSIDE
+#: Decimals of fitted deviations, µm: processors round a fit differently by up to 1e-9 µm.
+_FITTED: Final = 4
 _SENSES: Final = ("ccw", "cw")
 #: Units of the causes that several circles show together; lags are in ms.
 _UNITS: Final = {"squareness": "um/m", "scale_error": "um/m", "backlash": "um"}
@@ -192,8 +194,8 @@ def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
                 "direction": run.sense,
                 "number": run.number,
                 "angles": _numbers(run.angles),
-                "deviations": _numbers(run.deviations * MICROMETRES_PER_MILLIMETRE),
-                "residuals": _numbers(run.residuals * MICROMETRES_PER_MILLIMETRE),
+                "deviations": _numbers(run.deviations * MICROMETRES_PER_MILLIMETRE, _FITTED),
+                "residuals": _numbers(run.residuals * MICROMETRES_PER_MILLIMETRE, _FITTED),
             }
             for run in diagnosis.fitted
         ],
@@ -249,9 +251,9 @@ def _run(run: CircularRun) -> dict[str, Any]:
     }
 
 
-def _numbers(values: FloatArray) -> list[float | None]:
+def _numbers(values: FloatArray, digits: int = _DIGITS) -> list[float | None]:
     """Return a list of numbers for JSON, with None in place of each number that is not finite."""
     if not np.all(np.isfinite(values)):
         return [_number(value) for value in values.tolist()]
-    rounded: list[float | None] = (np.round(values, _DIGITS) + 0.0).tolist()
+    rounded: list[float | None] = (np.round(values, digits) + 0.0).tolist()
     return rounded
