@@ -10,6 +10,14 @@ from typing import Final
 
 import numpy as np
 
+from compwright.estimation.circle_causes import (
+    ReportedCause,
+    changeover,
+    linear_cause,
+    scale_errors,
+    scale_mismatch,
+    squareness,
+)
 from compwright.estimation.circle_centre import radial_ranges
 from compwright.estimation.circle_findings import diagnosis_findings
 from compwright.estimation.circle_lag import shrink_uncertainty
@@ -22,14 +30,6 @@ from compwright.estimation.circle_model import (
     sample_spacing,
 )
 from compwright.estimation.circle_path import absent_causes, by_full_circle
-from compwright.estimation.circle_reported import (
-    ReportedCause,
-    changeover,
-    linear_cause,
-    scale_errors,
-    scale_mismatch,
-    squareness,
-)
 from compwright.estimation.circle_reversal import INWARD, SpikeDraws
 from compwright.estimation.circle_solution import Solution
 from compwright.estimation.circle_symptoms import (
