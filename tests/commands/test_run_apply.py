@@ -309,12 +309,15 @@ def test_the_sign_is_checked_with_what_the_control_can_add(
     assert f"must show +{value} mm for cec_sign: correction, -{value} mm for" in card(folder)
 
 
-@pytest.mark.parametrize(("deviation", "doubt"), [("-12", True), ("-11.8", False), ("12", False)])
+@pytest.mark.parametrize(
+    ("deviation", "doubt"),
+    [("-12", True), ("-12.4", True), ("-11.6", True), ("-10", False), ("12", False), ("-1", False)],
+)
 def test_a_table_between_axes_is_not_made_twice_from_one_measurement(
     folder: Path, capsys: pytest.CaptureFixture[str], deviation: str, doubt: bool
 ) -> None:
     """Table 0 adds 12 µm at 800 mm; a measurement with it active that shows -12 µm again is
-    probably the one from which it was made.
+    probably the one from which it was made. Whole increments of 1 µm hide up to 0.5 µm.
     """
     write_own_table(folder / "control")
     job = folder / "job.yaml"
@@ -330,6 +333,41 @@ def test_a_table_between_axes_is_not_made_twice_from_one_measurement(
     if doubt:
         job.write_text(job.read_text() + "acknowledged: {CW-P167: the dial showed it again}\n")
         assert compwright(["run", str(job), "--force"]) == 0
+
+
+@pytest.mark.parametrize(
+    ("squareness", "bent", "measured_in", "doubt"),
+    [
+        (15, "Y", "as_found", True),
+        (15.6, "Y", "as_found", True),  # rounded by 0.5 µm over 800 mm
+        (15, "X", "as_found", True),  # the same angle on the other axis
+        (22, "Y", "as_found", False),
+        (30, "Y", "idle", False),  # the table was not active, and holds half of it
+    ],
+)
+def test_a_circle_is_not_corrected_twice(
+    folder: Path,
+    capsys: pytest.CaptureFixture[str],
+    squareness: float,
+    bent: str,
+    measured_in: str,
+    *,
+    doubt: bool,
+) -> None:
+    """Table 0 corrects 15 µm/m; a circle that shows them with it active was probably its source."""
+    write_own_table(folder / "control")
+    write_circle(folder / "xy.csv", Bent(squareness=squareness * 1e-6).circle(3))
+    job = folder / "job.yaml"
+    job.write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl, options: {cec: available,"
+        " cec_sign: correction, cec_tables: [0, 1]}}\nstates: {as_found: [control], idle: none}\n"
+        "axes:\n  X: {travel: [0, 800], address: AX1, before: []}\n"
+        "  Y: {travel: [-500, 0], address: AX2, before: []}\n"
+        f"circles: [{{file: xy.csv, name: xy, centre: [400, -250], measured_in: {measured_in}}}]\n"
+        f"apply: {{squareness: {{XY: {bent}}}}}\n"
+    )
+    assert compwright(["run", str(job)]) == int(doubt)
+    assert ("CW-P167" in codes(capsys)) is doubt
 
 
 @pytest.mark.parametrize(("deviation", "tables"), [(8, "[0]"), (-8, "[1]")])
@@ -412,6 +450,23 @@ def test_no_axis_of_a_gantry_is_moved_alone(
     assert "racks the machine" in shown
     assert next_step in shown
     assert "reference offset of the gantry" not in shown or output == "Y2"
+
+
+def test_a_gantry_slave_is_named_by_its_address(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """AX5 is Y2 in the job; `gantry: Y2` would be another axis, and Y2 could be bent alone."""
+    job = folder / "job.yaml"
+    job.write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl, options: {cec: available,"
+        " cec_sign: correction, cec_tables: [0]}}\nstates: {as_found: none}\naxes:\n"
+        "  X: {travel: [0, 800], address: AX1, before: []}\n"
+        "  Y: {travel: [-500, 0], address: AX2, gantry: Y2, before: []}\n"
+        "  Y2: {travel: [-500, 0], address: AX5, before: []}\ncross:\n"
+        "  - {input: X, output: Y2, positions: [0, 800], deviations: [0, 8], unit: um}\n"
+    )
+    assert compwright(["run", str(job)]) == 2
+    assert "Next: write `gantry: AX5`" in capsys.readouterr().err
 
 
 def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(

@@ -107,10 +107,14 @@ def _states(states: Any) -> Iterator[KeyFault]:
 
 
 def _addresses(axes: Any) -> Iterator[KeyFault]:
-    """Yield a fault if two axes have the same address (they would get the same table), or if an
-    axis is its own gantry slave.
+    """Yield a fault if two axes have the same address (they would get the same table), if an axis
+    is its own gantry slave, or if a gantry slave is named by the name of its axis in the job.
     """
     seen: dict[str, str] = {}
+    addresses = {
+        str(name): str(mapping_of(axis).get("address", name))
+        for name, axis in mapping_of(axes).items()
+    }
     for name, axis in mapping_of(axes).items():
         section = mapping_of(axis)
         address = section.get("address", name)
@@ -125,7 +129,16 @@ def _addresses(axes: Any) -> Iterator[KeyFault]:
                 shown(address),
             )
         gantry = section.get("gantry")
-        if str(mapping_of(gantry).get("axis", gantry)) == str(address):
+        slave = str(mapping_of(gantry).get("axis", gantry))
+        if slave not in addresses.values() and addresses.get(slave, slave) != slave:
+            yield KeyFault(
+                ("axes", name, "gantry"),
+                "is the name of an axis of the job, which has another address on the control",
+                "the address of the synchronised axis",
+                shown(slave),
+                hint=f"write `gantry: {addresses[slave]}`",
+            )
+        if slave == str(address):
             yield KeyFault(
                 ("axes", name, "gantry"),
                 "is the axis itself",

@@ -17,6 +17,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from compwright.foundations.findings import Finding, Severity
+from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.circle_network import squareness_contradiction
 from compwright.planning.circles import CircleWork, effect_of, why_undetermined
 from compwright.planning.value_with_error import (
@@ -31,9 +32,9 @@ from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.circular import CircularRun
 from compwright.records.correction import CrossCompensation
 from compwright.records.correction_need import correction_need, shortfall
-from compwright.records.job import CrossRequest, Job, other_axis
+from compwright.records.job import AS_FOUND, CrossRequest, Job, other_axis
 from compwright.records.plan import PlannedCross
-from compwright.words.sentences import Sentence, say
+from compwright.words.sentences import Amount, Sentence, say
 
 #: What a good granite square is true to, rad: two values closer than this agree.
 SQUARE = 5e-6
@@ -45,9 +46,13 @@ FAR = 2.0
 QUANTUM, STEP = 1e-6, 1e-3
 MOST_POINTS = 100
 _PPM = 1e6
-#: A change differs from an existing table that was made from the same readings by less than this
-#: share of it, also where these have fewer digits.
+#: A change differs from an existing correction that was made from the same readings by less than
+#: this share of it, also where these have fewer digits,
 _EQUAL = 0.005
+#: or by what the largest usual increment of a table rounds, mm, or by the error of the measurement;
+#: these count up to this share, because small corrections are not all made from one measurement.
+_INCREMENT = 1e-3
+_SIMILAR = 0.25
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,30 +93,7 @@ def plan_cross(
     """
     planner = _Planner(job, circles, states, now)
     planned = tuple(planner.measured()) + tuple(planner.squareness())
-    doubled = (finding for entry in planned for finding in _counted_twice(entry, now))
-    return CrossPlan(planned, (*planner.findings, *doubled))
-
-
-def _counted_twice(entry: PlannedCross, now: ActiveCorrections) -> Iterator[Finding]:
-    """Yield the doubt CW-P167 if a change equals the present correction, because the table was
-    probably made from this very measurement.
-    """
-    added = entry.added
-    existing = now.between(entry.input, entry.output)
-    largest = float(np.max(np.abs([added.positive, added.negative])))
-    off = max(
-        float(np.max(np.abs(added.at(added.positions, way) - existing(added.positions, way))))
-        for way in Direction
-    )
-    if largest > 0.0 and off <= max(_EQUAL * largest, 2.0 * QUANTUM):
-        yield Finding.of(
-            "CW-P167",
-            "warning",
-            (entry.input, entry.output),
-            input=entry.input,
-            output=entry.output,
-            largest=1e3 * largest,
-        )
+    return CrossPlan(planned, tuple(planner.findings))
 
 
 class _Planner:
@@ -174,14 +156,51 @@ class _Planner:
             float(np.ptp(where)),
             "measured range",
         )
-        compensation = self._table(request.input, request.output, where, curves, slope)
-        return PlannedCross(
+        planned = PlannedCross(
             input=request.input,
             output=request.output,
-            added=compensation,
+            added=self._table(request.input, request.output, where, curves, slope),
             source="cross",
             squareness=slope,
         )
+        if request.measured_in == AS_FOUND:
+            self._check_repeated(planned, where, curves)
+        return planned
+
+    def _check_repeated(
+        self, planned: PlannedCross, where: FloatArray, curves: Mapping[Direction, FloatArray]
+    ) -> None:
+        """Add the doubt CW-P167 if the ``curves`` (n,) of a change at the positions ``where`` equal
+        the present correction, up to a constant. A correction of the other axis counts with its
+        slope.
+        """
+        now = self.now.between(planned.input, planned.output)
+        ends = np.array(self.axes[planned.output].travel)
+        back = self.now.between(planned.output, planned.input)
+        turned = np.mean([np.diff(back(ends, way)) for way in Direction]) / np.ptp(ends)
+        off = min(
+            np.ptp([curves[way] - now(where, way) - slope * where for way in Direction])
+            for slope in (0.0, turned)
+        )
+        self._doubt_repeated(planned, float(off), float(np.ptp([*curves.values()])), _INCREMENT)
+
+    def _doubt_repeated(self, planned: PlannedCross, off: float, size: float, error: float) -> None:
+        """Add the doubt CW-P167 if a change of the ``size`` differs from the present correction
+        hardly more than the ``error`` of this comparison: by ``off``, all in one unit. The table
+        was then probably made from this very measurement.
+        """
+        if size > 0.0 and off <= max(_EQUAL * size, min(error, _SIMILAR * size)):
+            added = planned.added
+            unit = added.output_kind.unit
+            largest = float(np.max(np.abs([added.positive, added.negative])))
+            self.find(
+                "CW-P167",
+                "warning",
+                (planned.input, planned.output),
+                input=planned.input,
+                output=planned.output,
+                largest=Amount(largest * outside_factor(unit), shown_unit(unit), ".1f"),
+            )
 
     def _table(
         self,
@@ -304,7 +323,7 @@ class _Planner:
         name = "".join(sorted((given, bent)))
         in_ppm = angle.value * _PPM, angle.std_error * _PPM
         self.findings += worse_doubts(*in_ppm, (given, bent), name)
-        return PlannedCross(
+        planned = PlannedCross(
             input=given,
             output=bent,
             added=_compensation(axis, self.axes[bent], points, values, values),
@@ -313,6 +332,17 @@ class _Planner:
             squareness=angle.value,
             std_error=angle.std_error,
         )
+        # On either axis, from any reference, over a part of the travel: the angle is what counts.
+        now = [
+            angle_of(work, self.now)
+            for work in self.circles
+            if work.name in angle.tests and work.planned.measured_in == AS_FOUND
+        ]
+        if now:
+            off = abs(float(np.mean(now)) - angle.value)
+            error = max(2.0 * angle.std_error, _INCREMENT / angle.diameter)
+            self._doubt_repeated(planned, off, abs(angle.value), error)
+        return planned
 
     def _angles(self, circles: Sequence[CircleWork]) -> Iterator[tuple[frozenset[str], Squareness]]:
         """Yield the squareness of each pair of axes under the present corrections, as weighted mean

@@ -389,8 +389,8 @@ SENTENCES: Final[dict[str, str]] = {
         " Measure more full circles in both directions, and give all of them"
     ),
     "CW-P167": (
-        "The correction of {output} over {input} that would be added equals the one that is in"
-        " the control (up to {largest:.1f} µm). If that table was made from this measurement,"
+        "What would be added to {output} over {input} (up to {largest}) equals what the control"
+        " already adds between these two axes. If that table was made from this measurement,"
         " the same error would be corrected twice. Measure again with the table active, or name"
         " under measured_in the entry of `states` that was in the control during the"
         " measurement. If the table was active, write in the job how you know it: `acknowledged:"

@@ -400,8 +400,8 @@ SENTENCES: Final[dict[str, str]] = {
         " Mesurer d'autres cercles entiers dans les deux sens, et les donner tous"
     ),
     "CW-P167": (
-        "La correction de {output} sur {input} qui serait ajoutée est égale à celle de la"
-        " commande (jusqu'à {largest:.1f} µm). Si cette table a été faite à partir de cette"
+        "Ce qui serait ajouté à {output} sur {input} (jusqu'à {largest}) est égal à ce que la"
+        " commande ajoute déjà entre ces deux axes. Si cette table a été faite à partir de cette"
         " mesure, la même erreur serait corrigée deux fois. Mesurer de nouveau avec la table"
         " active, ou nommer sous measured_in l'entrée de `states` qui était dans la commande"
         " pendant la mesure. Si la table était active, écrire dans le dossier de travail comment"

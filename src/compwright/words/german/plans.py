@@ -415,12 +415,12 @@ SENTENCES: Final[dict[str, str]] = {
         " messen und alle angeben"
     ),
     "CW-P167": (
-        "Die Korrektur von {output} über {input}, die hinzukäme, ist gleich der in der Steuerung"
-        " (bis {largest:.1f} µm). Wurde jene Tabelle aus dieser Messung gemacht, würde derselbe"
-        " Fehler zweimal korrigiert. Mit aktiver Tabelle neu messen, oder unter measured_in den"
-        " Eintrag von `states` nennen, der während der Messung in der Steuerung war. War die"
-        " Tabelle aktiv, im Auftrag angeben, woher das bekannt ist: `acknowledged: {{CW-P167:"
-        " Grund}}`"
+        "Was zu {output} über {input} hinzukäme (bis {largest}), ist gleich dem, was die Steuerung"
+        " zwischen diesen beiden Achsen schon addiert. Wurde jene Tabelle aus dieser Messung"
+        " gemacht, würde derselbe Fehler zweimal korrigiert. Mit aktiver Tabelle neu messen, oder"
+        " unter measured_in den Eintrag von `states` nennen, der während der Messung in der"
+        " Steuerung war. War die Tabelle aktiv, im Auftrag angeben, woher das bekannt ist:"
+        " `acknowledged: {{CW-P167: Grund}}`"
     ),
     "grid.even": "{points} Punkte von {start:.10g} bis {end:.10g} {unit}, alle {step:.6g} {unit}",
     "grid.few": "{points} Punkte",
