@@ -23,10 +23,13 @@ BENT = Machine(
 )
 
 
-def mirrored(test: CircularTest, sense: str) -> CircularTest:
-    """The test with the angles of one direction counted as it travels."""
+def mirrored(test: CircularTest, turn: float = 0.0) -> CircularTest:
+    """The test with the angles of cw counted as it travels: ``turn`` minus the angle."""
+    full = test.full_circle
     runs = (
-        replace(run, angles=np.mod(-run.angles, 360.0)) if run.sense == sense else run
+        replace(run, angles=np.mod(turn - run.angles, 360.0) if full else turn - run.angles)
+        if run.sense == "cw"
+        else run
         for run in test.runs
     )
     return replace(test, runs=tuple(runs))
@@ -38,7 +41,7 @@ def test_angles_in_the_direction_of_travel_are_a_doubt(samples: int, lag: float)
     setup = Setup(feed=1000.0, noise=0.2, samples=samples)
     test = measured(replace(BENT, lag=lag), setup, np.random.default_rng(samples))
     assert not mirrored_angles(test)
-    (finding,) = mirrored_angles(mirrored(test, "cw"))
+    (finding,) = mirrored_angles(mirrored(test))
     assert finding.code == "CW-C014"
     assert finding.is_doubt
 
@@ -57,7 +60,22 @@ def test_a_ball_that_moved_between_the_runs_is_none() -> None:
     assert not mirrored_angles(replace(test, runs=moved))
 
 
-def test_samples_without_noise_and_arcs_are_none() -> None:
+@pytest.mark.parametrize("start", [0.0, 90.0, 180.0, 270.0])
+def test_angles_from_the_start_of_a_run_in_the_direction_of_travel(start: float) -> None:
+    """What is at ``start`` - t is at ``start`` + t."""
+    test = measured(BENT, Setup(start=start, noise=0.2), np.random.default_rng(7))
+    (finding,) = mirrored_angles(mirrored(test, 2.0 * start))
+    assert np.mod(float(finding.values["turn"]) - 2.0 * start, 360.0) == 0.0
+
+
+@pytest.mark.parametrize("start", [70.0, 250.0])
+def test_angles_of_an_arc_in_the_direction_of_travel(start: float) -> None:
+    """A cw run of 220° ends at ``start``, and its angles begin there."""
+    test = measured(BENT, Setup(start=start, extent=220.0, noise=0.2), np.random.default_rng(4))
+    assert not mirrored_angles(test)
+    (finding,) = mirrored_angles(mirrored(test, 2.0 * start + 220.0))
+    assert finding.values["turn"] == pytest.approx(2.0 * start + 220.0)
+
+
+def test_samples_without_noise_are_none() -> None:
     assert not mirrored_angles(measured(Machine(squareness=35.0), Setup()))
-    arc = measured(BENT, Setup(extent=220.0, noise=0.2), np.random.default_rng(4))
-    assert not mirrored_angles(arc)

@@ -217,3 +217,15 @@ def test_a_run_of_zeros() -> None:
     bumpy = run_of(radial(lambda angle, _: UM * np.cos(3 * angle)), "ccw")
     zero = replace(run_of(perfect, "cw"), deviations=np.zeros(720))
     assert found(circular_test([bumpy, zero]), "CW-C013") == [str(say("CW-C013", run="cw run 1"))]
+
+
+def test_the_readings_of_one_run_twice() -> None:
+    """In the order of the angles, or in that of time, which is the other way round in cw."""
+    rng = np.random.default_rng(8)
+    ccw = plain_run("ccw", np.arange(720) * 0.5, rng.normal(0.0, 3.0, 720))
+    for values in (ccw.deviations, ccw.deviations[::-1]):
+        copied = circular_test([ccw, replace(ccw, sense="cw", deviations=values)], arc=(0.0, 360.0))
+        (message,) = found(copied, "CW-C015")
+        assert message.startswith("ccw run 1 and cw run 1 have exactly the same readings")
+    other = replace(ccw, sense="cw", deviations=ccw.deviations + 1e-6)
+    assert found(circular_test([ccw, other], arc=(0.0, 360.0)), "CW-C015") == []

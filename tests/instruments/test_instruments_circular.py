@@ -392,12 +392,15 @@ def test_repeated_angles_without_run_ask_for_the_column() -> None:
     )
 
 
-def test_millimetres_in_a_column_of_micrometres_are_a_doubt() -> None:
-    """A circle of G = 20 µm, whose deviations are in mm."""
+@pytest.mark.parametrize("offset", [0.0, 0.3])
+def test_millimetres_in_a_column_of_micrometres_are_a_doubt(offset: float) -> None:
+    """A circle of G = 20 µm, well centred or 0.3 mm off, whose deviations are in mm."""
+    theta = np.radians(FULL)
+    deviations = 0.01 * np.cos(2.0 * theta) + offset * np.sin(theta)
     body = "".join(
-        f"{way},{angle:g},{0.01 * np.cos(np.radians(2.0 * angle)):.5f}\n"
+        f"{way},{angle:g},{deviation:.5f}\n"
         for way in ("ccw", "cw")
-        for angle in FULL
+        for angle, deviation in zip(FULL, deviations, strict=True)
     )
     assert "CW-R036" in codes(read(csv(body, "direction,angle_deg,deviation_um")))
 
@@ -406,7 +409,9 @@ def test_what_is_remarkable() -> None:
     body = "".join(f"ccw,{angle:g},0,a\ncw,{angle:g},1500.5,b\n" for angle in FULL)
     test = read(csv(body, "direction,angle_deg,deviation_um,note"))
     assert codes(test) == ["CW-R001", "CW-R005", "CW-R035", "CW-R036"]
-    assert "Every deviation of run ccw 1 is below 0.1 µm" in test.findings[-1].message
+    assert (
+        "The deviations of ccw 1, cw 1 from a circle are below 0.1 µm" in test.findings[-1].message
+    )
 
 
 def test_what_is_circular() -> None:

@@ -272,7 +272,7 @@ def test_full_circles_by_equal_angles() -> None:
         ),
         (
             document(run_xml("CW") + run_xml("CCW", " ".join(["0.00000"] * 60))),
-            "CW-R036: Every deviation of run ccw 1 is below 0.1 µm",
+            "CW-R036: The deviations of ccw 1 from a circle are below 0.1 µm",
         ),
     ],
 )

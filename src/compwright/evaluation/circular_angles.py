@@ -18,7 +18,8 @@ from compwright.words.sentences import Amount
 
 #: Deviations that remain with the angles as given are at least so many times those with one run
 #: mirrored: with one centre for both runs, and with a centre for each. A ball that moved between
-#: the runs can fulfil the first alone. No false finding in 600 circles of mixed causes.
+#: the runs can fulfil the first alone. No false finding in 600 circles and 600 arcs of mixed causes,
+#: half of them with a moved ball: at most 0.84 of both.
 _COMMON: Final = 2.0
 _OWN: Final = 1.05
 #: Less than this, mm, is rounding of computed samples.
@@ -28,13 +29,14 @@ _SAMPLES: Final = 2000
 
 
 def mirrored_angles(test: CircularTest) -> list[Finding]:
-    """Return the finding CW-C014 if a full circle in both directions fits the causes of ISO
-    230-4:1996, annex B, much better with the angles of the runs in cw mirrored.
+    """Return the finding CW-C014 if a test in both directions fits the causes of ISO 230-4:1996,
+    annex B, much better with the angles of the runs in cw mirrored: about 0° or the axis at which a
+    full circle begins, or about the middle of an arc.
     """
-    if not test.full_circle or not (test.of("ccw") and test.of("cw")):
+    if not (test.of("ccw") and test.of("cw")):
         return []
     parts = [(run, slice(None, None, 1 + run.angles.size // _SAMPLES)) for run in test.runs]
-    theta = np.radians(np.concatenate([run.angles[part] for run, part in parts]))
+    theta = np.concatenate([run.angles[part] for run, part in parts])
     values = np.concatenate([run.deviations[part] for run, part in parts])
     sense = np.concatenate(
         [
@@ -42,12 +44,17 @@ def mirrored_angles(test: CircularTest) -> list[Finding]:
             for run, part in parts
         ]
     )
-    left = [_left(angles, sense, values) for angles in (theta, sense * theta)]
-    common, own = zip(*left, strict=True)
-    if common[0] < _LEAST or common[0] <= _COMMON * common[1] or own[0] <= _OWN * own[1]:
+    given = _left(np.radians(theta), sense, values)
+    turns = (360.0, 90.0, 180.0, 270.0) if test.full_circle else (2.0 * test.arc[0] + test.arc[1],)
+    left = [
+        _left(np.radians(np.where(sense > 0.0, theta, turn - theta)), sense, values)
+        for turn in turns
+    ]
+    (common, own), turn = min(zip(left, turns, strict=True))
+    if given[0] < _LEAST or given[0] <= _COMMON * common or given[1] <= _OWN * own:
         return []
-    given, mirrored = (Amount(one * MICROMETRES_PER_MILLIMETRE, "µm") for one in common)
-    return [Finding.of("CW-C014", "warning", given=given, mirrored=mirrored)]
+    before, after = (Amount(one * MICROMETRES_PER_MILLIMETRE, "µm") for one in (given[0], common))
+    return [Finding.of("CW-C014", "warning", given=before, mirrored=after, turn=turn)]
 
 
 def _left(theta: FloatArray, sense: FloatArray, values: FloatArray) -> tuple[float, float]:

@@ -1,5 +1,5 @@
 """Checks of a circular test: directions, calibration, sampling, gaps, feed, closing of the circle,
-set-up offset.
+set-up offset, copied runs.
 
 The checks give findings and never reject a test. The standard sets no limits for most of them. The
 comment at each limit states its reason.
@@ -8,6 +8,7 @@ comment at each limit states its reason.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import combinations
 from typing import Final
 
 import numpy as np
@@ -42,6 +43,8 @@ _OPEN_LEAST: Final = 0.001
 #: Lost motion makes a true step where an axis reverses: ends nearer to an axis (deg) are not
 #: compared.
 _NEAR_AXIS: Final = 3.0
+#: Samples of a run that differ by less than this, mm, are computed, or no readings.
+_READINGS: Final = 1e-5
 #: Where commanded and measured angles would give radii that differ by more than this (mm), a
 #: finding states how the angle was read.
 _OFFSET_EFFECT: Final = 1e-4
@@ -60,6 +63,7 @@ def test_findings(
         *_unequal(test),
         *_offset(test, centres, F_given=F_given),
         *mirrored_angles(test),
+        *_copies(test),
     ]
 
 
@@ -230,3 +234,15 @@ def _zeros(path: ActualPath) -> list[Finding]:
     if np.any(path.run.deviations):
         return []
     return [Finding.of("CW-C013", "warning", run=_named(path))]
+
+
+def _copies(test: CircularTest) -> list[Finding]:
+    """Return the finding CW-C015 for two runs that have exactly the same readings, in whatever
+    order. Equal samples throughout are no readings (CW-C013, CW-R036).
+    """
+    values = {f"{run.sense} run {run.number}": np.sort(run.deviations) for run in test.runs}
+    return [
+        Finding.of("CW-C015", "warning", first=first, second=second)
+        for first, second in combinations(values, 2)
+        if np.ptp(values[first]) > _READINGS and np.array_equal(values[first], values[second])
+    ]

@@ -37,6 +37,8 @@ _SAME_FEED: Final = 0.05
 _SAME_CENTRE: Final = 0.01  # mm
 #: Resolution of a ballbar, mm: smaller deviations are in another unit, or were not measured.
 _RESOLUTION: Final = 1e-4
+#: On less than about this, deg, offset and radius follow the squareness of a good machine.
+_HALF_CIRCLE: Final = 170.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -219,10 +221,21 @@ def _plausibility(test: CircularTest) -> list[Finding]:
     if largest > LARGEST_PLAUSIBLE:
         findings.append(Finding.of("CW-R035", "warning", largest=largest))
     small = [
-        f"{run.sense} {run.number}"
-        for run in test.runs
-        if float(np.abs(run.deviations).max()) < _RESOLUTION
+        f"{run.sense} {run.number}" for run in test.runs if _least_deviation(run) < _RESOLUTION
     ]
     if small:
         findings.append(Finding.of("CW-R036", "warning", runs=small))
     return findings
+
+
+def _least_deviation(run: CircularRun) -> float:
+    """Return the largest amount, mm, of the deviations of a run, about zero or about the
+    least-squares circle, whichever is less. A short arc has no circle of its own.
+    """
+    largest = float(np.abs(run.deviations).max())
+    theta = np.radians(run.angles)
+    if np.ptp(run.angles) < _HALF_CIRCLE:
+        return largest
+    circle = np.column_stack([np.ones_like(theta), np.cos(theta), np.sin(theta)])
+    fitted = circle @ np.linalg.lstsq(circle, run.deviations, rcond=None)[0]
+    return min(largest, float(np.abs(run.deviations - fitted).max()))

@@ -94,8 +94,8 @@ SENTENCES: Final[dict[str, str]] = {
         " radius and set-up."
     ),
     "CW-R036": (
-        "Every deviation of run {runs} is below 0.1 µm, the resolution of a ballbar. Check the unit"
-        " of the deviations, and whether the run was measured."
+        "The deviations of {runs} from a circle are below 0.1 µm, the resolution of a ballbar."
+        " Check the unit of the deviations, and whether the run was measured."
     ),
     "CW-R037": (
         "The bar was not calibrated for {files}. The absolute radius is therefore not used for any"

@@ -65,9 +65,13 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-C014": (
         "The deviations fit the causes of ISO 230-4 better with the angles of the cw runs"
-        " mirrored: {mirrored} rms are left, not {given}. The angles of both directions must"
+        " mirrored ({mirrored} rms are left, not {given}). The angles of both directions must"
         " increase from the first axis to the second. If those of cw were counted in the"
-        " direction of travel, write 360° minus each of them."
+        " direction of travel, write {turn:g}° minus each of them."
+    ),
+    "CW-C015": (
+        "{first} and {second} have exactly the same readings. One of them is probably a copy of the"
+        " other: measure it again."
     ),
     "CW-T001": (
         "The standard asks for 5 approaches to each target and direction; found {counts:and}."

@@ -98,7 +98,8 @@ SENTENCES: Final[dict[str, str]] = {
         " nominal et montage."
     ),
     "CW-R036": (
-        "Chaque écart du parcours {runs} est inférieur à 0,1 µm, la résolution d'un ballbar."
+        "Les écarts de {runs} par rapport à un cercle sont inférieurs à 0,1 µm, la résolution d'un"
+        " ballbar."
         " Vérifier l'unité des écarts, et si le parcours a été mesuré."
     ),
     "CW-R037": (

@@ -69,10 +69,14 @@ SENTENCES: Final[dict[str, str]] = {
         " mesuré : le mesurer de nouveau."
     ),
     "CW-C014": (
-        "Les écarts correspondent mieux aux causes de l'ISO 230-4 si les angles des passages en"
+        "Les écarts correspondent mieux aux causes de l'ISO 230-4 si les angles des parcours en"
         " cw sont inversés : il reste {mirrored} rms au lieu de {given}. Les angles des deux"
         " sens doivent croître du premier axe vers le second. Si ceux de cw ont été comptés dans"
-        " le sens du mouvement, écrire 360° moins chacun d'eux."
+        " le sens du mouvement, écrire {turn:g}° moins chacun d'eux."
+    ),
+    "CW-C015": (
+        "{first} et {second} ont exactement les mêmes mesures. L'un est probablement une copie de"
+        " l'autre : le mesurer de nouveau."
     ),
     "CW-T001": (
         "La norme demande 5 approches de chaque point visé dans chaque sens ; trouvées :"

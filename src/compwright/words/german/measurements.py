@@ -100,7 +100,7 @@ SENTENCES: Final[dict[str, str]] = {
         " Aufbau prüfen."
     ),
     "CW-R036": (
-        "Jede Abweichung in Lauf {runs} liegt unter 0,1 µm, der Auflösung eines"
+        "Die Abweichungen von {runs} von einem Kreis liegen unter 0,1 µm, der Auflösung eines"
         " Kreisformmessgeräts. Einheit der Abweichungen prüfen, und ob der Lauf gemessen wurde."
     ),
     "CW-R037": (

@@ -71,7 +71,11 @@ SENTENCES: Final[dict[str, str]] = {
         "Die Abweichungen passen besser zu den Ursachen der ISO 230-4, wenn die Winkel der Läufe"
         " in cw gespiegelt werden: Es bleiben {mirrored} rms statt {given}. Die Winkel beider"
         " Richtungen müssen von der ersten zur zweiten Achse zunehmen. Wurden die von cw in"
-        " Fahrtrichtung gezählt, jeden durch 360° minus den Winkel ersetzen."
+        " Fahrtrichtung gezählt, jeden durch {turn:g}° minus den Winkel ersetzen."
+    ),
+    "CW-C015": (
+        "{first} und {second} haben genau die gleichen Messwerte. Einer ist wahrscheinlich eine"
+        " Kopie des anderen: neu messen."
     ),
     "CW-T001": (
         "Die Norm verlangt 5 Anfahrten je Zielposition und Richtung; gefunden: {counts:and}."
