@@ -18,8 +18,8 @@ from compwright.words.sentences import Amount
 
 #: Deviations that remain with the angles as given are at least so many times those with one run
 #: mirrored: with one centre for both runs, and with a centre for each. A ball that moved between
-#: the runs can fulfil the first alone. No false finding in 600 circles and 600 arcs of mixed causes,
-#: half of them with a moved ball: at most 0.84 of both.
+#: the runs can fulfil the first alone. No false finding in 600 circles and 600 arcs of mixed
+#: causes, half of them with a moved ball: at most 0.84 of both.
 _COMMON: Final = 2.0
 _OWN: Final = 1.05
 #: Less than this, mm, is rounding of computed samples.

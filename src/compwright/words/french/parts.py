@@ -16,8 +16,8 @@ SENTENCES: Final[dict[str, str]] = {
         "{output} est un axe de portique, et une table sur {output} sans {partner} vrille la"
         " machine. Ensuite : {squareness:if|corriger la perpendicularité par le décalage de"
         " référence du portique{instead:if|, ou déplacer l'axe {input} à la place"
-        " (`{instead}`)|}|faire aligner le guidage de {input}, et retirer cette entrée du dossier :"
-        " aucune autre table ne corrige une rectitude}"
+        " (`{instead}`)|}|faire aligner le guidage de {input}, et retirer cette entrée du dossier"
+        " de travail : aucune autre table ne corrige une rectitude}"
     ),
     "between.squareness": "perpendicularité de {output} à {input} ({slope:+.1f} µm/m)",
     "compared_not_removed": "{parameters:join|; }. Le résultat contient toutes les mesures.",

@@ -83,7 +83,8 @@ def _reserving(address: str, room: str, which: str) -> str:
 
 def _check_value(before: ControlState, output: str) -> str:
     """Return as text the correction, mm or deg, of a table with which its sign is checked: 0.1, or
-    what CEC_MAX_SUM leaves for it next to the tables that are active.
+    what CEC_MAX_SUM leaves for it next to the tables that are active. If this is too little to be
+    seen, the table itself has most of the sum, and gets all of it.
     """
     limit = before.facts_of(output).pairs.max_sum
     if limit is None:
