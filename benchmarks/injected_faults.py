@@ -147,9 +147,23 @@ def _sizes(plan: Plan, full: Floats) -> Iterator[Fault]:
             if plan.control.repeats and word == "wrong sign":
                 continue  # Ixx86 is not negative
             yield Fault("backlash", word, word, full + factor * backlash)
-    if plan.control.repeats and np.any(reversals):
-        off = np.stack([full[0], full[0]])
-        yield Fault("backlash", "not taken up", "missing", off, plain=False)
+    if plan.control.repeats:
+        yield from _columns_of(plan, full, backlash)
+
+
+def _columns_of(plan: Plan, full: Floats, backlash: Floats) -> Iterator[Fault]:
+    """The whole reversal missing; and COMP or BLCOMP wrong, each by itself."""
+    common = np.stack([full[0], full[0]])
+    if np.any(full != common):
+        yield Fault("backlash", "not taken up", "missing", common, plain=False)
+    lost = full - common - backlash
+    if np.any(np.abs(lost) > 1e-6):
+        for name, factor in [("inverted", -1.0), *(("scaled", factor) for factor in plan.factors)]:
+            alone = full + (factor - 1) * common
+            yield Fault(name, f"{factor:g}, COMP alone", factor, alone, plain=False)
+        for word, factor in (("missing", -1.0), ("twice", 1.0), ("wrong sign", -2.0)):
+            alone = full + factor * lost
+            yield Fault("backlash", f"{word}, BLCOMP alone", word, alone, plain=False)
 
 
 def _places(plan: Plan, x: Floats) -> Iterator[Fault]:

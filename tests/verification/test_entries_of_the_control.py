@@ -62,9 +62,14 @@ class Motor:
         found = re.search(rf"DEFINE {kind} \d+,(?:#\d+D,)?\d+\s((?:\s*-?\d+)+)", text)
         return np.array(found[1].split() if found else [], dtype=np.float64)
 
-    def added(self, comp: FloatArray, lost: FloatArray, constant: float) -> FloatArray:
-        """What the control adds at the targets (2, m) with these entries."""
-        along = np.mod(TARGETS * self.per_unit, self.length) / self.length * comp.size
+    def added(
+        self, comp: FloatArray, lost: FloatArray, constant: float, length: float = 0.0
+    ) -> FloatArray:
+        """What the control adds at the targets (2, m) with these entries, and with this length in
+        counts (0: that of the motor).
+        """
+        length = length or self.length
+        along = np.mod(TARGETS * self.per_unit, length) / length * comp.size
 
         def entry(values: FloatArray) -> FloatArray:
             whole = values if values.size else np.zeros(comp.size)
@@ -110,6 +115,40 @@ def test_the_entries_of_another_motor(
     for lost in (y.lost, x.lost, np.empty(0)):
         for constant in (x.constant, y.constant):
             assert nearest(found, x.added(y.comp, lost, constant)) < 1e-6
+    for lost in (y.lost, np.empty(0)):  # with its length, too
+        assert nearest(found, x.added(y.comp, lost, y.constant, y.length)) < 1e-6
+
+
+@pytest.mark.parametrize("per_unit", [1000.0, -1000.0])
+@pytest.mark.parametrize("existing", [None, Y_VALUES])
+def test_a_fault_of_one_of_the_two_tables(per_unit: float, existing: FloatArray | None) -> None:
+    """COMP with a wrong factor or sign, moved, cut off, or still the old one, next to the right
+    BLCOMP and Ixx86; and BLCOMP wrong next to the right COMP and Ixx86.
+    """
+    x = Motor("1", per_unit, X_VALUES, LOST)
+    before = Motor("1", per_unit, existing, CONSTANT) if existing is not None else None
+    old = before.stored.compensation if before else no_compensation("1", AxisKind.LINEAR)
+    active = 0.0 if before is None else before.added(before.comp, before.lost, before.constant)
+    kept = np.zeros(x.comp.size) if before is None else before.comp
+    loading = Loading(new=x.stored, old=old, active_before=old)
+    found = loading_hypotheses(loading, TARGETS)
+    first = np.arange(x.comp.size) < 4
+    wrong = [
+        ("scaled", 2.0 * x.comp, x.lost),
+        ("scaled", 10.0 * x.comp, x.lost),
+        ("inverted", -x.comp, x.lost),
+        ("shifted", np.append(0.0, x.comp[:-1]), x.lost),
+        ("partial", np.where(first, x.comp, kept), x.lost),
+        ("not_active", kept, x.lost),
+        ("backlash", x.comp, 0.0 * x.lost),
+        ("backlash", x.comp, -x.lost),
+        ("backlash", x.comp, 2.0 * x.lost),
+    ]
+    if before is not None:
+        wrong += [("on_top", x.comp + kept, x.lost), ("increment", x.comp - kept, x.lost)]
+    for name, comp, lost in wrong:
+        curve = x.added(comp, lost, x.constant) - active
+        assert nearest([one for one in found if one.name == name], curve) < 1e-6, name
 
 
 @pytest.mark.parametrize("per_unit", [1000.0, -1000.0])

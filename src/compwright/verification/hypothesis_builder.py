@@ -4,9 +4,9 @@ has values different from the planned ones.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 
@@ -15,6 +15,9 @@ from compwright.records.correction import AxisCompensation
 from compwright.records.verification import LoadingName
 from compwright.verification.hypothesis import SLACK, Hypothesis, Loading
 from compwright.words.sentences import Sentence, say
+
+#: Corrections as near as this are the same, mm or deg.
+_SAME: Final = 1e-9
 
 Curve = FloatArray  # (2, m): in + and in -
 Held = dict[Direction, FloatArray]  # values at the points (k,), or of the rows (r,)
@@ -100,13 +103,42 @@ class HypothesisBuilder:
         detail: Sentence | None = None,
         **more: Any,
     ) -> Iterator[Hypothesis]:
-        """Yield two hypotheses of a faulty table that makes the correction ``curve`` (2, m): one
-        with the new and one with the old backlash value. ``weight``: the prior weight of the first.
+        """Yield hypotheses of a faulty table that makes the correction ``curve`` (2, m): with the
+        new and with the old backlash value, and, where the control has a table of the backlash,
+        with this table as planned. ``weight``: the prior weight of the first.
         """
         yield self.made(name, self.total(curve), weight, detail, **more)
+        if np.any(self.lost):
+            apart = say("loading.variant", detail=detail, backlash="apart")
+            change = self.total(self.first_column(curve) + self.lost)
+            yield self.made(name, change, 0.1 * weight, apart, **more)
         if np.any(self.backlash != self.old_backlash):
             old = say("loading.variant", detail=detail, backlash="old")
             yield self.made(name, self.total(curve, self.old_backlash), 0.1 * weight, old, **more)
+
+    def first_column(self, curve: Curve) -> Curve:
+        """Return the part (2, m) of a table's correction ``curve`` (2, m) that is in its first
+        column; with one column for each direction, all of it.
+        """
+        ahead = self.stored.ahead
+        return curve if ahead is None else curve[[list(Direction).index(ahead)] * 2]
+
+    @property
+    def lost(self) -> Curve:
+        """The part (2, m) of the planned table's correction that is in the table of the backlash,
+        in addition to the backlash value.
+        """
+        lost = self.own - self.first_column(self.own)
+        return np.where(np.abs(lost) > _SAME, lost, 0.0)
+
+    def parts(self, *, existing: bool = False) -> list[Curve]:
+        """Return the parts (2, m) of the planned or ``existing`` correction that a fault may
+        concern alone, the rest being right: all, the table, and the table without that of the
+        backlash.
+        """
+        table = self.old - self.stay - self.old_backlash if existing else self.own
+        backlash = self.old_backlash if existing else self.backlash
+        return [table + backlash, table, self.first_column(table)]
 
     def held(self) -> Held:
         """Return the row values (r,) of the planned table, one array for each direction."""
@@ -116,11 +148,11 @@ class HypothesisBuilder:
         """Return the row values (r,) with which the new table would be the old one. The backlash
         value and tables that stay active are not included.
         """
-        points, old = self.table.positions, self.loading.old
+        places, old = self._places, self.loading.old
         stay = _only_others(self.loading.new.compensation)
-        line = self.table.slope * (points - self.table.origin)
+        line = self.table.slope * (places - self.table.origin)
         return {
-            d: self.stored.rows(old.at(points, d) - old.backlash_at(d) - stay.at(points, d) - line)
+            d: self.stored.rows(old.at(places, d) - old.backlash_at(d) - stay.at(places, d) - line)
             for d in Direction
         }
 
@@ -131,11 +163,17 @@ class HypothesisBuilder:
 
     def row_places(self) -> FloatArray:
         """Return the position (r,) of each row in the range of the targets, mm or deg."""
-        points = self.table.positions
-        places: FloatArray = points[self.stored.row_points]
-        if self.table.period is not None:
-            beyond = places > self.targets.max() + self.interval
-            places = np.where(beyond, places - self.table.period, places)
+        places: FloatArray = self._places[self.stored.row_points]
+        return places
+
+    @property
+    def _places(self) -> FloatArray:
+        """The positions (k,) of the points in the range of the targets, mm or deg."""
+        points, period = self.table.positions, self.table.period
+        if period is None or points.size < 2:
+            return points
+        beyond = points > self.targets.max() + self.interval
+        places: FloatArray = np.where(beyond, points - period, points)
         return places
 
     def curves(self, rows: Mapping[Direction, FloatArray]) -> Held:
@@ -198,6 +236,15 @@ class HypothesisBuilder:
         if steps or any(np.any(np.abs(end) > 0.0) for end in ends):
             filled = {d: np.where(inside, values[kept], 0.0) for d, values in rows.items()}
             yield self.curves(filled)
+
+
+def distinct(curves: Iterable[Curve], known: Iterable[Curve] = ()) -> Iterator[Curve]:
+    """Yield those of the ``curves`` that differ from all before and from those ``known``."""
+    seen = list(known)
+    for curve in curves:
+        if not any(np.allclose(curve, one, rtol=0.0, atol=_SAME) for one in seen):
+            seen.append(curve)
+            yield curve
 
 
 def _only_others(one: AxisCompensation) -> AxisCompensation:

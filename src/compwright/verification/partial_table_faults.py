@@ -55,6 +55,12 @@ def wrong_backlash(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
         both[away] = both[1 - away]
         change = ways.total(both, np.zeros_like(both))
         yield ways.made("backlash", change, RARE, say("loading.backlash", kind="missing"))
+    for times, kind in ((-1.0, "missing"), (1.0, "twice"), (-2.0, "sign")):
+        if np.any(ways.lost):
+            wrong = say("loading.backlash", kind=kind)
+            change = ways.total(ways.own + times * ways.lost)
+            detail = say("loading.variant", detail=wrong, backlash="table")
+            yield ways.made("backlash", change, RARE, detail)
     known = [-step, step, -2.0 * step, np.zeros_like(step)]
     for value, kind in (
         (ways.old_backlash, "old"),

@@ -11,7 +11,12 @@ import numpy as np
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.verification import LoadingName
 from compwright.verification.hypothesis import COMMON, RARE, UNKNOWN_FACTOR, Hypothesis
-from compwright.verification.hypothesis_builder import Curve, Held, HypothesisBuilder
+from compwright.verification.hypothesis_builder import (
+    Curve,
+    Held,
+    HypothesisBuilder,
+    distinct,
+)
 from compwright.words.sentences import Sentence, say
 
 #: Factors with a known cause (sentence ``loading.factor``), and the relative probability of each.
@@ -57,11 +62,11 @@ def inactive(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
         detail = say("loading.instead", active=kind) if kind else None
         yield ways.made("not_active", change, COMMON, detail)
     alone = say("loading.instead", active="backlash")
-    if np.any(ways.backlash != ways.old_backlash):
-        other = ways.old - ways.old_backlash + ways.backlash - ways.active_before
-        yield ways.made("not_active", other, RARE, alone)
-    if np.any(ways.backlash) and ways.has_old:
-        yield ways.made("not_active", ways.total(np.zeros_like(ways.own)), RARE, alone)
+    parts = list(zip(ways.parts(), ways.parts(existing=True), strict=True))
+    left = [ways.total(ways.own - planned + existing) for planned, existing in parts]
+    left += [ways.total(ways.own - planned) for planned, _ in parts] if ways.has_old else []
+    for change in distinct(left, [kept, nothing]):
+        yield ways.made("not_active", change, RARE, alone)
 
 
 def with_existing(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
@@ -70,16 +75,10 @@ def with_existing(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """
     if not ways.has_old:
         return
-    existing = ways.old - ways.stay - ways.old_backlash
-    jump = ways.old_backlash
-    backlashes: list[tuple[Curve, Curve, Sentence | None]] = [
-        (ways.backlash - jump, ways.backlash + jump, None)
-    ]
-    if np.any(jump):
-        backlashes.append((ways.backlash, ways.backlash, _apart()))
-    for less, more, detail in backlashes:
-        yield ways.made("increment", ways.total(ways.own - existing, less), COMMON, detail)
-        yield ways.made("on_top", ways.total(ways.own + existing, more), COMMON, detail)
+    for number, existing in enumerate(distinct(ways.parts(existing=True))):
+        detail = _apart() if number else None
+        yield ways.made("increment", ways.total(ways.own - existing), COMMON, detail)
+        yield ways.made("on_top", ways.total(ways.own + existing), COMMON, detail)
     believed = ways.at(ways.loading.active_before) - ways.stay
     if np.any(np.abs(believed) > 0.0):
         # the same test as on top of it, which happens more often
@@ -87,33 +86,29 @@ def with_existing(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
 
 
 def inverted(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
-    """Yield the hypothesis of a table with the opposite sign, and a second one in which only the
-    table, not the backlash value, has the opposite sign.
+    """Yield the hypothesis of a table with the opposite sign, and those in which only the table,
+    not the backlash, has the opposite sign.
     """
-    yield ways.made("inverted", ways.total(-ways.own, -ways.backlash), COMMON)
-    if np.any(ways.backlash):
-        yield ways.made("inverted", ways.total(-ways.own), COMMON, _apart())
+    for number, part in enumerate(distinct(ways.parts())):
+        change = ways.total(ways.own - 2.0 * part)
+        yield ways.made("inverted", change, COMMON, _apart() if number else None)
 
 
 def scaled(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
     """Yield hypotheses of a table multiplied by a wrong factor: each typical factor (such as one
     from a wrong unit), and an unknown factor.
     """
+    parts = list(distinct(ways.parts()))
     for factor, share in FACTORS.items():
         words = factor_text(factor)
         weight = COMMON * share
-        curve = factor * ways.own
         more: dict[str, Any] = {"factor": factor, "inner": factor < 0.05}
-        yield ways.made("scaled", ways.total(curve, factor * ways.backlash), weight, words, **more)
-        if np.any(ways.backlash):
-            yield ways.made("scaled", ways.total(curve), weight, _apart(words), **more)
+        for number, part in enumerate(parts):
+            change = ways.total(ways.own + (factor - 1.0) * part)
+            yield ways.made("scaled", change, weight, _apart(words) if number else words, **more)
     free: dict[str, Any] = {"inner": True}
-    along = UNKNOWN_FACTOR * (ways.own + ways.backlash)
-    yield ways.made("scaled", ways.total(ways.own), RARE, free=along, **free)
-    if np.any(ways.backlash):
-        yield ways.made(
-            "scaled", ways.total(ways.own), RARE, free=UNKNOWN_FACTOR * ways.own, **free
-        )
+    for part in parts:
+        yield ways.made("scaled", ways.total(ways.own), RARE, free=UNKNOWN_FACTOR * part, **free)
 
 
 def shifted(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
@@ -204,28 +199,21 @@ def wrong_axis(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
         for skipped in sorted(before) if size else ():
             for held in (True, False) if short else (False,):
                 rows = {d: _resized(v, size, skipped, held=held) for d, v in theirs.items()}
-                variants = (rows, *_first_column(ways, rows))
-                curves += [(ways.values(ways.curves(each)), "number") for each in variants]
+                curves.append((ways.values(ways.curves(rows)), "number"))
+        if stored.zero is not None and their.zero is not None and stored.ahead is not None:
+            # with its length, which has the unit of the rows
+            table = replace(other, others=(), backlash=0.0)
+            along = other.positions[their.zero] + (ways.targets - ways.loading.reference) / ratio
+            values = np.stack([table.at(along, columns[d]) for d in Direction])
+            curves.append((ratio * (values - their.apart[sides]), "number"))
         for curve, kind in curves:
             more = say("loading.other_axis", by=kind)
-            yield from ways.both("wrong_axis", curve, _OTHER, more, of=name)
-            if np.any(backlash != ways.backlash):
-                change = ways.total(curve, backlash)
+            alone = ways.first_column(curve)
+            for each in distinct([curve, alone]):
+                yield from ways.both("wrong_axis", each, _OTHER, more, of=name)
+            others = [ways.total(each, backlash) for each in (curve, alone, alone + ways.lost)]
+            for change in distinct(others, [ways.total(curve), ways.total(alone)]):
                 yield ways.made("wrong_axis", change, _OTHER, more, of=name)
-
-
-def _first_column(ways: HypothesisBuilder, rows: Held) -> Iterator[Held]:
-    """Yield the ``rows`` (r,) of another axis' table of which only the first column is active: with
-    the second column of this axis, and with none. Only where the second column is a difference.
-    """
-    own, (first, second) = ways.held(), ways.stored.columns
-    if ways.stored.ahead is None:
-        return
-    differs = own[second] - own[first]
-    if np.any(differs):
-        yield {first: rows[first], second: rows[first] + differs}
-    if np.any(rows[second] != rows[first]):
-        yield {first: rows[first], second: rows[first]}
 
 
 def _resized(values: FloatArray, size: int, skipped: int, *, held: bool) -> FloatArray:

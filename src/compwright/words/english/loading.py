@@ -251,7 +251,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.variant": (
         "{detail:if|{detail}, }{backlash:choose|old=with the old backlash|apart=apart from the"
-        " backlash}"
+        " backlash|table=only in the table of the backlash}"
     ),
     "loading.verdict": (
         "{verdict:choose|loaded=The table is active as planned{effect:if|: the test after loading"

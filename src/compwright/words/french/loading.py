@@ -259,7 +259,8 @@ SENTENCES: Final[dict[str, str]] = {
         " montrer ce qui a été chargé. Mesurer plus de points visés."
     ),
     "loading.variant": (
-        "{detail:if|{detail}, }{backlash:choose|old=avec l'ancien jeu|apart=jeu excepté}"
+        "{detail:if|{detail}, }{backlash:choose|old=avec l'ancien jeu|apart=jeu excepté"
+        "|table=seulement dans la table du jeu}"
     ),
     "loading.verdict": (
         "{verdict:choose|loaded=La table est active comme prévu{effect:if| : l'essai après"

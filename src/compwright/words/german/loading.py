@@ -266,7 +266,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.variant": (
         "{detail:if|{detail}, }{backlash:choose|old=mit der alten Lose|apart=abgesehen von der"
-        " Lose}"
+        " Lose|table=nur in der Tabelle der Lose}"
     ),
     "loading.verdict": (
         "{verdict:choose|loaded=Die Tabelle ist aktiv wie geplant{effect:if|: Die Prüfung nach dem"

@@ -242,7 +242,8 @@ SENTENCES: Final[dict[str, str]] = {
         " загружено. Измерьте больше заданных позиций."
     ),
     "loading.variant": (
-        "{detail:if|{detail}, }{backlash:choose|old=со старым люфтом|apart=кроме люфта}"
+        "{detail:if|{detail}, }{backlash:choose|old=со старым люфтом|apart=кроме люфта"
+        "|table=только в таблице люфта}"
     ),
     "loading.verdict": (
         "{verdict:choose|loaded=Таблица действует как запланировано{effect:if|: проверка после"
