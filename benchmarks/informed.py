@@ -89,11 +89,12 @@ def _from_one(machine: Machine, readings: Floats) -> tuple[Floats, Floats]:
 
 def without_period(machine: Machine, readings: Floats, x: Floats) -> Floats:
     """Return the error (2, k) at ``x`` that a judge expects who knows what `inform` knows, except
-    the one period that the job does not give: the mean over all periods, weighted with their
+    the periods that the job does not give: the mean over all periods, weighted with their
     probability after the white ``readings`` (2, m, n).
 
     Before them, three cases have equal odds: no period, one as drawn by `machines.untold`, and any
-    of 4 to 30 mm. No other estimate has a smaller expected square on a mixture of these kinds.
+    of 4 to 30 mm. Where the machine has two periods, a second one of the same odds may be there or
+    not. No other estimate has a smaller expected square on a mixture of these kinds.
     """
     u, made = (machine.targets - machine.low) / machine.length, np.isfinite(readings)
     rows, sizes = _columns(machine, machine.targets, u)
@@ -104,24 +105,66 @@ def without_period(machine: Machine, readings: Floats, x: Floats) -> Floats:
     variance = np.broadcast_to(machine.scales(u), made.shape)[made] ** 2
     variance = variance + machine.noise.resolution**2 / 12
     white = np.linalg.inv(np.linalg.cholesky((rows.T * sizes**2) @ rows + np.diag(variance)))
-    others = 1 / np.arange(1 / 30, 1 / 4, 1 / (12 * machine.length))
+    others = 1 / np.arange(1 / 30, 1 / 4, 1 / (24 * machine.length))
     periods = np.array([*METRIC, *(25.4 * part for part in INCH), *others])
     odds = np.repeat([0.7 / len(METRIC), 0.1 / len(INCH)], [len(METRIC), len(INCH)])
     even = 0.2 * others / np.sum(others) + others**2 / np.sum(others**2)
     waves = _waves(periods, machine.targets)[:, :, np.nonzero(made)[1]]
     columns = waves @ white.T
-    gram, moment = columns @ columns.transpose(0, 2, 1) + np.eye(4), columns @ (white @ y)
-    weights = np.linalg.solve(gram, moment[..., None])[..., 0]
-    logs = 0.5 * np.sum(moment * weights, axis=1) - 0.5 * np.linalg.slogdet(gram)[1]
-    shares = np.concatenate([odds, even]) * np.exp(logs - logs.max())
-    weights *= (shares / (shares.sum() + np.exp(-logs.max())))[:, None]
+    odds = np.concatenate([odds, even])
+    weights = _mean_waves(columns, white @ y, odds, several=len(machine.periods) > 1)
     left = white @ (y - np.einsum("cw,cwr->r", weights, waves))
     curve = sizes**2 * (rows @ (white.T @ left))
     up, less = _shapes(machine, x)
     mean = curve[:smooth] @ up[:smooth]
-    for one in np.flatnonzero(shares > 1e-6 * shares.max()):
+    for one in np.flatnonzero(np.abs(weights).max(axis=1) > 1e-6):
         mean = mean + weights[one] @ _waves(periods[one : one + 1], x)[0]
     return np.stack([mean, mean - curve[smooth : smooth + q] @ less])
+
+
+#: Of two periods, one at least is among so many that are most probable alone.
+_FIRST = 400
+
+
+def _mean_waves(columns: Floats, y: Floats, odds: Floats, *, several: bool) -> Floats:
+    """Return the expected weights (c, 4) of waves with ``columns`` (c, 4, r), prior N(0, 1), from
+    readings ``y`` (r,) whose noise has the variance 1. ``odds`` (c,): of each period before the
+    readings, against none; with ``several``, of a second one, too.
+    """
+    gram, moment = columns @ columns.transpose(0, 2, 1) + np.eye(4), columns @ y
+    weights, gains = _one_wave(gram, moment)
+    logs = np.log(odds) + gains
+    parts = [(0.0, 0.0 * weights)]  # log of a share, and the expected weights times this share
+    top = float(logs.max())
+    shares = np.exp(logs - top)
+    parts.append((top + np.log(shares.sum()), weights * (shares / shares.sum())[:, None]))
+    first = np.argsort(-logs)[: _FIRST if several else 0]
+    for one in first:
+        cross = columns @ columns[one].T
+        carried = cross @ np.linalg.inv(gram[one])
+        second, more = _one_wave(
+            gram - carried @ cross.transpose(0, 2, 1), moment - carried @ moment[one]
+        )
+        pairs = logs[one] + np.log(odds) + more
+        pairs[first] -= np.log(2.0)  # counted from either of the two
+        pairs[one] = -np.inf
+        top = float(pairs.max())
+        shares = np.exp(pairs - top)
+        total = float(shares.sum())
+        found = second * (shares / total)[:, None]
+        found[one] = weights[one] - np.einsum("cwv,cw->v", carried, found)
+        parts.append((top + np.log(total), found))
+    log = np.array([part for part, _ in parts])
+    share = np.exp(log - log.max())
+    share /= share.sum()
+    return np.asarray(sum(part * found for part, (_, found) in zip(share, parts, strict=True)))
+
+
+def _one_wave(gram: Floats, moment: Floats) -> tuple[Floats, Floats]:
+    """Return expected weights (c, 4) and log odds (c,) of each wave against none."""
+    weights = np.linalg.solve(gram, moment[..., None])[..., 0]
+    gains = 0.5 * np.sum(moment * weights, axis=1) - 0.5 * np.linalg.slogdet(gram)[1]
+    return np.asarray(weights, np.float64), np.asarray(gains, np.float64)
 
 
 def _waves(periods: Floats, x: Floats) -> Floats:

@@ -64,8 +64,8 @@ def rivals(
     table``: one curve and a constant reversal. ``interpolation``: of the means; ``spline``:
     smoothing spline by generalised cross-validation; ``minimax``: the least A of the test itself
     (linear program), on as many nodes as there are targets; ``informed``, ``period unknown`` (if
-    the job gives none and there is at most one): see that module. One curve and a constant reversal
-    where the job asks for one table.
+    the job gives none): see that module. One curve and a constant reversal where the job asks for
+    one table.
     """
     x = machine.targets
     complete = _both(readings, machine.signs)
@@ -80,7 +80,7 @@ def rivals(
     best = _both(known.error(dense), machine.signs)
     turn = machine.turn
     found = {}
-    if not machine.told and len(machine.periods) < 2 and not turn:
+    if not machine.told and not turn:
         searched = without_period(machine, readings, dense)
         found["period unknown"] = Table(nodes, -_squares(nodes, dense, searched, turn), turn)
     return {

@@ -10,8 +10,7 @@ what would other tables have done; was the period found.
 Width: mean width of the bands (of A alone) over that of a judge who knows kind and size of the
 noise and the family of the error curve, and has seen the same readings (``informed.py``); how often
 the judge's own bands hold is printed with ``--details``, and its table stands beside the others.
-Where the job gives no period and there is one at most, a second judge must find it in the readings
-(``period unknown``).
+Where the job gives no period, a second judge must find them in the readings (``period unknown``).
 
 Not every kind can reach 84 %. Where a traverse is off now and then, a third of the first tests show
 none. A judge who does not know that the axis is of this kind holds 79 % (``bench_rare_shift.py``).

@@ -24,6 +24,8 @@ from compwright.records.history import HistoryEntry
 TARGETS = np.linspace(0.0, 600.0, 11)
 CURVE = 8.0 * np.sin(TARGETS / 130.0)
 K = 2.0
+#: Probability of the opposite sign below which the rate of the main parameters is clear.
+CLEAR = 0.0035
 
 
 def made(
@@ -183,7 +185,7 @@ def test_the_scatter_of_many_tests_counts_more_than_what_is_stated_of_it(stated:
     ratios, held = [], 0
     for seed in range(40):
         values = 4.0 * years + np.random.default_rng(seed).normal(0.0, 2.0, years.size)
-        trend = trend_of(years, values, np.full(12, 0.2), np.full(12, stated), [0.02] * 11)
+        trend = trend_of(years, values, np.full(12, 0.2), np.full(12, stated), [0.02] * 11, CLEAR)
         assert trend is not None
         ratios.append(trend.std_error / textbook)
         held += abs(trend.rate - 4.0) < 1.96 * trend.std_error
@@ -193,10 +195,10 @@ def test_the_scatter_of_many_tests_counts_more_than_what_is_stated_of_it(stated:
 
 def test_three_tests_on_a_line_are_no_proof_where_the_temperature_may_have_made_it() -> None:
     years, values = np.array([0.0, 1.0, 2.0]), np.array([0.0, 8.0, 16.0])  # µm/m: 0.7 K each
-    trend = trend_of(years, values, np.full(3, 0.2), np.full(3, 11.5), [0.02] * 2)
+    trend = trend_of(years, values, np.full(3, 0.2), np.full(3, 11.5), [0.02] * 2, CLEAR)
     assert trend is not None
     assert not trend.clear
-    exact = trend_of(years, values, np.full(3, 0.2), np.zeros(3), [0.02] * 2)
+    exact = trend_of(years, values, np.full(3, 0.2), np.zeros(3), [0.02] * 2, CLEAR)
     assert exact is not None
     assert exact.clear
 
@@ -210,7 +212,7 @@ def wear(count: int, multiple: float) -> Trend:
 
     def growing(rate: float) -> Trend:
         values, errors = rate * years + off, np.full(count, 0.05)
-        trend = trend_of(years, values, errors, np.zeros(count), [1e-6] * (count - 1))
+        trend = trend_of(years, values, errors, np.zeros(count), [1e-6] * (count - 1), CLEAR)
         assert trend is not None
         return trend
 
@@ -241,7 +243,7 @@ def test_the_rates_that_are_clear_are_not_forecast_too_large() -> None:
     for _ in range(240):
         rate = error * math.exp(rng.uniform(math.log(0.5), math.log(8.0)))
         values = rate * years + 0.1 * rng.standard_normal(14)
-        trend = trend_of(years, values, np.full(14, 0.1), np.zeros(14), [0.02] * 13)
+        trend = trend_of(years, values, np.full(14, 0.1), np.zeros(14), [0.02] * 13, CLEAR)
         assert trend is not None
         if trend.clear:
             level, _ = trend.lines(np.random.default_rng(0), 3.0)

@@ -96,10 +96,9 @@ class ReducedTraverses:
         """Draw the size, pattern and rate of each kind of traverse shift, given the present state
         of the other kinds of shifts.
         """
-        for kind in (OFFSET, TILT):
-            sizes.form = self._draw(sizes, kind, FORM_SHARES[: self.known], rng)
-            if kind == OFFSET:
-                self._draw_moved(sizes, rng)
+        sizes.form = self._draw(sizes, OFFSET, FORM_SHARES[: self.known], rng)
+        self._draw_moved(sizes, rng)
+        self._draw(sizes, TILT, np.ones(1), rng)
         if not self.patterns.walks:
             return
         for kind in (DRIFT, DRIFT_TILT):
@@ -196,7 +195,7 @@ class ReducedTraverses:
         rng: np.random.Generator,
     ) -> int:
         """Draw size and pattern of one ``kind`` of traverse shift; return the pattern. ``forms``:
-        prior probability of each pattern.
+        prior probability of each pattern. A tilt has the present pattern of the offsets.
 
         The grid of sizes is shifted at random before each draw, so that any size is possible.
         """
@@ -220,9 +219,9 @@ class ReducedTraverses:
         logs = self._scan(self._spectrum(sizes, kind), grid)
         form, place = np.unravel_index(int(np.argmax(np.round(logs, 6))), logs.shape)
         sizes.size[kind] = grid[place]
-        if kind in (OFFSET, TILT):
+        if kind == OFFSET:
             sizes.form = int(form)
-        else:
+        elif kind != TILT:
             sizes.rate = int(form)
         return float(logs[form, place])
 
@@ -232,7 +231,7 @@ class ReducedTraverses:
         section 8.7).
         """
         alone = np.count_nonzero(sizes.size) == int(sizes.size[kind] > 0.0)
-        key = kind, sizes.moved.tobytes() if kind == OFFSET else b""
+        key = kind, sizes.moved.tobytes() if kind == OFFSET else bytes([sizes.form])
         if alone and key in self.alone:
             return self.alone[key]
         of_others, mine = self._of_others(sizes, kind)
@@ -275,14 +274,15 @@ class ReducedTraverses:
     def _of_others(self, sizes: Sizes, kind: int) -> tuple[FloatArray, FloatArray]:
         """Return two covariances of the scores (`ReducedReadings`) for each pattern of ``kind``
         (forms, r, r): one caused by the noise and all other shifts, one caused by a shift of
-        ``kind`` of unit size.
+        ``kind`` of unit size. For a tilt they are those of the present pattern alone.
 
         For a drift, the second result is not a covariance but the column (rates, r) of the drift.
         """
         unit = np.eye(self.data.scores.size)
         if kind in (OFFSET, TILT):
             offset, tilt = self._offset(sizes), self.tilt[: self.known]
-            mine, other = (offset, tilt) if kind == OFFSET else (tilt, offset)
+            present = slice(sizes.form, sizes.form + 1)
+            mine, other = (offset, tilt) if kind == OFFSET else (tilt[present], offset[present])
             rest = sizes.size[TILT - kind] ** 2 * other
             return unit + self._drifting(sizes) + rest, mine
         column, of_others = (

@@ -33,8 +33,6 @@ PEAK: Final = 0.7
 #: Peaks that are looked at closely, and those whose share is worth it (natural logarithm).
 _PEAKS: Final = 8
 _WORTH: Final = 4.0
-#: Log odds above which a maximum is averaged over its interval.
-_RISES: Final = 0.5
 #: Points of a close look; it gets closer while fewer of them than that count.
 _POINTS: Final = 17
 _FEW: Final = 5
@@ -179,13 +177,13 @@ def find_candidates(
 
 def _cell_means(odds: FloatArray, frequencies: FloatArray, shown: _ShownLikelihood) -> FloatArray:
     """Return the log ``odds`` (f,) of waves at equally spaced ``frequencies`` (f,), each maximum
-    averaged over the interval about its frequency.
+    that the readings support (log odds above zero) averaged over the interval about its frequency.
 
     A wave with two harmonics has a peak narrower than the steps. Its maximum may be halfway between
     two frequencies, where neither shows it (quarters: trapezoidal rule).
     """
     padded = np.concatenate([[-np.inf], odds, [-np.inf]])
-    tops = np.flatnonzero((odds > _RISES) & (odds >= padded[:-2]) & (odds >= padded[2:]))
+    tops = np.flatnonzero((odds > 0.0) & (odds >= padded[:-2]) & (odds >= padded[2:]))
     half = 0.5 * (frequencies[1] - frequencies[0])
     between = [
         shown.either(frequencies[tops] + side, shown.likelihood.coarse()) for side in (-half, half)

@@ -107,7 +107,7 @@ def trend_of(
     errors: FloatArray,
     stated: FloatArray,
     jump_odds: Sequence[float],
-    opposite: float = 0.0035,
+    opposite: float,
 ) -> Trend | None:
     """Return the rate of change of a parameter, or None for fewer than three tests or less than 0.1
     years.
