@@ -4,6 +4,8 @@ axis by (ωT)² / 2, a dead time does not (ISO 230-4:1996, B.3.2).
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -74,7 +76,9 @@ def test_the_difference_of_the_scales_is_the_mismatch(first_order: bool) -> None
 
 def test_what_is_taken_off_is_stated_and_gives_the_reading_back() -> None:
     """An angle that is wrong by a tenth of a sample turns a servo mismatch of 2.5 ms into 0.28 µm
-    of scale mismatch: the error holds that too.
+    of scale mismatch: the error holds that too. A step shows between two samples, all the same at
+    each reversal point: its angle is uniform over a sample (standard deviation 1/sqrt(12)), and the
+    error is no larger than this makes it.
     """
     omega = 4000.0 / 60.0 / RADIUS
     lost = 0.5e6 * omega**2 * (0.0305**2 - 0.028**2)
@@ -88,5 +92,23 @@ def test_what_is_taken_off_is_stated_and_gives_the_reading_back() -> None:
         assert error is not None
         rest = np.sqrt(effect.std_error**2 - error**2)
         assert abs((effect.value - off) - across * (SCALE[0] - SCALE[1] - lost)) < 2.5 * rest
-        assert rest < 0.75
+        assert rest < 4.0 * (4000.0 / 60.0) * 2.5 * np.radians(0.24) / np.sqrt(12.0)
         assert off == pytest.approx(0.5 * across * lost, rel=0.25)
+
+
+def test_positional_tolerance_holds_what_equal_lags_do_to_the_radius() -> None:
+    """Two corners on a diagonal are apart by both scales over 300 mm and, approached from opposite
+    sides, by both lost motions. At 4000 mm/min lags of 30 ms shrink the radius by 26.7 µm, at 100
+    mm/min by 0.02 µm; corners of such a scale are 75 µm apart.
+    """
+    across = 2e-3 * RADIUS
+    true = np.hypot(across * SCALE[0] + LOST, across * SCALE[1] - LOST)
+    fast, slow = (
+        diagnose(circle(feed, (0.03, 0.03), first_order=True, seed=1)) for feed in (4000.0, 100.0)
+    )
+    late, exact = (found.effects["positional_tolerance"] for found in (fast, slow))
+    assert abs(late.value - true) < 2.0 * late.std_error
+    assert abs(exact.value - true) < 2.0 * exact.std_error
+    assert exact.std_error < 0.5
+    unknown = replace(circle(100.0, (0.03, 0.03), first_order=True, seed=1), calibrated=False)
+    assert "positional_tolerance" in diagnose(unknown).undetermined

@@ -133,9 +133,9 @@ def test_lobes_are_amplitudes_of_the_mean_trace() -> None:
     for name, value in (("lobes_2", 3.0), ("lobes_3", 1.0)):
         assert effects[name].value == pytest.approx(value, abs=0.02)
         assert effects[name].std_error == pytest.approx(0.1 * np.sqrt(2.0 / 3000.0), rel=0.3)
-    # Half of the squareness in each axis: 3 um at a corner along both; a sag of 4 um of the corners
-    # against the middles of two sides: (3, 3 + 4) and (-3, 0).
-    assert effects["positional_tolerance"].value == pytest.approx(np.hypot(6.0, 7.0), abs=0.1)
+    # Aligned with the first axis: 6 um of squareness at a corner, and a sag of 4 um of the corners
+    # against the middles of two sides: (6, 4) and (-6, 0).
+    assert effects["positional_tolerance"].value == pytest.approx(np.hypot(12.0, 4.0), abs=0.1)
 
 
 def test_an_arc_gives_no_value_that_is_mostly_prior() -> None:

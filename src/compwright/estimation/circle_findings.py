@@ -10,6 +10,7 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.circle_model import AXES, SOFTEST_LOOP
+from compwright.estimation.circle_reversal import INWARD, SpikeDraws
 from compwright.estimation.circle_solution import Solution
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
@@ -97,17 +98,44 @@ def _shape_findings(test: CircularTest, solution: Solution) -> Iterator[Finding]
         elif axis in solution.hidden and axis not in solution.frequencies:
             yield Finding.of("CW-D007", "info", name=name, hidden=solution.hidden[axis])
         inward = [
-            depth
+            (depth, spike)
             for spike in solution.draws.spikes
             if spike.reversal.axis == axis
             and spike.reversal.inside
-            and (depth := float(np.mean(spike.depths)))
-            > _CLEAR * float(np.hypot(np.std(np.mean(spike.depths, axis=1)), spike.least_error))
+            and (depth := float(np.mean(spike.depths))) > _CLEAR * _depth_error(spike)
         ]
         if inward:
-            yield Finding.of("CW-D008", "warning", name=name, inward=max(inward))
+            depth, spike = max(inward, key=lambda each: each[0])
+            travel = _taken_up_over(solution, spike)
+            if travel is None:
+                yield Finding.of("CW-D008.inward", "warning", name=name, inward=depth)
+            else:
+                yield Finding.of(
+                    "CW-D008.gradual", "warning", name=name, inward=depth, travel=travel
+                )
     length = float(np.mean([spectrum.length for spectrum in solution.fitted.spectra]))
     samples = solution.problem.samples
     if length > 0.1 * samples.theta.size / np.unique(samples.run).size:
         rms = float(np.sqrt(np.mean(solution.residual**2))) * MICROMETRES_PER_MILLIMETRE
         yield Finding.of("CW-D010", "info", rms=rms)
+
+
+def _depth_error(spike: SpikeDraws) -> float:
+    return float(np.hypot(np.std(np.mean(spike.depths, axis=1)), spike.least_error))
+
+
+def _taken_up_over(solution: Solution, spike: SpikeDraws) -> float | None:
+    """Return the travel, um, after which 1/e of the inward deviation of a ``spike`` remains, if it
+    is lost motion that the axis takes up gradually; None if it is something else.
+
+    While lost motion is taken up, the path lies inside by no more than this lost motion: never
+    inside the path before the reversal. After an arc s the axis has moved by s² / 2R.
+    """
+    if float(np.mean(spike.depths)) <= INWARD * float(np.mean(spike.heights)):
+        return None
+    lost = solution.draws.values[:, spike.lost]
+    over = np.mean(spike.depths, axis=1) - lost
+    if float(np.mean(over)) > _CLEAR * float(np.hypot(np.std(over), spike.least_error)):
+        return None
+    arc = float(np.median(spike.rise + spike.decay))
+    return arc**2 / (2.0 * solution.problem.samples.radius) * MICROMETRES_PER_MILLIMETRE

@@ -219,16 +219,12 @@ def fixed_columns(samples: CircleSamples) -> tuple[CauseColumn, ...]:
     )
 
 
-def rare_cause(name: str, samples: CircleSamples) -> str | None:
+def rare_cause(name: str) -> str | None:
     """Return the cause in `RARE` of which a model column is one shape, or None if the column is in
-    every model. On a full circle a spiral is.
-
-    From the end of a run to its start the radius jumps. Where the start is a reversal point, this
-    jump has the shape of lost motion in both directions. Only the ramp distinguishes them, which
-    correlated noise can hide. Without the spiral in the model, all of it is lost motion.
+    every model.
     """
     cause = name.partition("@")[0]
-    return cause if cause in RARE and not (cause == "spiral" and samples.full_circle) else None
+    return cause if cause in RARE else None
 
 
 _Named = tuple[str, FloatArray, FloatArray]

@@ -362,8 +362,11 @@ def _symptoms(test: CircularTest, solution: Solution) -> Iterator[ReportedCause]
         found = lobes(solution, order) if test.full_circle else None
         reason = by_full_circle(say("undetermined.lobes"))
         yield _stated(solution, f"lobes_{order}", reason, found, detail=True)
-    found = positional_tolerance(solution, calibrated=test.calibrated) if test.full_circle else None
-    reason = by_full_circle(say("undetermined.square"))
+    whole = test.full_circle and test.calibrated
+    found = positional_tolerance(solution) if whole else None
+    reason = (
+        say("undetermined.bar") if test.full_circle else by_full_circle(say("undetermined.square"))
+    )
     yield _stated(solution, "positional_tolerance", reason, found, detail=True)
 
 

@@ -58,7 +58,13 @@ _PAIRS: Final = 6
 
 
 def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
-    """Change the spike shapes one at a time until no change makes the fit more probable."""
+    """Change the spike shapes one at a time until no change makes the fit more probable.
+
+    A spiral of full circles stays in the model: else the noise that is estimated with these shapes
+    would contain it. From the end of a run to its start the radius jumps. Where the start is a
+    reversal point, this jump has the shape of lost motion in both directions. Only the ramp
+    distinguishes them, which correlated noise can hide.
+    """
     marginal = weighted.without(shapes.always)
     every = {place: _Options(marginal, shapes, *place) for place in shapes.slots()}
     places: list[tuple[int, int] | str] = [*every, *shapes.rare]
@@ -199,6 +205,7 @@ class CircleDraws:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SpikeDraws:
     """Random draws (d,) of the spikes at one reversal point: peak heights, depths and lengths.
+    ``lost``: column of the lost motion there.
 
     The arrays (d, s) are in µm; s = 2 for ccw and cw, s = 1 if both are equal. ``heights``: outward
     peak above the lost motion. ``depths``: largest inward deviation. ``extrapolated``: slowest
@@ -211,6 +218,7 @@ class SpikeDraws:
     """
 
     reversal: Reversal
+    lost: int
     heights: FloatArray
     depths: FloatArray
     extrapolated: FloatArray
@@ -239,7 +247,7 @@ def draw_shapes(
     for sweep in range(_FORGOTTEN + _SWEEPS):
         for place, options in every.items():
             set_shape(shapes, *place, _drawn(options.evidence(marginal, shapes), rng))
-        for name in shapes.rare if sweep % _RARELY == 0 else ():
+        for name in shapes.rare if sweep % _RARELY == 0 else ("spiral",):
             score, each = _odds(marginal, shapes, name)
             shapes.present[name] = _drawn(score, rng) - 1
             errors[name] = float(each[np.argmax(score[1:])])
@@ -401,6 +409,7 @@ class _Recorder:
         )
         return SpikeDraws(
             reversal=self.reversal,
+            lost=self.lost,
             heights=heights,
             depths=depths,
             extrapolated=slow,

@@ -5,11 +5,14 @@ stick-slip, lobes, positional tolerance.
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_model import UM
+from compwright.estimation.circle_causes import scale_mismatch
+from compwright.estimation.circle_lag import shrink_uncertainty
+from compwright.estimation.circle_model import AXES, ENDS, UM
 from compwright.estimation.circle_solution import Solution
 from compwright.records.axis import FloatArray
 
@@ -19,6 +22,9 @@ _SLOW: Final = np.radians(12.0)
 #: Share of the irregular motion that may be a spike of a shape that no decays make.
 _OWN_SHAPE: Final = 0.5
 _MOST_DRAWS: Final = 64
+#: Places along each axis at which position errors are compared: the largest straightness of third
+#: order is between the middle and the ends.
+_GRID: Final = 5
 
 
 def raw_peak(solution: Solution, axis: str, end: str, sense: float | None) -> float | None:
@@ -100,53 +106,81 @@ def lobes(solution: Solution, order: int) -> tuple[float, float]:
     return float(np.sqrt(max(power - variance, 0.0))), float(np.sqrt(variance))
 
 
-def positional_tolerance(solution: Solution, *, calibrated: bool) -> tuple[float, float]:
+def positional_tolerance(solution: Solution) -> tuple[float, float]:
     """Return the positional tolerance, um, with its standard error: the largest difference between
-    the position errors of two points in the square around the circle. ``calibrated``: the length of
-    the bar is known, so that the mean scale error counts.
+    the position errors of two points of the square around the circle. The length of the bar must be
+    known.
 
-    It contains the errors that do not depend on the feed: scale, squareness, straightness, lost
-    motion, lateral play, cyclic errors. The points are the corners of the square, the middles of
-    its sides and its centre, approached from both sides by both axes. If the length of the bar is
-    unknown, only the mismatch of the scales counts. This definition is of this project, because the
-    formula of instrument makers is not published.
+    It contains the errors that do not depend on the feed: both scales, squareness, straightness,
+    lost motion, lateral play, cyclic errors. The position errors are those of a workpiece that is
+    aligned with the first axis (x - β y). The points are on a grid and approached from both sides
+    by both axes.
+
+    A circle leaves open three things, which the standard error contains. Equal lags of both axes
+    change the radius like equal scales do, by an unknown part (`shrink_uncertainty`). Straightness
+    of third order may be that of either axis. A cyclic error may be hidden. This definition is of
+    this project, because the formula of instrument makers is not published.
     """
-    draws = solution.draws.values[:: max(solution.draws.values.shape[0] // _MOST_DRAWS, 1)]
-    spread = np.array([_spread(solution, draw, calibrated=calibrated) for draw in draws])
-    return float(np.mean(spread)), float(np.std(spread))
+    every, mismatches = solution.draws.values, scale_mismatch(solution).drawn
+    mean = np.mean(every, axis=0), (float(np.mean(mismatches)), 0.0)
+    value = float(np.mean([_spread(solution, *mean, first=first) for first in (True, False)]))
+    each = slice(None, None, max(mismatches.size // _MOST_DRAWS, 1))
+    drawn = list(zip(every[each], mismatches[each], strict=True))
+    rng = np.random.default_rng(solution.problem.target.size)
+    most = np.sqrt(3.0) * shrink_uncertainty(solution.problem.samples)
+    shrinks = rng.permutation(np.linspace(-most, most, len(drawn)))
+    spread = [
+        _spread(solution, draw, (mismatch, shrink), first=first)
+        for (draw, mismatch), shrink in zip(drawn, shrinks, strict=True)
+        for first in (True, False)
+    ]
+    hidden = [solution.hidden.get(axis, 0.0) for axis in AXES if axis not in solution.frequencies]
+    return value, math.hypot(float(np.sqrt(np.mean(np.subtract(spread, value) ** 2))), *hidden)
 
 
-def _spread(solution: Solution, draw: FloatArray, *, calibrated: bool) -> float:
+def _spread(
+    solution: Solution, draw: FloatArray, scale: tuple[float, float], *, first: bool
+) -> float:
+    """Return the positional tolerance, um, of one ``draw`` of the causes. ``scale``: scale
+    mismatch, um, and how much equal lags make the radius smaller, mm. ``first``: the straightness
+    of third order is that of the first axis.
+    """
     values = dict(zip(solution.problem.names, (float(value) for value in draw), strict=True))
     radius = solution.problem.samples.radius
-    mean = values["_radius"] / UM / radius if calibrated else 0.0
-    mismatch = 0.25 * values["scale_mismatch"] / radius
-    grid = np.array(np.meshgrid([-1.0, 0.0, 1.0], [-1.0, 0.0, 1.0], [-1.0, 1.0], [-1.0, 1.0]))
-    x, y, toward_x, toward_y = grid.reshape(4, -1)
-    sides = {}
-    for axis, place in (("first", x), ("second", y)):
-        both = values.get(f"backlash_{axis}", 0.0)
-        positive = values.get(f"backlash_{axis}_at_positive", both)
-        negative = values.get(f"backlash_{axis}_at_negative", both)
-        sides[axis] = 0.5 * (positive + negative) + 0.5 * (positive - negative) * place
+    grid = np.meshgrid(*(np.linspace(-1.0, 1.0, _GRID),) * 2, [-1.0, 1.0], [-1.0, 1.0])
+    x, y, toward_x, toward_y = (each.ravel() for each in grid)
+    mean, part = (values["_radius"] + scale[1]) / UM, 0.25 * scale[0]
+    turned = values["_s_shape"]
     error_x = (
-        (mean + mismatch) * radius * x
-        - 0.5e-3 * values["squareness"] * radius * y  # half each: a rotation is no error
+        (mean + part) * x
+        - 1e-3 * values["squareness"] * radius * y
         + values["straightness_second"] * y**2
-        - 0.5 * sides["first"] * toward_x
-        + 0.5 * values["lateral_play_second"] * toward_y
+        - turned * (not first) * (2.0 * y**3 - y)
+        - 0.5 * _along(values, "backlash_first", x) * toward_x
+        + 0.5 * _along(values, "lateral_play_second", y) * toward_y
     )
     error_y = (
-        (mean - mismatch) * radius * y
-        - 0.5e-3 * values["squareness"] * radius * x
+        (mean - part) * y
         + values["straightness_first"] * x**2
-        - 0.5 * sides["second"] * toward_y
-        + 0.5 * values["lateral_play_first"] * toward_x
+        + turned * first * (2.0 * x**3 - x)
+        - 0.5 * _along(values, "backlash_second", y) * toward_y
+        + 0.5 * _along(values, "lateral_play_first", x) * toward_x
     )
     cyclic = [
         math.hypot(*(values.get(f"_cyclic_{part}_{axis}", 0.0) for part in ("cos", "sin")))
-        for axis in ("first", "second")
+        for axis in AXES
     ]
     wide = np.abs(error_x[:, np.newaxis] - error_x) + 2.0 * cyclic[0]
     high = np.abs(error_y[:, np.newaxis] - error_y) + 2.0 * cyclic[1]
     return float(np.max(np.hypot(wide, high)))
+
+
+def _along(values: Mapping[str, float], name: str, place: FloatArray) -> FloatArray:
+    """Return the lost motion or lateral play ``name`` at each ``place`` (-1 to 1) of its axis: it
+    changes in proportion to the position.
+    """
+    if name in values:
+        return values[name] + values.get(f"_{name.replace('play', 'change')}", 0.0) * place
+    ends = [values[f"{name}_at_{end}"] for end in ENDS]
+    along: FloatArray = 0.5 * (ends[0] + ends[1]) + 0.5 * (ends[0] - ends[1]) * place
+    return along

@@ -40,9 +40,16 @@ SENTENCES: Final[dict[str, str]] = {
         "no cyclic error of axis {name} was found. A cyclic error below {hidden:2sig} µm may"
         " still be hidden"
     ),
-    "CW-D008": (
+    "CW-D008.gradual": (
+        "axis {name} takes up its lost motion gradually: up to {inward:2sig} µm are missing after"
+        " a reversal, and die out over about {travel:2sig} µm of travel. Check for elastic wind-up"
+        " first: nut preload, support bearing, coupling or belt, friction of the guideway. Backlash"
+        " compensation acts at once and cannot follow it"
+    ),
+    "CW-D008.inward": (
         "after the reversals of axis {name} the path lies up to {inward:2sig} µm inside the"
-        " circle. The backlash compensation of this axis may be too strong"
+        " circle. Its friction compensation may be too strong. Backlash compensation does the"
+        " same where the lost motion appears gradually"
     ),
     "CW-D009": (
         "the samples show only periods of {least:3sig} to {most:g} mm, so an error of period"

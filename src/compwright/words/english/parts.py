@@ -105,7 +105,7 @@ SENTENCES: Final[dict[str, str]] = {
     "undetermined.value": (
         "{value:+.1f} ± {error:.1f} µm/m is too uncertain: the uncertainty (k = 2) must be"
         " below half of the value and below {most:g} µm/m. Measure full circles in both directions,"
-        " and give all of them"
+        " and give all of them. The squareness of bent guideways needs a square"
     ),
     "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
     "with_and_without": "{parameter}: {value} with these readings, {without} without them",

@@ -36,9 +36,17 @@ SENTENCES: Final[dict[str, str]] = {
         "aucune erreur périodique de l'axe {name} n'a été trouvée. Une erreur périodique de moins"
         " de {hidden:2sig} µm peut encore être cachée"
     ),
-    "CW-D008": (
+    "CW-D008.gradual": (
+        "le jeu à l'inversion de l'axe {name} apparaît peu à peu : après une inversion, il manque"
+        " jusqu'à {inward:2sig} µm, qui s'éteignent sur environ {travel:2sig} µm de course."
+        " Vérifier d'abord la torsion élastique : précharge de l'écrou, palier, accouplement ou"
+        " courroie, frottement du guidage. La compensation de jeu agit d'un coup et ne peut le"
+        " suivre"
+    ),
+    "CW-D008.inward": (
         "après les inversions de l'axe {name}, la trajectoire est jusqu'à {inward:2sig} µm à"
-        " l'intérieur du cercle. La compensation de jeu de cet axe est peut-être trop forte"
+        " l'intérieur du cercle. La compensation de frottement de cet axe est peut-être trop forte."
+        " Une compensation de jeu fait de même là où le jeu apparaît peu à peu"
     ),
     "CW-D009": (
         "les points de mesure ne montrent que des périodes de {least:3sig} à {most:g} mm, donc"

@@ -110,7 +110,8 @@ SENTENCES: Final[dict[str, str]] = {
     "undetermined.value": (
         "{value:+.1f} ± {error:.1f} µm/m n'est pas assez bien connu : l'incertitude (k = 2) doit"
         " être inférieure à la moitié de la valeur et à {most:g} µm/m. Mesurer des cercles entiers"
-        " dans les deux sens, et les donner tous"
+        " dans les deux sens, et les donner tous. La perpendicularité de guidages courbes"
+        " demande une équerre"
     ),
     "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
     "with_and_without": "{parameter} {value} avec, {without} sans",

@@ -39,9 +39,16 @@ SENTENCES: Final[dict[str, str]] = {
         "keine periodische Abweichung der Achse {name} wurde gefunden. Eine unter {hidden:2sig}"
         " µm kann noch verborgen sein"
     ),
-    "CW-D008": (
+    "CW-D008.gradual": (
+        "das Umkehrspiel der Achse {name} entsteht allmählich: Nach einer Umkehr fehlen bis zu"
+        " {inward:2sig} µm und klingen über etwa {travel:2sig} µm Weg ab. Zuerst die elastische"
+        " Verwindung prüfen: Vorspannung der Mutter, Stützlager, Kupplung oder Riemen, Reibung der"
+        " Führung. Losekompensation wirkt sofort und kann ihm nicht folgen"
+    ),
+    "CW-D008.inward": (
         "nach den Umkehrungen der Achse {name} liegt die Bahn bis zu {inward:2sig} µm innerhalb"
-        " des Kreises. Die Losekompensation dieser Achse kann zu stark sein"
+        " des Kreises. Ihre Reibungskompensation kann zu stark sein. Losekompensation zeigt"
+        " dasselbe, wo das Umkehrspiel allmählich entsteht"
     ),
     "CW-D009": (
         "die Messpunkte zeigen nur Perioden von {least:3sig} bis {most:g} mm, ein Fehler der"

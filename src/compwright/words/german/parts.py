@@ -107,7 +107,8 @@ SENTENCES: Final[dict[str, str]] = {
     "undetermined.value": (
         "{value:+.1f} ± {error:.1f} µm/m ist nicht genau genug bekannt: Die Unsicherheit (k = 2)"
         " muss unter der Hälfte des Wertes und unter {most:g} µm/m liegen. Volle Kreise in beiden"
-        " Richtungen messen und alle angeben"
+        " Richtungen messen und alle angeben. Die Rechtwinkligkeit krummer Führungen braucht einen"
+        " Winkel"
     ),
     "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
     "with_and_without": "{parameter} {value} mit, {without} ohne",
