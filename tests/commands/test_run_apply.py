@@ -370,6 +370,54 @@ def test_a_circle_is_not_corrected_twice(
     assert ("CW-P167" in codes(capsys)) is doubt
 
 
+def test_a_deviation_of_a_rotary_axis_is_an_angle(folder: Path) -> None:
+    """8 arcsec over 0.8 m."""
+    (folder / "job.yaml").write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl, options: {cec: available,"
+        " cec_sign: correction, cec_tables: [0]}}\nstates: {as_found: none}\naxes:\n"
+        "  X: {travel: [0, 800], address: AX1, before: []}\n"
+        "  C: {kind: rotary, travel: [0, 360], address: AX4, before: []}\ncross:\n"
+        "  - {input: X, output: C, positions: [0, 800], deviations: [0, 8], unit: arcsec}\n"
+    )
+    assert compwright(["run", str(folder / "job.yaml")]) == 0
+    assert "measured deviation of C over X (+10.0 arcsec/m)" in card(folder)
+
+
+@pytest.mark.parametrize(
+    ("switches", "measured_in", "code"),
+    [
+        ("$MA_CEC_ENABLE[AX2]=1", "idle", 3),
+        ("$MA_CEC_ENABLE[AX2]=1", "as_found", 0),
+        ("$MA_CEC_ENABLE[AX2]=0", "idle", 1),
+    ],
+)
+def test_a_table_in_no_file_is_part_of_the_state(
+    folder: Path, capsys: pytest.CaptureFixture[str], switches: str, measured_in: str, code: int
+) -> None:
+    """Table 0 is on, and only table 1 may be written. A measurement without it does not show what
+    it corrects already; with MD32710 = 0 it corrects nothing, and the switch would wake it.
+    """
+    (folder / "MD.INI").write_text(
+        f"CHANDATA(1)\n{switches}\n$MA_CEC_ENABLE[AX1]=0\n$SN_CEC_TABLE_ENABLE[0]=1\n"
+        "$MA_BACKLASH[0,AX1]=0\n$MA_BACKLASH[0,AX2]=0\nM17\n"
+    )
+    job = folder / "job.yaml"
+    job.write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl, options: {cec: available,"
+        " cec_sign: correction, cec_tables: [1]}}\nstates: {as_found: [MD.INI], idle: none}\n"
+        "axes:\n  X: {travel: [0, 800], address: AX1, before: []}\n"
+        "  Y: {travel: [-500, 0], address: AX2, before: []}\ncross:\n"
+        "  - {input: X, output: Y, positions: [0, 800], deviations: [0, 8], unit: um,"
+        f" measured_in: {measured_in}}}\n"
+    )
+    assert compwright(["run", str(job)]) == code
+    error = capsys.readouterr().err
+    assert ("also activates others: 0" in error) is (code == 1)
+    if code == 3:
+        assert "as_found: CEC table 0 (on, and in no given file); idle: none" in error
+        assert "or give the file with the CEC tables (NC_CEC.INI)" in error
+
+
 @pytest.mark.parametrize(("deviation", "tables"), [(8, "[0]"), (-8, "[1]")])
 def test_a_control_in_inch_takes_a_table_in_mm(folder: Path, deviation: int, tables: str) -> None:
     """MD32711 = 1: the values and positions of a CEC table are in mm, and the file of a new table

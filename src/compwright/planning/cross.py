@@ -225,7 +225,9 @@ class _Planner:
             )
             tables.append(table)
         if missed > 2.0 * QUANTUM:
-            self.find("CW-P103", "info", input=given, output=bent, missed=missed * 1000.0)
+            unit = self.axes[bent].kind.unit
+            shown = Amount(missed * outside_factor(unit), shown_unit(unit), "2sig")
+            self.find("CW-P103", "info", input=given, output=bent, missed=shown)
         return _compensation(axis, self.axes[bent], points, *tables)
 
     def _check_by_circle(self, planned: PlannedCross) -> None:

@@ -70,10 +70,11 @@ _AND: Final[dict[Language, str]] = {"en": " and ", "de": " und ", "fr": " et ", 
 _SYMBOLS: Final = {
     "mean B": "B̄", "Ps mean": "P̄s", "U mean": "Ū", "Ps max": "Ps,max", "U max": "Umax",
     "arcsec": "″", "deg": "°", "ccw": "↺", "cw": "↻",
+    "arcsec/m": "″/m", "µm/deg": "µm/°", "arcsec/deg": "″/°",
 }  # fmt: skip
 _RUSSIAN_UNITS: Final = {
     "µm": "мкм", "mm": "мм", "m": "м", "µm/m": "мкм/м", "µm/(m K)": "мкм/(м·К)",
-    "mm/min": "мм/мин", "ms": "мс", "K": "К", "Hz": "Гц",
+    "mm/min": "мм/мин", "ms": "мс", "K": "К", "Hz": "Гц", "arcsec/m": "″/м", "µm/deg": "мкм/°",
 }  # fmt: skip
 _OWN_NAMES: Final[dict[Language, dict[str, str]]] = {
     "en": {},

@@ -8,10 +8,18 @@ from typing import Protocol
 
 from compwright.formats.definition.schema import Definition
 from compwright.foundations.findings import Severity
+from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import Axis
 from compwright.records.correction import ControlFile, ControlState
 from compwright.records.plan import PlannedCross
-from compwright.words.sentences import ControlText, Sentence, SentenceText, control_text, say
+from compwright.words.sentences import (
+    Amount,
+    ControlText,
+    Sentence,
+    SentenceText,
+    control_text,
+    say,
+)
 
 #: A shift of the whole axis by a cross-axis table is reported from this size on, mm or deg.
 _NO_SHIFT = 2e-6
@@ -72,10 +80,14 @@ def error_label(entry: PlannedCross) -> Sentence:
 
     If the angle between the axes is above 90°, the output axis deviates towards -.
     """
-    squareness = entry.squareness * 1e6
     if entry.source == "circle":
+        squareness = entry.squareness * 1e6
         return say("between.squareness", output=entry.output, input=entry.input, slope=squareness)
-    return say("between.deviation", output=entry.output, input=entry.input, slope=-squareness)
+    of, per = entry.added.output_kind.unit, entry.added.input_kind.unit
+    length, times = ("m", 1e3) if per == "mm" else ("deg", 1.0)
+    slope = -entry.squareness * outside_factor(of) * times
+    amount = Amount(slope, f"{shown_unit(of)}/{length}", "+.1f")
+    return say("between.deviation", output=entry.output, input=entry.input, slope=amount)
 
 
 def merged_files(

@@ -11,7 +11,7 @@ SENTENCES: Final[dict[str, str]] = {
         " lost motion of the axis."
     ),
     "better_targets": "targets that would show this error: {targets:g} {unit}",
-    "between.deviation": "the measured deviation of {output} over {input} ({slope:+.1f} µm/m)",
+    "between.deviation": "the measured deviation of {output} over {input} ({slope})",
     "between.racked": (
         "{output} is a gantry axis, and a table on {output} without {partner} racks the machine."
         " Next: {squareness:if|correct the squareness by the reference offset of the"

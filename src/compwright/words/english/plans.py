@@ -45,7 +45,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P103": (
         "The table that corrects {output} over {input} has equally spaced points. At the measured"
-        " positions it therefore differs from the wanted correction by up to {missed:2sig} µm."
+        " positions it therefore differs from the wanted correction by up to {missed}."
     ),
     "CW-P104": (
         "{measured}, but {circle} according to {tests}. The two contradict each other. The table is"

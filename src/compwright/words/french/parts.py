@@ -11,7 +11,7 @@ SENTENCES: Final[dict[str, str]] = {
         " grande que le jeu à l'inversion de l'axe."
     ),
     "better_targets": "points visés qui montreraient cette erreur : {targets:g} {unit}",
-    "between.deviation": "l'écart mesuré de {output} sur {input} ({slope:+.1f} µm/m)",
+    "between.deviation": "l'écart mesuré de {output} sur {input} ({slope})",
     "between.racked": (
         "{output} est un axe de portique, et une table sur {output} sans {partner} vrille la"
         " machine. Ensuite : {squareness:if|corriger la perpendicularité par le décalage de"

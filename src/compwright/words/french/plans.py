@@ -46,7 +46,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P103": (
         "La table qui corrige {output} selon {input} a des points à pas égaux. Aux positions"
-        " mesurées, elle s'écarte donc de la correction souhaitée de {missed:2sig} µm au plus."
+        " mesurées, elle s'écarte donc de la correction souhaitée de {missed} au plus."
     ),
     "CW-P104": (
         "{measured}, mais {circle} d'après {tests}. Les deux se contredisent. La table est calculée"

@@ -11,7 +11,7 @@ SENTENCES: Final[dict[str, str]] = {
         " das Umkehrspiel der Achse."
     ),
     "better_targets": "Zielpositionen, die diesen Fehler zeigen würden: {targets:g} {unit}",
-    "between.deviation": "die gemessene Abweichung von {output} über {input} ({slope:+.1f} µm/m)",
+    "between.deviation": "die gemessene Abweichung von {output} über {input} ({slope})",
     "between.racked": (
         "{output} ist eine Gantry-Achse, und eine Tabelle auf {output} ohne {partner} verspannt die"
         " Maschine. Weiter: {squareness:if|die Rechtwinkligkeit über den Referenzversatz des Gantry"

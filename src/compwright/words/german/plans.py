@@ -52,7 +52,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P103": (
         "Die Tabelle, die {output} über {input} korrigiert, hat Punkte in gleichem Abstand. An den"
-        " gemessenen Positionen weicht sie deshalb um bis zu {missed:2sig} µm von der gewünschten"
+        " gemessenen Positionen weicht sie deshalb um bis zu {missed} von der gewünschten"
         " Korrektur ab."
     ),
     "CW-P104": (

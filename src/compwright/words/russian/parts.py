@@ -10,7 +10,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{finding} Это объясняют файлы УЧПУ: компенсация люфта в них больше мёртвого хода оси."
     ),
     "better_targets": "заданные позиции, которые показали бы эту погрешность: {targets:g} {unit}",
-    "between.deviation": "измеренное отклонение {output} по {input} ({slope:+.1f} мкм/м)",
+    "between.deviation": "измеренное отклонение {output} по {input} ({slope})",
     "between.racked": (
         "{output} — ось портала, и таблица на {output} без {partner} перекашивает станок. Далее:"
         " {squareness:if|исправьте перпендикулярность смещением опорной позиции"

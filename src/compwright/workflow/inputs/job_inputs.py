@@ -322,11 +322,10 @@ def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Itera
                     ),
                     file=job.file,
                     place=f"states.{state}",
-                    expected=f"a measurement in {AS_FOUND}, or the option {help_}",
+                    expected=f"a measurement in {AS_FOUND}, or {help_}",
                     found=f"{AS_FOUND}: {tables[0]}; {state}: {tables[1]}",
                     hint=(
-                        f"repeat the circle or the cross measurement in {AS_FOUND}, or set the "
-                        f"option {help_}"
+                        f"repeat the circle or the cross measurement in {AS_FOUND}, or give {help_}"
                     ),
                 )
 

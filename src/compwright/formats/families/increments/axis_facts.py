@@ -36,7 +36,7 @@ _GRID = (3620, 3621, 3622, 3623, 3624)
 
 
 #: What would let straightness compensation be counted with.
-_UNCOUNTED_HELP = "straightness: available in the options of the controller"
+_UNCOUNTED_HELP = "the option `straightness: available` of the controller"
 
 
 def facts_of(values: IncrementAxisValues) -> AxisFacts:

@@ -26,6 +26,7 @@ from compwright.formats.families.pairs.places import (
     is_whole,
     is_zero,
     last,
+    of_axis,
     places_of,
     print_of,
 )
@@ -121,6 +122,7 @@ class CecReader(SingleValues):
         self.occupied: dict[int, Pair] = {}
         self.odd: list[OddTable] = []
         self.quiet: list[int] = []
+        self.missing: list[int] = []
 
     def read(self) -> Cec:
         """Return all cross-axis tables in the files, and those that cannot be used."""
@@ -143,14 +145,20 @@ class CecReader(SingleValues):
             max_sum=self._max_sums(),
             metric=self._metric(),
             prints={index: print_of(found) for index, found in places.items()},
+            missing={address: self.missing for address in self.wanted if self._may_be_on(address)},
         )
+
+    def _may_be_on(self, address: str) -> bool:
+        """Return whether the files leave it possible that tables correct the axis."""
+        enabled = last("cross_axis_enabled", of_axis(self.gathered, address))
+        return enabled is None or not same_value(enabled.text, "0")
 
     def _table(self, index: int, places: Places) -> CecTable | None:
         """Return one cross-axis table; None if its lines contain no table, or a table that cannot
         be used or written.
         """
         if not any(name in places for name in DATA):
-            self._refuse_missing(index, places)
+            self._note_missing(index, places)
             return None
         if is_unused(places):
             return None
@@ -174,15 +182,18 @@ class CecReader(SingleValues):
             self._leave_alone(one)
         return None
 
-    def _refuse_missing(self, index: int, places: Places) -> None:
-        """Refuse a table that may be written and is switched on, if no file contains it: what it
-        adds now is unknown, and a new table would replace it.
+    def _note_missing(self, index: int, places: Places) -> None:
+        """Record a table that is switched on and that no file contains: what it adds now is
+        unknown. Refuse it if it may be written, because a new table would replace it.
         """
         on, room = last("cross_table_enabled", places), last("cross_max_points", places)
         allowed = {*(self.writable.drafted or ())}.union(*self.writable.indices.values())
-        if index not in allowed or on is None or not same_value(on.text, "1"):
+        if on is None or not same_value(on.text, "1"):
             return
         if room is not None and Decimal(room.text) == 0:
+            return
+        if index not in allowed:
+            self.missing.append(index)
             return
         name = self.values(f"CEC table {index}").name
         self.notes.refuse(

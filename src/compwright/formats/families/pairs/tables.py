@@ -71,6 +71,7 @@ class Cec:
     - ``max_sum``: by output axis, the limit for the sum of its tables, mm or deg.
     - ``metric``: by output axis, whether its tables are in mm.
     - ``prints``: by index, eight characters that identify the contents of the table.
+    - ``missing``: by axis that they may correct, the tables that are on and in no file.
     """
 
     tables: tuple[CecTable, ...] = ()
@@ -80,6 +81,7 @@ class Cec:
     max_sum: Mapping[str, float] = field(default_factory=dict)
     metric: Mapping[str, bool] = field(default_factory=dict)
     prints: Mapping[int, str] = field(default_factory=dict)
+    missing: Mapping[str, Sequence[int]] = field(default_factory=dict)
 
     def left_alone(self, tables: Sequence[CecTable], why: str) -> Cec:
         """Return a copy in which ``tables`` count as tables that cannot be used, for the reason
@@ -120,7 +122,11 @@ class Cec:
             metric=self.metric.get(address),
             odd_sum=sum(table.largest for table in self.odd if table.output == address),
             uncounted=self._uncounted_tables(address, sign_known=sign_known),
-            uncounted_help="cec_sign in controller.options (tables that are curves)",
+            uncounted_help=(
+                "the file with the CEC tables (NC_CEC.INI)"
+                if self.missing.get(address)
+                else "the option cec_sign (tables that are curves)"
+            ),
         )
 
     def uncounted(self, address: str) -> str:
@@ -142,7 +148,8 @@ class Cec:
 
     def _uncounted_tables(self, address: str, *, sign_known: bool) -> str:
         """Return as text the active tables by which other axes correct this axis and which cannot
-        be read as corrections; if not ``sign_known``, that is every such table.
+        be read as corrections; if not ``sign_known``, that is every such table. Tables that are on
+        and in no file may be among them.
 
         If the values of these tables change, the text changes too.
         """
@@ -150,7 +157,16 @@ class Cec:
         if not sign_known:
             active += [table for table in self.tables if table.active and table.values.any()]
         mine = [table for table in active if table.output == address != table.input]
+        unknown = (
+            f"CEC table {index} (on, and in no given file)"
+            for index in self.missing.get(address, ())
+        )
         return ", ".join(
-            f"CEC table {table.index} over {table.input} ({self._print(table)})"
-            for table in sorted(mine, key=lambda table: table.index)
+            [
+                *(
+                    f"CEC table {table.index} over {table.input} ({self._print(table)})"
+                    for table in sorted(mine, key=lambda table: table.index)
+                ),
+                *unknown,
+            ]
         )
