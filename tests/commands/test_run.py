@@ -1020,7 +1020,7 @@ def test_export_to_another_control_reads_its_state_by_the_new_addresses(
         assert "$MA_BACKLASH[0,AX1]=0.001" not in written
     else:
         assert code == 3
-        assert "no given file contains data of axis AX2" in said.err
+        assert "no given file states the compensation of axis AX2" in said.err
 
 
 @WHOLE

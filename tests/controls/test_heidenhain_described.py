@@ -255,6 +255,34 @@ def test_where_the_table_has_no_place_the_sheet_comes_as_before(
     assert not (folder / "job" / "tables").exists()
 
 
+def test_an_axis_without_a_table_in_the_active_line_gets_the_sheet(
+    folder: Path,  # noqa: F811
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """The cell of Y in the active line is blank, so Y has no table. Its parameters are in no file:
+    they are doubts, and the sheet is there.
+    """
+    text = com(19, 50).replace("   Y\n", "   Z\n")
+    assert run(folder, NCK.id, states=states(folder, text)) == 1
+    said = " ".join(capsys.readouterr().out.split())
+    assert "(X.COM has no column Y). Type them into" in said
+    for name in ("backLash", "linearCompValue"):
+        assert f"axis Y: {name} is not in the files; 0 is assumed" in said
+    assert (folder / "job" / "card" / "cross_X_Y.csv").exists()
+
+
+def test_an_axis_in_no_file_is_refused_with_the_files_that_would_name_it(
+    folder: Path,  # noqa: F811
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    (folder / "X.COM").write_text(com(19, 50).replace("   Y\n", "   Z\n"))
+    assert run(folder, NCK.id, states="[X.COM]") == 3
+    said = " ".join(capsys.readouterr().err.split())
+    for words in ("a .CMA or .COM with a column of Y", "backLash or linearCompValue of Y", "axes X, Z"):
+        assert words in said
+    assert "slope" not in said
+
+
 @pytest.mark.parametrize("bit", ["1", "0"])
 def test_a_column_of_an_axis_whose_bit_is_0_is_not_filled(
     folder: Path,  # noqa: F811

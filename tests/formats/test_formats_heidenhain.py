@@ -324,7 +324,7 @@ def test_parameters_have_to_agree() -> None:
         itnc(file("MP.TXT", MP), axes=(axis_of("Y"),))
     with pytest.raises(InputError, match="two tables"):
         itnc(file("entry_X.csv", SHEET), file("X.COM", COM))
-    with pytest.raises(InputError, match="no given file contains data of axis B"):
+    with pytest.raises(InputError, match="no given file states the compensation of axis B"):
         itnc(file("entry_X.csv", SHEET), axes=(axis_of("B"),))
 
 

@@ -197,7 +197,7 @@ def test_a_table_is_found_by_the_key_or_by_its_name() -> None:
 
 
 def test_missing_is_not_zero() -> None:
-    with pytest.raises(InputError, match="contains data of axis 5"):
+    with pytest.raises(InputError, match="states the compensation of axis 5"):
         control_format(LINUXCNC, {}).read(files(x__comp=ACTUAL, m__ini=MACHINE), [axis_of("5")])
     bare = control_format(LINUXCNC, {}).read(
         files(m__ini="[JOINT_5]\nMAX_VELOCITY = 1\n"), [axis_of("5")]

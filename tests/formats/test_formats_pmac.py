@@ -290,7 +290,7 @@ def test_a_turn_that_the_length_does_not_divide() -> None:
 
 
 def test_missing_is_not_zero() -> None:
-    assert "contains data of motor 2" in str(refused(EXAMPLE, axis("2")))
+    assert "states the compensation of motor 2" in str(refused(EXAMPLE, axis("2")))
     assert "no compensation of any motor" in refused("I130=2000\n")
 
 

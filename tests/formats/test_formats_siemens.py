@@ -281,7 +281,7 @@ def test_all_faults_of_all_files_come_at_once() -> None:
 def test_files_that_say_nothing_or_another_axis() -> None:
     with pytest.raises(InputError, match="no compensation data"):
         siemens("G1 X10\nM30\n")
-    with pytest.raises(InputError, match="contains data of axis AX3"):
+    with pytest.raises(InputError, match="states the compensation of axis AX3"):
         siemens(SAMPLE, axis_of("AX3"))
     with pytest.raises(UsageError):
         siemens(SAMPLE, axis_of("1"))

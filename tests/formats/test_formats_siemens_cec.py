@@ -255,7 +255,7 @@ def test_a_product_on_another_axis_is_left_out_where_nobody_asks_for_it() -> Non
     with pytest.raises(InputError, match="multiplied"):
         siemens(text)
     with pytest.raises(
-        CapacityError, match=r"0 in `cec_tables` \(0\)"
+        CapacityError, match=r"none in `cec_tables` \(0\)"
     ):  # it is not free all the same
         control_format(
             SIEMENS, {"cec": "available", "cec_tables": [0], "cec_sign": "correction"}, state
@@ -340,7 +340,7 @@ def test_the_capacity_of_a_pair() -> None:
         ([], "none"),
         ([4], "1 in `cec_tables` (4)"),
         ([4, 0], "1 in `cec_tables` (4, 0)"),
-        ([0, 1], "0 in `cec_tables` ("),
+        ([0, 1], "none in `cec_tables` ("),
         ([4, 4], "1 in `cec_tables` ("),
     ],
 )
@@ -955,7 +955,11 @@ def test_an_own_table_that_cannot_take_a_correction_exactly_stays(
 def test_an_own_table_that_may_not_be_written_is_named() -> None:
     with pytest.raises(CapacityError) as caught:
         in_place(own_bend(), cross([0.0, -0.016]), [], "correction")
-    assert "add the index of the control's own table (0) to `cec_tables`" in str(caught.value)
+    assert (
+        "table 0 of these axes takes no further correction: `cec_tables` does not name it; exp"
+        in (str(caught.value))
+    )
+    assert "Next: add 0 to `cec_tables`, so that it is changed in place; or" in str(caught.value)
 
 
 def test_cross_tables_and_a_pair_of_one_run_do_not_meet() -> None:

@@ -30,6 +30,11 @@ OWN = (
 FACTS = "$MN_MM_CEC_MAX_POINTS[0]=9\n$MA_BACKLASH[0,AX1]=0\n$MA_BACKLASH[0,AX2]=0\n"
 
 
+#: Table 1, of AX3, is multiplied by table 0; it is off.
+OTHER = OWN.replace("[0]", "[1]").replace("[0,", "[1,").replace("(AX1)", "(AX3)")
+PRODUCT = OTHER.replace("BY_TABLE[1]=0", "BY_TABLE[1]=1") + "$SN_CEC_TABLE_ENABLE[1]=0\n"
+
+
 def ramp(last: float, base: str = "AX1") -> CrossCompensation:
     """A straight line from 0 to ``last`` (mm) at 800 mm of the axis ``base``."""
     values = np.array([0.0, last])
@@ -71,7 +76,7 @@ def test_a_free_table_holds_what_a_protected_own_table_does_not(last: float) -> 
 def test_a_protected_own_table_without_a_free_one_is_refused_with_both_ways_out() -> None:
     with pytest.raises(CapacityError) as caught:
         written(files(ALL__INI=f"{ON}{FACTS}{OWN}M17\n"), [0], ramp(0.008))
-    for words in ("SD41300", "MD32710", "NC_CEC.INI", "unused tables", "`cec_tables`"):
+    for words in ("SD41300", "MD32710", "NC_CEC.INI", "unused table", "`cec_tables`"):
         assert words in str(caught.value)
 
 
@@ -105,8 +110,64 @@ def test_an_own_table_that_cannot_be_read_is_named_with_its_reason() -> None:
     )
     with pytest.raises(CapacityError) as caught:
         written(files(MD__INI=f"{ON}{FACTS}M17\n", CEC__INI=f"{far}M17\n"), [0], ramp(0.008))
-    assert "(table 0: a position this large is not plausible)" in str(caught.value)
-    assert "direction 0" not in str(caught.value)
+    assert "no further correction: a position this large is not plausible" in str(caught.value)
+    assert "MD18342" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "reason", "step"),
+    [
+        ("$SN_CEC_TABLE_WEIGHT[0]=1\n", "", ("SD41310 ($SN_CEC_TABLE_WEIGHT[0]) is in no given file,"
+         " needed: 1"), "add the file with $SN_CEC_TABLE_WEIGHT[0]"),
+        ("WEIGHT[0]=1", "WEIGHT[0]=0.5", "SD41310 ($SN_CEC_TABLE_WEIGHT[0]) is 0.5, needed: 1",
+         "set $SN_CEC_TABLE_WEIGHT[0] to 1 in the control, multiply the values of table 0 by 0.5"),
+        ("$SN_CEC_TABLE_ENABLE[0]=1\n", "", ("SD41300 ($SN_CEC_TABLE_ENABLE[0]) is in no given file,"
+         " needed: 1"), "add the file with $SN_CEC_TABLE_ENABLE[0]"),
+        ("CEC_ENABLE[AX2]=1", "CEC_ENABLE[AX2]=0", "MD32710 ($MA_CEC_ENABLE[AX2]) is 0, needed: 1",
+         "set $MA_CEC_ENABLE[AX2] to 1 in the control, measure again"),
+        ("DIRECTION[0]=0", "DIRECTION[0]=1", "$AN_CEC_DIRECTION[0] is 1, needed: 0",
+         "look in the control for an unused table"),
+        ("IS_MODULO[0]=0\n", "IS_MODULO[0]=0\n" + PRODUCT,
+         "$AN_CEC_MULT_BY_TABLE[1] is 1: table 1 is multiplied by it",
+         "look in the control for an unused table"),
+        ("AX2]=0\n", "AX2]=0\n$AN_CEC_TYPE[0]=1\n", "$AN_CEC_TYPE makes it a special table",
+         "correct this table in the control"),
+    ],
+)  # fmt: skip
+def test_only_the_condition_that_is_not_met_is_named_with_its_next_step(
+    old: str, new: str, reason: str, step: str
+) -> None:
+    """Each has one sentence: the parameter, its value, the value that is needed."""
+    text = f"{ON}{FACTS}{OWN}M17\n"
+    assert old in text
+    md, cec = (part.replace(old, new) for part in (f"{ON}{FACTS}M17\n", f"{OWN}M17\n"))
+    with pytest.raises(CapacityError) as caught:
+        written(files(MD__INI=md, CEC__INI=cec), [0], ramp(0.008))
+    (fault,) = caught.value.faults
+    assert fault.message.endswith(f"table 0 of these axes takes no further correction: {reason}")
+    assert fault.hint.startswith(step)
+    assert "give its index as `cec_tables`" in fault.hint
+
+
+@pytest.mark.parametrize(
+    ("room", "reason", "step"),
+    [
+        ("$MN_MM_CEC_MAX_POINTS[0]=7\n", "MD18342 ($MN_MM_CEC_MAX_POINTS[0]) is 7, needed: 9",
+         "set MD18342 to 9 or more (save an archive, power on, load the archive back)"),
+        ("", ("MD18342 ($MN_MM_CEC_MAX_POINTS[0]) is in no given file, and room is known for 7"
+         " points only, needed: 9"), "add the file with MD18342"),
+    ],
+)  # fmt: skip
+def test_the_points_that_a_table_needs_are_counted(room: str, reason: str, step: str) -> None:
+    """0 to 600 every 100 mm must reach 800: 9 points."""
+    rows = OWN.replace("MAX[0]=800", "MAX[0]=600").splitlines(keepends=True)
+    cec = "".join(row for row in rows if not row.startswith(("$AN_CEC[0,7", "$AN_CEC[0,8")))
+    md = ON + FACTS.replace("$MN_MM_CEC_MAX_POINTS[0]=9\n", room)
+    with pytest.raises(CapacityError) as caught:
+        written(files(MD__INI=f"{md}M17\n", CEC__INI=f"{cec}M17\n"), [0], ramp(0.008))
+    (fault,) = caught.value.faults
+    assert fault.message.endswith(f"takes no further correction: {reason}")
+    assert fault.hint.startswith(step)
 
 
 @pytest.mark.parametrize("tables", [[0], [1]])
@@ -133,3 +194,18 @@ def test_a_table_that_is_on_and_in_no_file_is_refused_by_its_parameters() -> Non
         control_format(SIEMENS, {"cec_sign": "error"}).read(given, [axis_of("AX1", system=2)])
     assert "$MA_ENC_COMP_ENABLE = 1" in str(caught.value)
     assert "no given file contains it ($AA_ENC_COMP)" in str(caught.value)
+
+
+def test_an_axis_with_settings_but_no_compensation_is_refused_with_the_lines_wanted() -> None:
+    """Table 0 works from AX3 to AX2; of AX1 the files have nothing but MD32710."""
+    given = files(MD__INI=f"{ON}$MA_CEC_ENABLE[AX1]=1\nM17\n", CEC__INI=OWN.replace("AX1", "AX3"))
+    with pytest.raises(InputError) as caught:
+        control_format(SIEMENS, {"cec_sign": "error"}).read(given, [axis_of("AX1"), axis_of("AX2")])
+    said = str(caught.value)
+    for words in (
+        "$MA_BACKLASH[<system>,AX1]",
+        "$MA_ENC_COMP_ENABLE[",
+        "AX1 (only $MA_CEC_ENABLE)",
+    ):
+        assert words in said
+    assert "no axis at all" not in said

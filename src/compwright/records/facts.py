@@ -114,13 +114,14 @@ class PairTables:
 
     ``stay``: the numbers of tables whose input is also their output and which stay whatever is
     written.
-    ``curves``: positions and corrections, mm or deg, of the tables between two axes to which a
-    correction can be added: one curve for both directions, active beyond doubt.
-    ``unread``: the tables that cannot be read as a curve, with the reason.
+    ``curves``: positions and corrections, mm or deg, of the tables between two axes.
+    ``obstacles``: for each table to which no correction can be added, every reason with its next
+    step (empty: only another table helps). Without one, the table is one curve for both directions,
+    active beyond doubt.
     """
 
     used: Mapping[int, tuple[str, str]] = field(default_factory=dict)
     reserved: Mapping[int, int] = field(default_factory=dict)
     stay: frozenset[int] = frozenset()
     curves: Mapping[int, tuple[tuple[float, ...], tuple[float, ...]]] = field(default_factory=dict)
-    unread: Mapping[int, str] = field(default_factory=dict)
+    obstacles: Mapping[int, tuple[tuple[str, str], ...]] = field(default_factory=dict)

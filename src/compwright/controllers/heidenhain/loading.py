@@ -48,12 +48,18 @@ class Loader:
         return self.given.faults
 
     def axes(self) -> dict[str, HeidenhainAxis]:
-        """Return every axis that the files correct, by tables, entry sheets or parameters."""
+        """Return every axis that the files correct, by tables, entry sheets or parameters, and the
+        axes of the job that the active line of the .CMA gives no table.
+        """
         spoken: dict[str, None] = {}
         for com, moving in AxisAssignment(self.given).moving_axes():
             spoken.update(dict.fromkeys(filled(com)))
             if moving is not None:
                 self.tables.load_com(com, moving)
+        under_work = self.given.request.axes_under_work
+        for cma in self.given.cmas if under_work else ():
+            listed = () if cma.active is None else cma.axes
+            spoken.update(dict.fromkeys(filter(self.given.request.is_under_work, listed)))
         for sheet in self.given.sheets:
             spoken[sheet.address] = None
             self.tables.load_sheet(sheet)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Final, Literal
 
 from compwright.formats.text.gathering import FoundValue
 from compwright.foundations.errors import Fault
 from compwright.foundations.findings import Finding, Severity
-from compwright.records.correction import Assumption
+from compwright.records.correction import Assumption, ControlFile
 from compwright.words.sentences import Sentence
 
 # Next steps of `Notes.refuse`, by the cause.
@@ -87,6 +88,24 @@ class Notes:
         about = (axis.removeprefix("axis ").partition(",")[0],) if axis else ()
         grave: Severity = "warning" if severity == "warning" else "info"
         self.findings.append(Finding.of(name, grave, about, **values))
+
+    def no_data(
+        self, label: str, files: Iterable[ControlFile], named: Iterable[str], expected: str
+    ) -> None:
+        """Refuse an axis (``label``) whose compensation is in none of the ``files``. ``named``: the
+        axes in them; ``expected``: what would state the compensation.
+        """
+        fault = Fault(
+            message=f"no given file states the compensation of {label}; missing values do not"
+            " count as zero",
+            file=", ".join(file.name for file in files),
+            expected=f"{expected}, or `none` instead of files",
+            found=f"axes {', '.join(named)}" if named else "no axis at all",
+            hint="correct the `address` of the axis, or add the file that contains it to the"
+            " control's files (`states` or `--state`); give `none` instead of files if the control"
+            " has no compensation",
+        )
+        self.faults.append(fault)
 
     def counted_as(self, label: str, name: str, value: str) -> None:
         """Report the value that is assumed for a quantity which is not in the files."""

@@ -56,7 +56,7 @@ class ColumnAxisReader:
     @property
     def is_mentioned(self) -> bool:
         """Whether the files contain a correction of the axis that depends on its own position or
-        reversal.
+        reversal, or state that no table corrects it.
         """
         given = any((self.address, name) in self.sources.given for name in ("backlash", "slope"))
         return (
@@ -64,11 +64,16 @@ class ColumnAxisReader:
             or self.address in self.sources.sheets
             or self.curves is not None
             or self._switched_on_alone()
+            or self._without_table()
         )
 
     def _switched_on_alone(self) -> bool:
         bits = self.sources.given.get((self.address, "enabled"), [])
         return self.address in self.wanted and any(bit.text == "1" for bit in bits)
+
+    def _without_table(self) -> bool:
+        assigned = self.address in self.sources.assigned and self.address in self.wanted
+        return assigned and not self._column_elsewhere()
 
     @property
     def idle(self) -> tuple[float, ...]:

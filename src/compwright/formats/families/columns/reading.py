@@ -32,6 +32,7 @@ from compwright.formats.families.coupled_axes import (
 from compwright.formats.families.family import Family, require_files
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.notes import Notes
+from compwright.formats.text.values import name_of
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, partner_of
 from compwright.records.correction import (
@@ -165,7 +166,8 @@ class _ColumnStateReader:
         facts: dict[str, AxisFacts] = {}
         for address in self.wanted or mentioned:
             if address not in mentioned and not sources.idle:
-                self.notes.faults.append(_unnamed(address, mentioned, self.files))
+                expected = self._data_of(address)
+                self.notes.no_data(f"axis {address}", self.files, mentioned, expected)
             reader = ColumnAxisReader(self.values, address, self.wanted, self.activity)
             if reader.is_mentioned:
                 compensations[address] = reader.read()
@@ -276,20 +278,11 @@ class _ColumnStateReader:
                 control_text("option or its default"),
             )
 
-
-def _unnamed(address: str, mentioned: Sequence[str], files: Sequence[ControlFile]) -> Fault:
-    return Fault(
-        message=(
-            f"no given file contains data of axis {address}; missing values do not count as zero"
-        ),
-        file=", ".join(file.name for file in files),
-        expected=(
-            f"a table, a sheet or {', '.join(PARAMETERS)} of {address}, or `none` instead of files"
-        ),
-        found=f"axes {', '.join(mentioned)}" if mentioned else "no axis at all",
-        hint=(
-            "correct the `address` of the axis, or add the file with its data to the control's "
-            "files (`states` or `--state`); give `none` instead of files if the control has no "
-            "compensation"
-        ),
-    )
+    def _data_of(self, address: str) -> str:
+        """Return as text what files can contain of an axis."""
+        definition = self.values.definition
+        names = [name_of(definition, name) for name in PARAMETERS if name in definition.bindings]
+        return (
+            f"a .CMA or .COM with a column of {address}, or a list of machine parameters or an"
+            f" entry sheet with {' or '.join(names)} of {address}"
+        )

@@ -118,6 +118,13 @@ class Sources:
         """Whether a mark in the .CMA file activates tables, and not a parameter of the control."""
         return not self.numbered and self.active is not None
 
+    @property
+    def assigned(self) -> tuple[str, ...]:
+        """The axes in whose columns the active line of the .CMA file names a table or none."""
+        if self.assignments is None or self.active is None:
+            return ()
+        return tuple(self.axis_of(one.name, assigned=True) for one in self.assignments.columns)
+
     def column_of(self, address: str) -> str:
         """Return the name that an axis' column has in every table of values."""
         return f"{self.numbers.number(address)}=F()" if self.numbered else address
@@ -150,5 +157,6 @@ class Sources:
             *self.tables,
             *self.missing,
             *moved,
+            *self.assigned,
         )
         return tuple(name for name in dict.fromkeys(known) if name not in RESERVED)

@@ -13,6 +13,7 @@ from dataclasses import replace
 from decimal import Decimal
 
 from compwright.formats.definition.consistency import curves
+from compwright.formats.definition.statements import readable
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_names import axis_names
 from compwright.formats.families.control_texts import is_listing, texts_of
@@ -44,6 +45,7 @@ from compwright.formats.text.container import (
 from compwright.formats.text.gathering import FoundValue, Gathered, gather
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import BINARY, ReadText, no_text, text_reader
+from compwright.formats.text.values import name_of
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, partner_of
 from compwright.records.correction import (
@@ -386,22 +388,19 @@ class GridReader:
         )
 
     def _refuse_unnamed(self, address: str, named: Sequence[str]) -> None:
-        self.notes.faults.append(
-            Fault(
-                message=(
-                    f"no given file contains data of axis {address}; missing values do not "
-                    "count as zero"
-                ),
-                file=", ".join(text.file for text in self.texts),
-                expected=f"lines for {address}, or `none` instead of files",
-                found=f"axes {', '.join(named)}" if named else "no axis at all",
-                hint=(
-                    "correct the `address` of the axis, or add the file with its data to the "
-                    "control's files (`states` or `--state`); give `none` instead of files if "
-                    "the control has no compensation"
-                ),
-            )
-        )
+        """Refuse an axis of which the files contain no compensation, but possibly settings."""
+        definition, lines = self.definition, []
+        for quantity in (curves(definition)[0], "backlash", "enabled"):
+            if quantity in definition.bindings:
+                statement = definition.statements[definition.bindings[quantity].statement]
+                form = readable(statement.form).replace("<axis>", address)
+                lines += [form] if "axis" in statement.fields else []
+        expected = f"lines such as {', '.join(lines)}" if lines else f"lines for {address}"
+        settings = self.gathered.singles.get((address, None), {})
+        if settings:
+            only = dict.fromkeys(name_of(definition, one) for one in settings)
+            named = [*named, f"{address} (only {', '.join(only)})"]
+        self.notes.no_data(f"axis {address}", self.loaded, named, expected)
 
     def _note_files(self) -> None:
         """Report findings on whole files, and the options assumed for axes outside a job."""

@@ -100,7 +100,8 @@ class StateReader:
         ]
         for address in dict.fromkeys((*self.wanted, *named)):
             if address not in named:
-                self.notes.faults.append(_unnamed(address, named, self.files))
+                expected = f"parameters with A{address}"
+                self.notes.no_data(f"axis {address}", self.files, named, expected)
             elif address in self.wanted or not self.wanted:
                 self._read_axis(address)
             else:
@@ -410,19 +411,3 @@ def _as_lines(file: ControlFile, format_id: str) -> ControlFile:
     if not is_entry_sheet(file):
         return file
     return ControlFile(file.name, parameter_lines(file, format_id, []))
-
-
-def _unnamed(address: str, named: Sequence[str], files: Sequence[ControlFile]) -> Fault:
-    return Fault(
-        message=(
-            f"no given file contains data of axis {address}; missing values do not count as zero"
-        ),
-        file=", ".join(file.name for file in files),
-        expected=f"parameters with A{address}, or `none` instead of files",
-        found=f"axes {', '.join(named)}" if named else "no axis at all",
-        hint=(
-            "correct the `address` of the axis, or add the file with its parameters to the "
-            "control's files (`states` or `--state`); give `none` instead of files if the "
-            "control has no compensation"
-        ),
-    )

@@ -137,7 +137,8 @@ class ListStateReader:
             elif address in lists.statements:
                 self._axis(lists, address, axis)
             elif address not in masters:
-                self._refuse_unnamed(lists, address, files)
+                expected = f"a list of axis {address}"
+                self.notes.no_data(f"axis {address}", files, lists.statements, expected)
         for address in lists.statements:
             if address not in wanted:
                 self._unasked(lists, address)
@@ -175,25 +176,6 @@ class ListStateReader:
         check_couplings(couplings, self.leading, self.notes)
         for address, facts in self.facts.items():
             self.facts[address] = with_couplings(facts, couplings, address)
-
-    def _refuse_unnamed(
-        self, lists: ListsByAxis, address: str, files: Sequence[ControlFile]
-    ) -> None:
-        fault = Fault(
-            message=(
-                f"no given list contains data of axis {address}; missing values do not "
-                "count as zero"
-            ),
-            file=", ".join(file.name for file in files),
-            expected=f"a list of axis {address}, or `none` instead of files",
-            found=f"axes {', '.join(lists.statements)}" if lists.statements else "no axis at all",
-            hint=(
-                "correct the `address` of the axis, or give its list with the control's other "
-                "files; in a job, give `none` instead of files if the control has no "
-                "compensation"
-            ),
-        )
-        self.notes.faults.append(fault)
 
     def _missing(self, lists: ListsByAxis, address: str) -> None:
         place = lists.missing[address]

@@ -31,6 +31,7 @@ from compwright.formats.families.pairs.places import Pair
 from compwright.formats.families.pairs.updated_tables import (
     added_up,
     largest_sum,
+    obstacles,
     over_own_points,
     own_tables,
     updated_table,
@@ -131,7 +132,7 @@ def _put(writer: CecWriter, entry: CrossCompensation, faults: list[Fault]) -> li
         if refused:  # a free table holds the correction too: the control adds active tables
             faults += [replace(one, hint=f"{one.hint}; or {fault.hint}") for one in refused]
         else:
-            faults.append(_with_own(fault, own, writer) if both and own else fault)
+            faults.append(_with_own(fault, own, writer.control, entry) if both else fault)
         return []
     curves = []
     for one in directions:
@@ -158,29 +159,18 @@ def _unused(tables: ExistingTables) -> list[int]:
     return [one for one in tables.allowed if one not in tables.in_use and one not in tables.kept]
 
 
-def _with_own(fault: Fault, own: Sequence[int], writer: CecWriter) -> Fault:
-    """Return the fault that too few tables are free, with what it takes to update one of the
-    control's ``own`` tables of these axes.
+def _with_own(fault: Fault, own: Sequence[int], control: Family, entry: CrossCompensation) -> Fault:
+    """Return the fault that too few tables are free, with each reason why the control's ``own``
+    tables of these axes do not take ``entry``, and what to do.
     """
-    named, unread = ", ".join(map(str, own)), writer.control.state.tables.unread
-    conditions = (
-        "SD41300 = 1, SD41310 = 1 and MD32710 = 1 in the files, direction 0, neither repeating nor"
-        " a factor, and points at the ends of the travel or room for them (MD18342)"
-    )
-    why = "; ".join(f"table {index}: {unread[index]}" for index in own if index in unread)
-    if not set(own) <= set(writer.tables.allowed):
-        return replace(
-            fault,
-            found=f"{fault.found}, and table {named} of these axes, which may not be written",
-            hint=f"add the index of the control's own table ({named}) to `cec_tables`, so that it "
-            f"is updated in place ({conditions}); or {fault.hint}",
-        )
-    if why:
-        found = f"{fault.found}, and a table of these axes that cannot be read as a curve ({why})"
-        hint = f"{fault.hint}; or correct this table in the control and export its files again"
-        return replace(fault, found=found, hint=hint)
-    found = f"{fault.found}, and table {named} of these axes takes no further correction"
-    return replace(fault, found=found, hint=f"{fault.hint}; or change table {named}: {conditions}")
+    message, steps = fault.message, []
+    for index in own:
+        why = obstacles(control, index, entry)
+        reasons = "; ".join(reason for reason, _ in why)
+        message += f"; table {index} of these axes takes no further correction: {reasons}"
+        steps += [step for _, step in why if step]
+    hints = filter(None, (", and ".join(steps), fault.hint))
+    return replace(fault, message=message, hint="; or ".join(hints))
 
 
 def _beyond_sum(writer: CecWriter, cross: Sequence[CrossCompensation]) -> list[Fault]:

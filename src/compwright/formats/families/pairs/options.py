@@ -127,22 +127,22 @@ def free_tables(allowed: Sequence[int], in_use: Mapping[int, Pair], address: str
 
 def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[int, ...]) -> Fault:
     """Return the fault that the option ``cec_tables`` allows too few tables for an axis."""
+    one = needed == 1
+    tables = "a CEC table that is free" if one else f"{needed} CEC tables that are free"
+    indices = "the index of such a table" if one else f"{needed} indices of such tables"
+    look = "an unused table" if one else f"{needed} unused tables"
     return Fault(
-        message=(
-            f"axis {name}: {format_id} needs {needed} CEC tables that are free or "
-            "already belong to this axis"
-        ),
+        message=f"axis {name}: {format_id} needs {tables} or already"
+        f" {'belongs' if one else 'belong'} to this axis",
         place="option cec_tables",
-        expected=f"{needed} indices of such tables in `cec_tables`",
+        expected=f"{indices} in `cec_tables`",
         found=(
-            f"{found} in `cec_tables` ({', '.join(map(str, allowed))})"
+            f"{found or 'none'} in `cec_tables` ({', '.join(map(str, allowed))})"
             if allowed
             else "none: the option is not given"
         ),
-        hint=(
-            f"look in the control for {needed} unused tables, and ask the machine's builder; then"
-            " give their indices as `cec_tables` in the options"
-        ),
+        hint=f"look in the control for {look}, and ask the machine's builder; then give"
+        f" {'its index' if one else 'their indices'} as `cec_tables` in the options",
     )
 
 

@@ -6,7 +6,7 @@ If two members of a commissioning archive state the same value, they must agree.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from decimal import Decimal
 from functools import lru_cache
@@ -202,40 +202,54 @@ class PairsReader(GridReader):
         return ()
 
     def pair_tables(self) -> PairTables:
-        """Return the axes, reserved points and curves of the cross-axis tables, and which tables
-        stay.
+        """Return the axes, reserved points and curves of the cross-axis tables, which of them stay,
+        and which take no correction.
         """
+        between = [one for one in self.cec.tables if one.input != one.output]
         curves = {
             one.index: (tuple(one.positions.tolist()), tuple(one.values.tolist()))
-            for one in self.cec.tables
-            if one.active and self._is_plain(one)
+            for one in between
         }
-        unread = {one.index: one.why for one in self.cec.odd}
-        return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay(), curves, unread)
+        obstacles = {one.index: tuple(self._obstacles(one)) for one in between}
+        obstacles |= {one.index: ((one.why, _CORRECT),) for one in self.cec.odd}
+        return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay(), curves, obstacles)
 
-    def _is_plain(self, one: CecTable) -> bool:
-        """Return whether a table between two axes is one curve for both directions, is switched on
-        by SD41300 and MD32710 in the files, has the weight 1 there, and is a factor of no table.
+    def _obstacles(self, one: CecTable) -> Iterator[tuple[str, str]]:
+        """Yield each reason why no correction can be added to a table, with its next step.
+
+        A table takes one if it is one curve for both directions, is switched on by SD41300 and
+        MD32710 in the files, has the weight 1 there, and is a factor of no table.
         """
-        every = places_of(self.gathered)
-        output = of_axis(self.gathered, one.output)
-        stated = (
-            last("cross_table_enabled", every[one.index]),
-            last("cross_weight", every[one.index]),
-            last("cross_axis_enabled", output),
-        )
-        factors = {
-            int(found.text) - 1
-            for index, places in every.items()
-            if index != one.index and (found := last("cross_multiplier", places)) is not None
-        }
-        return (
-            one.input != one.output
-            and one.period is None
-            and len(one.directions) == len(Direction)
-            and all(found is not None and same_value(found.text, "1") for found in stated)
-            and one.index not in factors
-        )
+        every, output = places_of(self.gathered), of_axis(self.gathered, one.output)
+        for parameter, quantity, places, key in (
+            ("SD41300", "cross_table_enabled", every[one.index], one.index),
+            ("SD41310", "cross_weight", every[one.index], one.index),
+            ("MD32710", "cross_axis_enabled", output, one.output),
+        ):
+            name = f"{name_of(self.definition, quantity)}[{key}]"
+            found = last(quantity, places)
+            if found is None:
+                step = f"add the file with {name} to the control's files (`states` or `--state`)"
+                yield f"{parameter} ({name}) is in no given file, needed: 1", step
+            elif not same_value(found.text, "1"):
+                then = "measure again"
+                if quantity == "cross_weight":
+                    then = f"multiply the values of table {one.index} by {found.text}"
+                step = f"set {name} to 1 in the control, {then}, and {_EXPORT}"
+                yield f"{parameter} ({name}) is {found.text}, needed: 1", step
+        for quantity, wrong in (
+            ("cross_direction", len(one.directions) != len(Direction)),
+            ("cross_repeats", one.period is not None),
+        ):
+            found = last(quantity, every[one.index])
+            if wrong and found is not None:
+                name = name_of(self.definition, quantity)
+                yield f"{name}[{one.index}] is {found.text}, needed: 0", ""
+        for index, places in every.items():
+            found = last("cross_multiplier", places)
+            if index != one.index and found is not None and int(found.text) - 1 == one.index:
+                name = name_of(self.definition, "cross_multiplier")
+                yield f"{name}[{index}] is {found.text}: table {index} is multiplied by it", ""
 
     def active_lines(self) -> dict[str, FoundValue]:
         """Return, by axis name, one line that shows an active correction of the axis, or a value of
@@ -264,6 +278,8 @@ class PairsReader(GridReader):
         return AxisKind(binding.values.get(places[-1].text, "linear"))
 
 
+_EXPORT = "export the files again"
+_CORRECT = f"correct this table in the control and {_EXPORT}"
 _LINE = re.compile(
     rb"^[ \t]*(?:N\d+[ \t]+)?(\$\w+(?:[ \t]*\[[^\]\r\n]*\])?)[ \t]*=[ \t]*([^;\r\n]*?)"
     rb"[ \t]*(?:;[^\r\n]*)?\r?$",

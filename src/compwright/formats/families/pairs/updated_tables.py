@@ -14,6 +14,7 @@ import numpy as np
 
 from compwright.formats.families.family import Family
 from compwright.formats.families.pairs.options import allowed_tables
+from compwright.formats.text.values import name_of
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import ControlState, CrossCompensation
 
@@ -36,19 +37,85 @@ def updated_table(control: Family, entry: CrossCompensation) -> tuple[int, Float
 
     ``entry`` as `over_own_points` returns it.
     """
-    tables = control.state.tables
-    if entry.period is not None or not np.array_equal(entry.positive, entry.negative):
-        return None
-    allowed = allowed_tables(control.definition, control.options)
     for index in own_tables(control, (entry.input, entry.output)):
-        if index not in allowed or index not in tables.curves:
-            continue
-        old = np.array(tables.curves[index][0])
-        room = max(tables.reserved.get(index, 0), _room(control), old.size)
-        positions = _common(old, entry.positions, room)
-        if positions is not None:
+        positions, why = _positions(control, index, entry)
+        if not why:
             return index, positions
     return None
+
+
+def obstacles(control: Family, index: int, entry: CrossCompensation) -> list[tuple[str, str]]:
+    """Return each reason why the control's table ``index`` of the same axes does not take
+    ``entry``, with its next step (empty: only another table helps).
+    """
+    return _positions(control, index, entry)[1]
+
+
+def _positions(
+    control: Family, index: int, entry: CrossCompensation
+) -> tuple[FloatArray, list[tuple[str, str]]]:
+    """Return the positions of the points of table ``index`` with ``entry`` added; each reason why
+    it does not take ``entry``, as `obstacles` returns them.
+    """
+    tables = control.state.tables
+    why = [*tables.obstacles.get(index, ())]
+    if index not in allowed_tables(control.definition, control.options):
+        step = f"add {index} to `cec_tables`, so that it is changed in place"
+        why.append(("`cec_tables` does not name it", step))
+    if entry.period is not None:
+        why.append(("the correction repeats", ""))
+    if not np.array_equal(entry.positive, entry.negative):
+        why.append(("the correction differs by direction", ""))
+    old = np.array(tables.curves.get(index, ((), ()))[0])
+    if not old.size:
+        return old, why or [("it cannot be read as a curve", "")]
+    if all(float(np.min(np.abs(old - one))) <= _SAME for one in entry.positions):
+        return old, why
+    every = np.unique(np.concatenate([old, entry.positions]))
+    steps = (every - every[0]) / _STEP
+    whole = np.round(steps).astype(int)
+    interval = gcd(*whole.tolist())
+    spacing = float(old[-1] - old[0]) / max(old.size - 1, 1)
+    move = (
+        f"end the travel of {entry.input} in the job at a point of the table (multiples of"
+        f" {spacing:g} from {old[0]:g})"
+    )
+    if float(np.max(np.abs(steps - whole))) > _SAME / _STEP or interval == 0:
+        return old, [*why, ("no equal spacing has its points and those of the correction", move)]
+    count = int(whole[-1]) // interval + 1
+    little = _too_little_room(control, index, old.size, count)
+    if not little:
+        return every[0] + interval * _STEP * np.arange(count), why
+    have, step = little
+    steps = [step, *([move] if interval * _STEP < spacing - _SAME else [])]
+    return old, [*why, (f"{have}, needed: {count}", "; or ".join(filter(None, steps)))]
+
+
+def _too_little_room(
+    control: Family, index: int, points: int, count: int
+) -> tuple[str, str] | None:
+    """Return how many points table ``index``, which has ``points``, has room for, and the next
+    step; None if there is room for ``count``.
+    """
+    definition, promised = control.definition, control.options.get("points")
+    fixed, stated = definition.limit_number("cross_points"), control.state.tables.reserved
+    room = int(fixed or (promised if isinstance(promised, int) else 0))
+    room = max(stated.get(index, 0), room, points)
+    if count <= room:
+        return None
+    if fixed:
+        return f"it has room for {room} points", ""
+    name = f"MD18342 ({name_of(definition, 'cross_max_points')}[{index}])"
+    step = (
+        f"set MD18342 to {count} or more (save an archive, power on, load the archive back) and"
+        " export the files again"
+    )
+    if index in stated:
+        return f"{name} is {stated[index]}", step
+    return (
+        f"{name} is in no given file, and room is known for {room} points only",
+        f"add the file with MD18342 to the control's files, or {step}",
+    )
 
 
 def added_up(
@@ -99,26 +166,3 @@ def largest_sum(state: ControlState, output: str, new: Sequence[CrossCompensatio
         low += float(np.min([one.positive, one.negative]))
         high += float(np.max([one.positive, one.negative]))
     return max(high, -low)
-
-
-def _room(control: Family) -> int:
-    """Return the number of points that each table of the control has, or that an option states."""
-    fixed = control.definition.limit_number("cross_points")
-    promised = control.options.get("points")
-    return int(fixed or (promised if isinstance(promised, int) else 0))
-
-
-def _common(old: FloatArray, new: FloatArray, room: int) -> FloatArray | None:
-    """Return equally spaced positions that contain those of two curves; None if ``room`` is too
-    small.
-    """
-    if all(float(np.min(np.abs(old - one))) <= _SAME for one in new):
-        return old
-    every = np.unique(np.concatenate([old, new]))
-    steps = (every - every[0]) / _STEP
-    whole = np.round(steps).astype(int)
-    interval = gcd(*whole.tolist())
-    if float(np.max(np.abs(steps - whole))) > _SAME / _STEP or interval == 0:
-        return None
-    count = int(whole[-1]) // interval + 1
-    return every[0] + interval * _STEP * np.arange(count) if count <= room else None

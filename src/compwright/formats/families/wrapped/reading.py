@@ -108,7 +108,8 @@ class WrappedStateReader:
             if address not in named and address in between:
                 continue
             if address not in named:
-                self.notes.faults.append(self._unnamed(address, named))
+                lines = f"a table of #{address}, or its backlash (`I{address}86=0` without both)"
+                self.notes.no_data(f"motor {address}", self.files, named, lines)
                 continue
             compensations[address], facts[address] = self._motor(int(address))
         cross = tuple(
@@ -191,23 +192,6 @@ class WrappedStateReader:
     def _between(self) -> set[str]:
         tables = self.script.of("COMP")
         return {str(motor) for table in tables for motor in (table.source, table.target)}
-
-    def _unnamed(self, address: str, named: Sequence[str]) -> Fault:
-        return Fault(
-            message=(
-                f"no given file contains data of motor {address}; missing values do not "
-                "count as zero"
-            ),
-            file=", ".join(file.name for file in self.files),
-            expected=(
-                f"a table of #{address}, or its backlash I{address}86, or `none` instead of files"
-            ),
-            found=f"motors {', '.join(named)}" if named else "no motor at all",
-            hint=(
-                "correct the `address` of the axis, or add the file with its table; if it has "
-                f"neither table nor backlash, add the line `I{address}86=0`"
-            ),
-        )
 
     def _check_tables(self) -> None:
         for table in (*self.script.of("COMP"), *self.script.of("BLCOMP")):
