@@ -96,6 +96,22 @@ def test_a_test_of_an_axis_that_had_none_is_refused_in_words(
 # --- squareness alone
 
 
+def test_a_squareness_on_an_entry_sheet_is_predicted_and_verified_as_typed_in(
+    folder: Path,
+) -> None:
+    """The sheet is the way in: after it the angle is right, and a circle that still has it shows
+    that nothing was typed in.
+    """
+    assert run(folder, "heidenhain-nck") == 0
+    one = prediction(folder)["circles"]["xy-150"]
+    assert one["before"]["squareness"] == pytest.approx(40, abs=1)  # µm/m
+    assert one["predicted"]["squareness"]["median"] == pytest.approx(0, abs=1)
+    words = ["verify", str(folder / "job.yaml"), "--after", str(folder / "after.csv"), "--force"]
+    for left, code in ((0.0, 0), (40e-6, 1)):
+        write_circle(folder / "after.csv", Bent(squareness=left).circle(8))
+        assert compwright(words) == code
+
+
 def test_squareness_alone_goes_into_a_table_between_the_axes_and_can_be_the_state_of_the_next_job(
     folder: Path,
 ) -> None:

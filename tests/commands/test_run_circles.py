@@ -442,6 +442,9 @@ def test_fanuc_gets_a_sheet_of_straightness_compensation_only_when_the_job_names
     # of 1 µm, within 1 µm/m.
     assert int(rows["5763"]) - int(rows["5761"]) == pytest.approx(32, abs=1)
     assert int(rows["5761"]) == 0  # zero at the reference
+    (circle,) = document(folder / "job" / "prediction.json")["circles"].values()
+    assert circle["before"]["squareness"] == pytest.approx(40, abs=1)
+    assert circle["predicted"]["squareness"]["median"] == pytest.approx(0, abs=2)  # whole pulses
     assert "unconfirmed" in (card / "card.md").read_text(encoding="utf-8")
 
 

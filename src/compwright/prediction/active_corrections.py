@@ -6,14 +6,15 @@ A correction is what the control adds to the command, mm or deg, > 0 towards the
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 
 from compwright.prediction.circular import CirclePath, Displacement
 from compwright.records.axis import Direction, FloatArray
+from compwright.records.plan import PlannedCross
 
 #: A correction by position (mm or deg, any shape) and approach direction, of the same shape.
 Correction = Callable[[FloatArray, Direction], FloatArray]
@@ -63,6 +64,14 @@ class ActiveCorrections:
         ``given``.
         """
         return self.across.get((given, bent), no_correction)
+
+    def with_added(self, entries: Iterable[PlannedCross]) -> ActiveCorrections:
+        """Return these corrections and planned ones between axes."""
+        across = dict(self.across)
+        for entry in entries:
+            pair = entry.input, entry.output
+            across[pair] = sum_of_corrections(across.get(pair, no_correction), entry.added.at)
+        return replace(self, across=across)
 
     def displacement(self, axes: tuple[str, str]) -> Displacement:
         """Return a function that gives the displacement (n, 2) mm of the tool, in the plane of two

@@ -88,6 +88,7 @@ class PlannedCross:
     - ``squareness``: the angle that the correction removes, rad, > 0 for more than 90°.
       ``std_error``: its standard error, rad, None if unknown.
     - ``written``: whether the files of the plan's own control contain the correction.
+      ``typed``: whether an entry sheet contains it instead, to be typed in.
     """
 
     input: str
@@ -98,6 +99,12 @@ class PlannedCross:
     squareness: float = 0.0
     std_error: float | None = None
     written: bool = True
+    typed: bool = False
+
+    @property
+    def delivered(self) -> bool:
+        """Whether the correction is active after the steps of the card."""
+        return self.written or self.typed
 
     @property
     def addresses(self) -> tuple[str, str]:

@@ -167,7 +167,7 @@ def _circles_missing(plan: Plan, circles: Mapping[str, CircularTest]) -> Iterato
             yield Finding.of("CW-V023.scale", "warning", axis=name, circles=_circles(plan, {name}))
     for cross in plan.cross:
         measured = any(cross.pair == frozenset(plan.circles[name].test.axes) for name in circles)
-        if cross.written and cross.source == "circle" and not measured:
+        if cross.delivered and cross.source == "circle" and not measured:
             yield Finding.of(
                 "CW-V023.squareness",
                 "warning",

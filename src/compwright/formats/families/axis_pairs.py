@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 from compwright.formats.definition.schema import Definition
 from compwright.foundations.findings import Severity
+<<<<<<< HEAD
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import Axis
+=======
+from compwright.records.axis import Axis, FloatArray
+>>>>>>> 9aa1a73f (A squareness on an entry sheet counts as typed in)
 from compwright.records.correction import ControlFile, ControlState
 from compwright.records.plan import PlannedCross
 from compwright.words.sentences import (
@@ -62,14 +66,15 @@ class Between:
 
     ``files``: files of ``BetweenRequest.base`` that change, and new files; None: no file contains
     the corrections. ``held``: the corrections as the files contain them; None: all, as planned.
-    ``sheets``: entry sheets. ``remarks``: findings. ``steps``: title, text and evidence of steps of
-    the card. ``quantum``: rounding step of the values in the files, mm or deg; 0: the files contain
-    the planned values.
+    ``sheets``: entry sheets; ``typed``: the corrections that they contain. ``remarks``: findings.
+    ``steps``: title, text and evidence of steps of the card. ``quantum``: rounding step of the
+    values in the files, mm or deg; 0: the files contain the planned values.
     """
 
     files: tuple[ControlFile, ...] | None = None
     held: tuple[PlannedCross, ...] | None = None
     sheets: tuple[ControlFile, ...] = ()
+    typed: tuple[PlannedCross, ...] = ()
     remarks: tuple[tuple[Severity, Sentence], ...] = ()
     steps: tuple[Mapping[str, str], ...] = ()
     quantum: float = 0.0
@@ -102,20 +107,23 @@ def combined_answer(answers: Iterable[Between]) -> Between:
     every = list(answers)
     return Between(
         sheets=tuple(sheet for one in every for sheet in one.sheets),
+        typed=tuple(entry for one in every for entry in one.typed),
         remarks=tuple(remark for one in every for remark in one.remarks),
         steps=tuple(step for one in every for step in one.steps),
     )
 
 
 def entry_sheet_answer(
-    entry: PlannedCross, sheet: ControlFile, sentence: Sentence, text: str
+    entry: PlannedCross, values: FloatArray, sheet: ControlFile, sentence: Sentence, text: str
 ) -> Between:
     """Return the answer for a correction that the user has to type in from ``sheet``, because its
-    sign is not confirmed. ``sentence``: a warning about the sign; ``text``: the card's text.
+    sign is not confirmed. ``values``: the correction in the sheet at the positions of ``entry``, mm
+    or deg; ``sentence``: a warning about the sign; ``text``: the card's text.
     """
     title = control_text("{output} over {input}: type in", output=entry.output, input=entry.input)
     return Between(
         sheets=(sheet,),
+        typed=(replace(entry, added=replace(entry.added, positive=values, negative=values)),),
         remarks=(("warning", sentence),),
         steps=({"title": title, "text": text, "evidence": "unconfirmed"},),
     )

@@ -103,7 +103,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P113.sheet": (
         "The parameters that correct {what} are in no file for the control. Type them in from the"
         " entry sheet {sheet}, which is in the folder of the commissioning card. All of them are"
-        " unconfirmed."
+        " unconfirmed. The prediction counts them as typed in."
     ),
     "CW-P113.straightness": (
         "{what} is corrected in the files by straightness compensation: {values}."
@@ -112,7 +112,8 @@ SENTENCES: Final[dict[str, str]] = {
         "{what} is corrected by values that are in no file for the control ({why}). Type them into"
         " {where}, {rows}. The commissioning card and the entry sheet in its folder describe how."
         " The values are {values:choose|correction=corrections|error=errors}; their sign is"
-        " unconfirmed: check it by a measurement before production."
+        " unconfirmed: check it by a measurement before production. The prediction counts them as"
+        " typed in."
     ),
     "CW-P114": (
         "{axis}: laser and circle disagree about the lost motion. It is {laser} according to"

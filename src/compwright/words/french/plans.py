@@ -103,7 +103,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P113.sheet": (
         "{what} : les paramètres de correction ne sont dans aucun fichier pour la commande. Les"
         " saisir d'après la feuille de saisie {sheet}, dans le dossier de la fiche de mise en"
-        " service. Aucun n'est confirmé."
+        " service. Aucun n'est confirmé. La prévision les suppose saisis."
     ),
     "CW-P113.straightness": (
         "{what} : corrigé dans les fichiers par compensation de rectitude : {values}."
@@ -113,7 +113,7 @@ SENTENCES: Final[dict[str, str]] = {
         " Les saisir dans {where}, {rows}. La fiche de mise en service et la feuille de saisie du"
         " même dossier le décrivent. Les valeurs sont des"
         " {values:choose|correction=corrections|error=erreurs} ; leur signe n'est pas confirmé :"
-        " le vérifier par une mesure avant la production."
+        " le vérifier par une mesure avant la production. La prévision les suppose saisies."
     ),
     "CW-P114": (
         "{axis} : laser et cercle ne concordent pas sur le jeu. Il est de {laser} d'après le"

@@ -113,6 +113,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P113.sheet": (
         "Die Parameter, die {what} korrigieren, sind in keiner Datei für die Steuerung. Aus dem"
         " Eingabeblatt {sheet} im Ordner der Inbetriebnahmekarte eintippen. Alle sind unbestätigt."
+        " Die Vorhersage rechnet mit den eingetippten Werten."
     ),
     "CW-P113.straightness": (
         "{what} wird in den Dateien durch Geradheitskompensation korrigiert: {values}."
@@ -121,7 +122,8 @@ SENTENCES: Final[dict[str, str]] = {
         "Die Werte, die {what} korrigieren, sind in keiner Datei für die Steuerung ({why}). In"
         " {where} eintippen, {rows}. Die Inbetriebnahmekarte und das Eingabeblatt in ihrem Ordner"
         " beschreiben es. Die Werte sind {values:choose|correction=Korrekturen|error=Fehler}; ihr"
-        " Vorzeichen ist unbestätigt: vor der Fertigung durch eine Messung prüfen."
+        " Vorzeichen ist unbestätigt: vor der Fertigung durch eine Messung prüfen. Die Vorhersage"
+        " rechnet mit den eingetippten Werten."
     ),
     "CW-P114": (
         "{axis}: Laser und Kreis stimmen beim Umkehrspiel nicht überein. Es ist {laser} nach dem"

@@ -99,7 +99,6 @@ def _active_after(measured: Measured, fitted: Fitted, written: Written) -> Activ
         axis.name: applied_correction(written.loaded, axis)
         for axis, _ in tables_of(written.works, fitted.scales)
     }
-    return ActiveCorrections(
-        {**now.along, **along},
-        now.across if after is None else active_corrections(after, measured.axes).across,
-    )
+    across = now.across if after is None else active_corrections(after, measured.axes).across
+    typed = (entry for entry in written.cross.planned if entry.typed)
+    return ActiveCorrections({**now.along, **along}, across).with_added(typed)

@@ -39,7 +39,7 @@ from compwright.planning.circles import (
 from compwright.planning.header_statements import after_test_doubts
 from compwright.planning.limit_decisions import lacking_circle_guard, measured_circle_decisions
 from compwright.planning.value_with_error import SIGNIFICANT
-from compwright.prediction.active_corrections import ActiveCorrections, sum_of_corrections
+from compwright.prediction.active_corrections import ActiveCorrections
 from compwright.records.axis import Axis
 from compwright.records.circular import CircularResult, CircularTest
 from compwright.records.job import Acknowledged, Job
@@ -177,7 +177,7 @@ def _verified(
     )
     result = after_test_doubts(result, _loaded(plan, circle.test.axes))
     prediction = predicted_circle(before, circle, during, then)
-    corrected = (entry for entry in plan.cross if entry.written and entry.source == "circle")
+    corrected = (entry for entry in plan.cross if entry.delivered and entry.source == "circle")
     bent = next((entry for entry in corrected if entry.pair == frozenset(circle.test.axes)), None)
     check = None
     if bent is not None:
@@ -203,7 +203,7 @@ def _verified(
 
 def _loaded(plan: Plan, axes: Sequence[str]) -> list[str]:
     """Return those axes of a circular test whose motion the loaded tables change."""
-    bent = {cross.output for cross in plan.cross if cross.written and cross.input in axes}
+    bent = {cross.output for cross in plan.cross if cross.delivered and cross.input in axes}
     return [
         name
         for name in axes
@@ -264,15 +264,5 @@ def _planned(plan: Plan, as_found: DecodedState, axes: Mapping[str, Axis]) -> Ac
         for name, entry in plan.axes.items()
         if entry.fitted is not None
     }
-    then = ActiveCorrections({**now.along, **along}, dict(now.across))
-    for entry in plan.cross:
-        if entry.written:
-            pair = (entry.input, entry.output)
-            then = replace(
-                then,
-                across={
-                    **then.across,
-                    pair: sum_of_corrections(then.between(*pair), entry.added.at),
-                },
-            )
-    return then
+    delivered = (entry for entry in plan.cross if entry.delivered)
+    return ActiveCorrections({**now.along, **along}, now.across).with_added(delivered)

@@ -12,6 +12,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from compwright.formats.families.axis_pairs import (
     Between,
     BetweenRequest,
@@ -130,7 +132,8 @@ def _typed(family: Family, request: BetweenRequest, entry: PlannedCross, why: st
         selected=_selected(family, entry),
         check=_CHECK,
     )
-    return entry_sheet_answer(entry, _sheet(entry, form, rows), sentence, text)
+    values = _sign(form) * np.array([value for _, value in rows])
+    return entry_sheet_answer(entry, values, _sheet(entry, form, rows), sentence, text)
 
 
 def _form(family: Family, request: BetweenRequest, entry: PlannedCross) -> str:
@@ -176,12 +179,15 @@ def _parameter(family: Family, quantity: str) -> str:
     return name_of(family.definition, quantity) if quantity in family.definition.bindings else ""
 
 
+def _sign(form: str) -> float:
+    return -1.0 if form == "error" else 1.0
+
+
 def _rows(entry: PlannedCross, form: str) -> list[tuple[float, float]]:
     """Return a table column's positions and values, mm or deg; ``form``: errors or corrections."""
-    sign = -1.0 if form == "error" else 1.0
     added = entry.added
     return [
-        (float(position), round(sign * float(value), 4) + 0.0)
+        (float(position), round(_sign(form) * float(value), 4) + 0.0)
         for position, value in zip(added.positions, added.positive, strict=True)
     ]
 

@@ -29,6 +29,7 @@ from compwright.formats.families.increments.increment_facts import increments_of
 from compwright.formats.families.increments.parameters import Parameters, ParameterValue
 from compwright.formats.families.increments.straightness import free_pair, unused_pairs
 from compwright.formats.text.patching import BytesChange, apply_changes
+from compwright.records.axis import FloatArray
 from compwright.records.correction import ControlFile, ControlState
 from compwright.records.plan import PlannedCross
 from compwright.words.sentences import SentenceText, control_text, say
@@ -47,21 +48,22 @@ def straightness_between(family: Family, request: BetweenRequest) -> Between:
     state = request.read(request.base) if request.base else None
     read = Parameters(request.base, family.definition.parameters)
     numbers, _ = next(unused_pairs(read, entry.added.input), ((), {}))
-    rows = None if others else _rows(family, request, entry, state, numbers)
-    if rows is None:
+    found = None if others else _rows(family, request, entry, state, numbers)
+    if found is None:
         why = control_text("every pair of straightness compensation (5711 to 5713) is in use")
         if numbers:
             why = control_text(
                 "straightness compensation is known for one straight line over a table only"
             )
         return combined_answer(cannot_hold(each, why) for each in request.planned)
+    rows, values = found
     sheet = _sheet(entry, rows)
     sentence = say("CW-P113.sheet", what=error_label(entry), sheet=sheet.name)
     text = control_text(
         "{sentence} Prove the sign with a square or a dial gauge, on and off, before production.",
         sentence=SentenceText(sentence),
     )
-    return entry_sheet_answer(entry, sheet, sentence, text)
+    return entry_sheet_answer(entry, values, sheet, sentence, text)
 
 
 def _filled(family: Family, request: BetweenRequest, entry: PlannedCross) -> Between | None:
@@ -129,10 +131,10 @@ def _rows(
     entry: PlannedCross,
     state: ControlState | None,
     numbers: Sequence[int],
-) -> list[tuple[str, str, str]] | None:
-    """Return the entry sheet's rows (parameter, value, meaning) for a straight line; None if no
-    line fits. ``state``: the control after this run's tables; ``numbers``: the parameters of an
-    unused axis pair.
+) -> tuple[list[tuple[str, str, str]], FloatArray] | None:
+    """Return the entry sheet's rows (parameter, value, meaning) for a straight line, and what they
+    correct at the positions of ``entry``, mm or deg; None if no line fits. ``state``: the control
+    after this run's tables; ``numbers``: the parameters of an unused axis pair.
     """
     added, bent = entry.added, request.axes.get(entry.output)
     table = None if state is None else state.axes.get(added.input)
@@ -150,13 +152,15 @@ def _rows(
     first, last = facts.first_number, facts.last_number
     # The table may reach beyond the line's positions: the line goes on to the points at its ends.
     line = np.polynomial.Polynomial.fit(added.positions, added.positive, 1)
-    low, high = line(table.positions[[1, -1]]) / unit
-    ends = str(round(float(low))), str(round(float(high)))
+    where = table.positions[[1, -1]]
+    amounts = np.round(line(where) / unit)
+    ends = [str(int(amount)) for amount in amounts]
+    held = np.polynomial.Polynomial.fit(where, amounts * unit, 1)
     values = (added.input, added.output, *(str(first),) * 2, *(str(last),) * 2)
     texts = (*values, *(ends[0],) * 2, *(ends[1],) * 2)
     points = ("point number at the - end",) * 2 + ("point number at the + end",) * 2
     means = ("moving axis", "compensated axis", *points, *("amount, detection units",) * 4)
-    return list(zip(map(str, numbers), texts, means, strict=True))
+    return list(zip(map(str, numbers), texts, means, strict=True)), held(added.positions)
 
 
 def _sheet(entry: PlannedCross, rows: list[tuple[str, str, str]]) -> ControlFile:
