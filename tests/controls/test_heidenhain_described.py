@@ -278,7 +278,11 @@ def test_an_axis_in_no_file_is_refused_with_the_files_that_would_name_it(
     (folder / "X.COM").write_text(com(19, 50).replace("   Y\n", "   Z\n"))
     assert run(folder, NCK.id, states="[X.COM]") == 3
     said = " ".join(capsys.readouterr().err.split())
-    for words in ("a .CMA or .COM with a column of Y", "backLash or linearCompValue of Y", "axes X, Z"):
+    for words in (
+        "a .CMA or .COM with a column of Y",
+        "backLash or linearCompValue of Y",
+        "axes X, Z",
+    ):
         assert words in said
     assert "slope" not in said
 

@@ -8,12 +8,8 @@ from typing import Protocol
 
 from compwright.formats.definition.schema import Definition
 from compwright.foundations.findings import Severity
-<<<<<<< HEAD
 from compwright.foundations.units import outside_factor, shown_unit
-from compwright.records.axis import Axis
-=======
 from compwright.records.axis import Axis, FloatArray
->>>>>>> 9aa1a73f (A squareness on an entry sheet counts as typed in)
 from compwright.records.correction import ControlFile, ControlState
 from compwright.records.plan import PlannedCross
 from compwright.words.sentences import (
