@@ -509,6 +509,7 @@ def count_date(made: Machine, trend: dict[str, Any] | None, crossing: float, tal
     held = (forecast["earliest"] or "9999") <= true <= (forecast["latest"] or "9999")
     tally.count(HELD, held)
     tally.count(f"{HELD}, {made.limit}", held)
+    tally.count(f"{HELD}, {made.event or 'no event'}", held)
     if not held:
         tally.wrong.append(f"{made.limit} reached {true}, forecast {forecast}")
 
