@@ -219,12 +219,17 @@ def fixed_columns(samples: CircleSamples) -> tuple[CauseColumn, ...]:
     )
 
 
-def rare_cause(name: str) -> str | None:
+def rare_cause(name: str, samples: CircleSamples) -> str | None:
     """Return the cause in `RARE` of which a model column is one shape, or None if the column is in
-    every model.
+    every model: a spiral, on a full circle in one direction.
+
+    From the end of a run to its start the radius jumps. Where the start is a reversal point, this
+    jump has the shape of lost motion. Only the ramp distinguishes them, which in one direction
+    other causes can hide. Without the spiral in the model, all of it is lost motion.
     """
     cause = name.partition("@")[0]
-    return cause if cause in RARE else None
+    always = cause == "spiral" and samples.full_circle and not samples.both_senses
+    return cause if cause in RARE and not always else None
 
 
 _Named = tuple[str, FloatArray, FloatArray]

@@ -46,7 +46,8 @@ _SWEEPS: Final = 40
 INWARD: Final = 2.0
 #: Added to the diagonal of scaled normal equations: readings without noise leave only rounding.
 _ROUNDING: Final = 1e-10
-#: Rare causes are drawn in every so many sweeps.
+#: Rare causes other than a spiral, which can look like lost motion, are drawn in every so many
+#: sweeps.
 _RARELY: Final = 3
 #: Times in which reversal spikes usually die out, s, how many of them are tried, and how high, um,
 #: one may be that is not seen.
@@ -58,13 +59,7 @@ _PAIRS: Final = 6
 
 
 def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
-    """Change the spike shapes one at a time until no change makes the fit more probable.
-
-    A spiral of full circles stays in the model: else the noise that is estimated with these shapes
-    would contain it. From the end of a run to its start the radius jumps. Where the start is a
-    reversal point, this jump has the shape of lost motion in both directions. Only the ramp
-    distinguishes them, which correlated noise can hide.
-    """
+    """Change the spike shapes one at a time until no change makes the fit more probable."""
     marginal = weighted.without(shapes.always)
     every = {place: _Options(marginal, shapes, *place) for place in shapes.slots()}
     places: list[tuple[int, int] | str] = [*every, *shapes.rare]
@@ -247,7 +242,9 @@ def draw_shapes(
     for sweep in range(_FORGOTTEN + _SWEEPS):
         for place, options in every.items():
             set_shape(shapes, *place, _drawn(options.evidence(marginal, shapes), rng))
-        for name in shapes.rare if sweep % _RARELY == 0 else ("spiral",):
+        for name in shapes.rare:
+            if sweep % _RARELY and name != "spiral":
+                continue
             score, each = _odds(marginal, shapes, name)
             shapes.present[name] = _drawn(score, rng) - 1
             errors[name] = float(each[np.argmax(score[1:])])

@@ -57,7 +57,7 @@ class SpikeShapes:
             [
                 index
                 for index, name in enumerate(problem.names)
-                if not self._add_rare(index, rare_cause(name))
+                if not self._add_rare(index, rare_cause(name, problem.samples))
             ]
         )
 
