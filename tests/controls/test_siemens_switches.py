@@ -114,7 +114,7 @@ def test_the_card_checks_the_sign_first_and_switches_on_last() -> None:
         "Set the backlash and switch the table on": ["AX1_MD.INI"],
     }
     for title in ("Switch the old table off", "Set the backlash and switch the table on"):
-        assert "what else sleeps on axis AX1" in text[title]
+        assert "what else is inactive on axis AX1" in text[title]
     assert "load nothing" in text["Check the sign"]
     single = card_steps(
         SIEMENS,

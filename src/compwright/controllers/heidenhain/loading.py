@@ -132,7 +132,7 @@ class Loader:
             self.given.notes.append(f"{address}: the bit of MP730 is 0: its tables do not act")
         elif not tabled and bit.value == 1.0:
             self.given.notes.append(
-                f"{address}: the bit of MP730 is 1 and no table was given: MP720 is dead, old"
+                f"{address}: the bit of MP730 is 1 and no table was given: MP720 is not active, old"
                 " tables may act"
             )
         return bit.value == 1.0

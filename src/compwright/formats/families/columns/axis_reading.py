@@ -264,7 +264,7 @@ class ColumnAxisReader:
         if found is None and self.points:
             active = self.activity.stated is not False
             self._assume_switch(
-                f"{int(active)}: its table {'active' if active else 'sleeps'}",
+                f"{int(active)}: its table {'active' if active else 'not active'}",
                 "a sheet is what was typed in",
             )
             return active
@@ -322,7 +322,7 @@ class ColumnAxisReader:
         source = (
             "the job's answer (active)" if self.activity.stated is not None else "not in the files"
         )
-        self._assume_switch(f"{int(active)}: {name} {'is dead' if active else 'active'}", source)
+        self._assume_switch(f"{int(active)}: {name} {'not active' if active else 'active'}", source)
         return active
 
     def _assume_switch(self, value: str, evidence: str) -> None:

@@ -70,9 +70,9 @@ def _reserving(address: str, room: str, which: str) -> str:
     enable, switch = _switches(address)
     return control_text(
         "{room} Set {enable} = 0 and {switch} = 0 for {which}, NEW CONF. Note what MD32710 was"
-        " before: if it was 0, find out what else sleeps on axis {address} (every other table"
+        " before: if it was 0, find out what else is inactive on axis {address} (every other table"
         " with this output axis and a value that is not 0), and switch it off (SD41300 = 0)"
-        " before anything else. MD32710 would wake it.",
+        " before anything else. MD32710 would activate it.",
         room=room,
         enable=enable,
         switch=switch,
@@ -148,7 +148,7 @@ def _switching(entry: PlannedCross, which: str) -> str:
     address = entry.added.output
     enable, switch = _switches(address)
     return control_text(
-        "If MD32710 was 0 before: SD41300 = 0 for what else sleeps on axis {address}, first."
+        "If MD32710 was 0 before: SD41300 = 0 for what else is inactive on axis {address}, first."
         " Set {enable} = 1, NEW CONF, then {switch} = 1 for {which}, NEW CONF, NCK reset. Work"
         " offsets of {output} shift with {input}: probe them again. Compare the result"
         " with a square or a dial gauge before production.",

@@ -37,16 +37,16 @@ TEXTS: Final[dict[str, str]] = {
     " tables {table_positive} and {table_negative}, and MD32700"
     " $MA_ENC_COMP_ENABLE[{index},{address}] = 0, and activate all (NEW CONF). With MD32710"
     " = 1 the tables are write protected. MD32700 stays 0. Note what MD32710 was before: if"
-    " it was 0, find out what else sleeps on axis {address} (every other table with this"
+    " it was 0, find out what else is inactive on axis {address} (every other table with this"
     " output axis and a value that is not 0), and switch it off (SD41300 = 0) before"
-    " anything else. MD32710 would wake it.{others}": (
+    " anything else. MD32710 would activate it.{others}": (
         "Mettre MD32710 $MA_CEC_ENABLE[{address}] = 0, SD41300 $SN_CEC_TABLE_ENABLE = 0 pour"
         " les tables {table_positive} et {table_negative}, et MD32700"
         " $MA_ENC_COMP_ENABLE[{index},{address}] = 0, et rendre le tout actif (NEW CONF). Avec"
         " MD32710 = 1, les tables sont protégées en écriture. MD32700 reste à 0. Noter ce que"
-        " MD32710 était avant : s'il était 0, chercher ce qui dort encore sur l'axe {address}"
-        " (toute autre table avec cet axe de sortie et une valeur autre que 0), et le"
-        " désactiver (SD41300 = 0) avant toute autre chose. MD32710 le réveillerait.{others}"
+        " MD32710 était avant : s'il était 0, chercher ce qui est encore inactif sur l'axe"
+        " {address} (toute autre table avec cet axe de sortie et une valeur autre que 0), et le"
+        " désactiver (SD41300 = 0) avant toute autre chose. MD32710 l'activerait.{others}"
     ),
     "The sign of this table is confirmed by the manual: a positive value moves the axis in"
     " the negative direction. The quick check shows it.": (
@@ -94,13 +94,13 @@ TEXTS: Final[dict[str, str]] = {
         " {backlash_unit} et MD32700 $MA_ENC_COMP_ENABLE[{index},{address}] = 1, qui active la"
         " table. Ensuite NEW CONF, et Power On ou reset.{others_back} {referencing}"
     ),
-    "If MD32710 was 0 before: SD41300 = 0 for what else sleeps on axis {address}, first. Set"
+    "If MD32710 was 0 before: SD41300 = 0 for what else is inactive on axis {address}, first. Set"
     " MD32710 $MA_CEC_ENABLE[{address}] = 1, NEW CONF. Load {file_2} last (what was loaded"
     " with the table is not loaded again), or by hand: MD32450"
     " $MA_BACKLASH[{index},{address}] = {backlash} {backlash_unit} and SD41300"
     " $SN_CEC_TABLE_ENABLE = 1 for the tables {table_positive} and {table_negative}, which"
     " switches them on. Then NEW CONF, NCK reset.{others_back} {referencing}": (
-        "Si MD32710 était 0 avant : d'abord SD41300 = 0 pour ce qui dort encore sur l'axe"
+        "Si MD32710 était 0 avant : d'abord SD41300 = 0 pour ce qui est encore inactif sur l'axe"
         " {address}. Mettre MD32710 $MA_CEC_ENABLE[{address}] = 1, NEW CONF. Charger {file_2}"
         " en dernier (ce qui a été chargé avec la table n'est pas rechargé), ou à la main :"
         " MD32450 $MA_BACKLASH[{index},{address}] = {backlash} {backlash_unit} et SD41300"
@@ -155,13 +155,13 @@ TEXTS: Final[dict[str, str]] = {
         "MD32450 $MA_BACKLASH[{index},{address}] = {backlash} {backlash_unit}"
     ),
     "{room} Set {enable} = 0 and {switch} = 0 for {which}, NEW CONF. Note what MD32710 was"
-    " before: if it was 0, find out what else sleeps on axis {address} (every other table"
+    " before: if it was 0, find out what else is inactive on axis {address} (every other table"
     " with this output axis and a value that is not 0), and switch it off (SD41300 = 0)"
-    " before anything else. MD32710 would wake it.": (
+    " before anything else. MD32710 would activate it.": (
         "{room} Mettre {enable} = 0 et {switch} = 0 pour {which}, NEW CONF. Noter ce que"
-        " MD32710 était avant : s'il était 0, chercher ce qui dort encore sur l'axe {address}"
-        " (toute autre table avec cet axe de sortie et une valeur autre que 0), et le"
-        " désactiver (SD41300 = 0) avant toute autre chose. MD32710 le réveillerait."
+        " MD32710 était avant : s'il était 0, chercher ce qui est encore inactif sur l'axe"
+        " {address} (toute autre table avec cet axe de sortie et une valeur autre que 0), et le"
+        " désactiver (SD41300 = 0) avant toute autre chose. MD32710 l'activerait."
     ),
     "Before {files} is loaded: write {value} {unit} into every point of {which} and switch"
     " {each} on for this check: MD32710, NEW CONF, SD41300, NEW CONF, NCK reset. A dial"
@@ -185,11 +185,11 @@ TEXTS: Final[dict[str, str]] = {
     "Load {files}. {error}: {output} is moved by {ends}, 0 at the reference of {input}.": (
         "Charger {files}. {error} : {output} est déplacé de {ends}, 0 à la référence de {input}."
     ),
-    "If MD32710 was 0 before: SD41300 = 0 for what else sleeps on axis {address}, first. Set"
+    "If MD32710 was 0 before: SD41300 = 0 for what else is inactive on axis {address}, first. Set"
     " {enable} = 1, NEW CONF, then {switch} = 1 for {which}, NEW CONF, NCK reset. Work"
     " offsets of {output} shift with {input}: probe them again. Compare the result with a"
     " square or a dial gauge before production.": (
-        "Si MD32710 était 0 avant : d'abord SD41300 = 0 pour ce qui dort encore sur l'axe"
+        "Si MD32710 était 0 avant : d'abord SD41300 = 0 pour ce qui est encore inactif sur l'axe"
         " {address}. Mettre {enable} = 1, NEW CONF, puis {switch} = 1 pour {which}, NEW CONF,"
         " NCK reset. Les décalages d'origine de {output} bougent avec {input} : les palper de"
         " nouveau. Comparer le résultat avant la production avec une équerre ou un comparateur."

@@ -37,17 +37,17 @@ TEXTS: Final[dict[str, str]] = {
     " tables {table_positive} and {table_negative}, and MD32700"
     " $MA_ENC_COMP_ENABLE[{index},{address}] = 0, and activate all (NEW CONF). With MD32710"
     " = 1 the tables are write protected. MD32700 stays 0. Note what MD32710 was before: if"
-    " it was 0, find out what else sleeps on axis {address} (every other table with this"
+    " it was 0, find out what else is inactive on axis {address} (every other table with this"
     " output axis and a value that is not 0), and switch it off (SD41300 = 0) before"
-    " anything else. MD32710 would wake it.{others}": (
+    " anything else. MD32710 would activate it.{others}": (
         "MD32710 $MA_CEC_ENABLE[{address}] = 0, SD41300 $SN_CEC_TABLE_ENABLE = 0 für die"
         " Tabellen {table_positive} und {table_negative} und MD32700"
         " $MA_ENC_COMP_ENABLE[{index},{address}] = 0 setzen und alles wirksam machen (NEW"
         " CONF). Mit MD32710 = 1 sind die Tabellen schreibgeschützt. MD32700 bleibt 0."
         " Notieren, was MD32710 vorher war: War es 0, feststellen, was auf Achse {address}"
-        " sonst noch schläft (jede andere Tabelle mit dieser Ausgangsachse und einem Wert, der"
+        " sonst noch inaktiv ist (jede andere Tabelle mit dieser Ausgangsachse und einem Wert, der"
         " nicht 0 ist), und es vor allem anderen ausschalten (SD41300 = 0). MD32710 würde es"
-        " wecken.{others}"
+        " aktivieren.{others}"
     ),
     "The sign of this table is confirmed by the manual: a positive value moves the axis in"
     " the negative direction. The quick check shows it.": (
@@ -96,14 +96,14 @@ TEXTS: Final[dict[str, str]] = {
         " Tabelle einschaltet. Dann NEW CONF und Power On oder Reset.{others_back}"
         " {referencing}"
     ),
-    "If MD32710 was 0 before: SD41300 = 0 for what else sleeps on axis {address}, first. Set"
+    "If MD32710 was 0 before: SD41300 = 0 for what else is inactive on axis {address}, first. Set"
     " MD32710 $MA_CEC_ENABLE[{address}] = 1, NEW CONF. Load {file_2} last (what was loaded"
     " with the table is not loaded again), or by hand: MD32450"
     " $MA_BACKLASH[{index},{address}] = {backlash} {backlash_unit} and SD41300"
     " $SN_CEC_TABLE_ENABLE = 1 for the tables {table_positive} and {table_negative}, which"
     " switches them on. Then NEW CONF, NCK reset.{others_back} {referencing}": (
         "War MD32710 vorher 0: zuerst SD41300 = 0 für das, was auf Achse {address} sonst noch"
-        " schläft. MD32710 $MA_CEC_ENABLE[{address}] = 1 setzen, NEW CONF. {file_2} zuletzt"
+        " inaktiv ist. MD32710 $MA_CEC_ENABLE[{address}] = 1 setzen, NEW CONF. {file_2} zuletzt"
         " laden (was mit der Tabelle geladen wurde, wird nicht noch einmal geladen), oder von"
         " Hand: MD32450 $MA_BACKLASH[{index},{address}] = {backlash} {backlash_unit} und"
         " SD41300 $SN_CEC_TABLE_ENABLE = 1 für die Tabellen {table_positive} und"
@@ -157,13 +157,13 @@ TEXTS: Final[dict[str, str]] = {
         "MD32450 $MA_BACKLASH[{index},{address}] = {backlash} {backlash_unit}"
     ),
     "{room} Set {enable} = 0 and {switch} = 0 for {which}, NEW CONF. Note what MD32710 was"
-    " before: if it was 0, find out what else sleeps on axis {address} (every other table"
+    " before: if it was 0, find out what else is inactive on axis {address} (every other table"
     " with this output axis and a value that is not 0), and switch it off (SD41300 = 0)"
-    " before anything else. MD32710 would wake it.": (
+    " before anything else. MD32710 would activate it.": (
         "{room} {enable} = 0 und {switch} = 0 für {which} setzen, NEW CONF. Notieren, was"
-        " MD32710 vorher war: War es 0, feststellen, was auf Achse {address} sonst noch schläft"
+        " MD32710 vorher war: War es 0, feststellen, was auf Achse {address} sonst noch inaktiv ist"
         " (jede andere Tabelle mit dieser Ausgangsachse und einem Wert, der nicht 0 ist), und"
-        " es vor allem anderen ausschalten (SD41300 = 0). MD32710 würde es wecken."
+        " es vor allem anderen ausschalten (SD41300 = 0). MD32710 würde es aktivieren."
     ),
     "Before {files} is loaded: write {value} {unit} into every point of {which} and switch"
     " {each} on for this check: MD32710, NEW CONF, SD41300, NEW CONF, NCK reset. A dial"
@@ -186,12 +186,12 @@ TEXTS: Final[dict[str, str]] = {
     "Load {files}. {error}: {output} is moved by {ends}, 0 at the reference of {input}.": (
         "{files} laden. {error}: {output} wird um {ends} bewegt, 0 an der Referenz von {input}."
     ),
-    "If MD32710 was 0 before: SD41300 = 0 for what else sleeps on axis {address}, first. Set"
+    "If MD32710 was 0 before: SD41300 = 0 for what else is inactive on axis {address}, first. Set"
     " {enable} = 1, NEW CONF, then {switch} = 1 for {which}, NEW CONF, NCK reset. Work"
     " offsets of {output} shift with {input}: probe them again. Compare the result with a"
     " square or a dial gauge before production.": (
         "War MD32710 vorher 0: zuerst SD41300 = 0 für das, was auf Achse {address} sonst noch"
-        " schläft. {enable} = 1 setzen, NEW CONF, dann {switch} = 1 für {which}, NEW CONF,"
+        " inaktiv ist. {enable} = 1 setzen, NEW CONF, dann {switch} = 1 für {which}, NEW CONF,"
         " NCK-Reset. Nullpunktverschiebungen von {output} wandern mit {input}: neu antasten."
         " Das Ergebnis vor der Produktion mit einem Winkel oder einer Messuhr vergleichen."
     ),

@@ -37,16 +37,16 @@ TEXTS: Final[dict[str, str]] = {
     " tables {table_positive} and {table_negative}, and MD32700"
     " $MA_ENC_COMP_ENABLE[{index},{address}] = 0, and activate all (NEW CONF). With MD32710"
     " = 1 the tables are write protected. MD32700 stays 0. Note what MD32710 was before: if"
-    " it was 0, find out what else sleeps on axis {address} (every other table with this"
+    " it was 0, find out what else is inactive on axis {address} (every other table with this"
     " output axis and a value that is not 0), and switch it off (SD41300 = 0) before"
-    " anything else. MD32710 would wake it.{others}": (
+    " anything else. MD32710 would activate it.{others}": (
         "Задайте MD32710 $MA_CEC_ENABLE[{address}] = 0, SD41300 $SN_CEC_TABLE_ENABLE = 0 для"
         " таблиц {table_positive} и {table_negative} и MD32700"
         " $MA_ENC_COMP_ENABLE[{index},{address}] = 0 и активируйте всё (NEW CONF). При MD32710"
         " = 1 таблицы защищены от записи. MD32700 остаётся 0. Запишите, чему MD32710 было равно"
-        " раньше: если 0, выясните, что ещё спит на оси {address} (любая другая таблица с этой"
-        " выходной осью и значением не 0), и выключите это (SD41300 = 0) прежде всего"
-        " остального. MD32710 разбудило бы его.{others}"
+        " раньше: если 0, выясните, что ещё не активно на оси {address} (любая другая таблица с"
+        " этой выходной осью и значением не 0), и выключите это (SD41300 = 0) прежде всего"
+        " остального. MD32710 включило бы его.{others}"
     ),
     "The sign of this table is confirmed by the manual: a positive value moves the axis in"
     " the negative direction. The quick check shows it.": (
@@ -93,13 +93,13 @@ TEXTS: Final[dict[str, str]] = {
         " MD32700 $MA_ENC_COMP_ENABLE[{index},{address}] = 1, что включает таблицу. Затем NEW"
         " CONF и Power On или сброс.{others_back} {referencing}"
     ),
-    "If MD32710 was 0 before: SD41300 = 0 for what else sleeps on axis {address}, first. Set"
+    "If MD32710 was 0 before: SD41300 = 0 for what else is inactive on axis {address}, first. Set"
     " MD32710 $MA_CEC_ENABLE[{address}] = 1, NEW CONF. Load {file_2} last (what was loaded"
     " with the table is not loaded again), or by hand: MD32450"
     " $MA_BACKLASH[{index},{address}] = {backlash} {backlash_unit} and SD41300"
     " $SN_CEC_TABLE_ENABLE = 1 for the tables {table_positive} and {table_negative}, which"
     " switches them on. Then NEW CONF, NCK reset.{others_back} {referencing}": (
-        "Если MD32710 раньше было 0: сначала SD41300 = 0 для того, что ещё спит на оси"
+        "Если MD32710 раньше было 0: сначала SD41300 = 0 для того, что ещё не активно на оси"
         " {address}. Задайте MD32710 $MA_CEC_ENABLE[{address}] = 1, NEW CONF. Загрузите"
         " {file_2} последним (загруженное с таблицей снова не загружать) или вручную: MD32450"
         " $MA_BACKLASH[{index},{address}] = {backlash} {backlash_unit} и SD41300"
@@ -151,13 +151,13 @@ TEXTS: Final[dict[str, str]] = {
         "MD32450 $MA_BACKLASH[{index},{address}] = {backlash} {backlash_unit}"
     ),
     "{room} Set {enable} = 0 and {switch} = 0 for {which}, NEW CONF. Note what MD32710 was"
-    " before: if it was 0, find out what else sleeps on axis {address} (every other table"
+    " before: if it was 0, find out what else is inactive on axis {address} (every other table"
     " with this output axis and a value that is not 0), and switch it off (SD41300 = 0)"
-    " before anything else. MD32710 would wake it.": (
+    " before anything else. MD32710 would activate it.": (
         "{room} Задайте {enable} = 0 и {switch} = 0 для {which}, NEW CONF. Запишите, чему"
-        " MD32710 было равно раньше: если 0, выясните, что ещё спит на оси {address} (любая"
+        " MD32710 было равно раньше: если 0, выясните, что ещё не активно на оси {address} (любая"
         " другая таблица с этой выходной осью и значением не 0), и выключите это (SD41300 = 0)"
-        " прежде всего остального. MD32710 разбудило бы его."
+        " прежде всего остального. MD32710 включило бы его."
     ),
     "Before {files} is loaded: write {value} {unit} into every point of {which} and switch"
     " {each} on for this check: MD32710, NEW CONF, SD41300, NEW CONF, NCK reset. A dial"
@@ -180,11 +180,11 @@ TEXTS: Final[dict[str, str]] = {
     "Load {files}. {error}: {output} is moved by {ends}, 0 at the reference of {input}.": (
         "Загрузите {files}. {error}: {output} перемещается на {ends}, 0 в опорной позиции {input}."
     ),
-    "If MD32710 was 0 before: SD41300 = 0 for what else sleeps on axis {address}, first. Set"
+    "If MD32710 was 0 before: SD41300 = 0 for what else is inactive on axis {address}, first. Set"
     " {enable} = 1, NEW CONF, then {switch} = 1 for {which}, NEW CONF, NCK reset. Work"
     " offsets of {output} shift with {input}: probe them again. Compare the result with a"
     " square or a dial gauge before production.": (
-        "Если MD32710 раньше было 0: сначала SD41300 = 0 для того, что ещё спит на оси"
+        "Если MD32710 раньше было 0: сначала SD41300 = 0 для того, что ещё не активно на оси"
         " {address}. Задайте {enable} = 1, NEW CONF, затем {switch} = 1 для {which}, NEW CONF,"
         " NCK reset. Смещения нуля {output} сдвигаются вместе с {input}: измерьте их щупом"
         " заново. Сравните результат до работы с угольником или индикатором."
