@@ -327,10 +327,10 @@ def test_an_end_whose_axis_has_no_value_is_a_cause_with_a_step() -> None:
     assert "friction compensation of X" in str(steps_for([cause], AXES)[0])
 
 
-def test_the_step_for_a_vibration_names_its_frequency() -> None:
-    found = {**entry(1.0, 0.1, 2.0, 1.0), "frequency": 56.09}
+def test_the_step_for_a_vibration_names_its_frequency_and_axis() -> None:
+    found = {**entry(1.0, 0.1, 2.0, 1.0), "frequency": 56.09, "axis": "X"}
     causes = ranked_causes({**RESULT, "diagnosis": {"vibration": found}})
-    assert "by its frequency (56.1 Hz): pump" in str(steps_for(causes, AXES)[0])
+    assert "by its frequency (56.1 Hz) at axis X: pump" in str(steps_for(causes, AXES)[0])
 
 
 @needs_shared

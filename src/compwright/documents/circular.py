@@ -225,7 +225,8 @@ def _effect(effect: CircularEffect, *, given: bool) -> dict[str, Any]:
         return {**entry, "std_error": entry["std_error"] or None, **dict.fromkeys(effect.more)}
     low = {} if effect.low is None else {"low": _number(effect.low)}
     more = {name: None if value is None else _number(value) for name, value in effect.more.items()}
-    return {**entry, **low, **more}
+    axis = {"axis": effect.axis} if "frequency" in more else {}
+    return {**entry, **low, **more, **axis}
 
 
 def _plain(value: object) -> Any:

@@ -39,6 +39,7 @@ from compwright.estimation.circle_noise import (
     AngleGrid,
     angle_grid,
     inverse_cosine_transform,
+    sum_and_difference,
 )
 from compwright.estimation.circle_path import undetermined_causes
 from compwright.estimation.circle_plain import harmonic_regression
@@ -46,7 +47,12 @@ from compwright.estimation.circle_report import report_effects
 from compwright.estimation.circle_reversal import choose_shapes, draw_shapes
 from compwright.estimation.circle_shapes import SpikeShapes
 from compwright.estimation.circle_solution import Solution
-from compwright.estimation.circle_vibration import Vibration, search_vibration, vibration_columns
+from compwright.estimation.circle_vibration import (
+    Vibration,
+    search_between_means,
+    search_vibration,
+    vibration_columns,
+)
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.records.axis import FloatArray
@@ -57,7 +63,6 @@ from compwright.records.circular import (
     FittedRun,
     FreshRun,
 )
-from compwright.words.sentences import say
 
 #: ISO 230-4 asks for arcs of at least 90°; a shorter one tells hardly anything apart.
 LEAST_ARC: Final = 90.0
@@ -89,7 +94,8 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
     """
     _refuse(test, periods or {})
     every = circle_samples(test)
-    test = replace(test, runs=tuple(map(_average_neighbours, test.runs)))
+    averaged = -(-max(run.angles.size for run in test.runs) // MOST_SAMPLES)
+    test = replace(test, runs=tuple(_average_neighbours(run, averaged) for run in test.runs))
     samples = circle_samples(test)
     _refuse_few(test, samples)
     frequencies, findings = _visible_periods(test, samples, periods or {})
@@ -98,12 +104,11 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
     samples = start.problem.samples
     if samples.lag:
         findings.append(_lag_finding(samples))
-    solution = _solution(start, frequencies)
+    fast = Vibration()
+    if averaged > 1:
+        start, fast = _without_fast_vibration(start, every, averaged)
+    solution = _solution(start, frequencies, fast, averaged)
     reasons = undetermined_causes(test, samples)
-    if measured.theta.size < every.theta.size:
-        # The mean of neighbouring samples is smaller than a vibration, and may have another
-        # frequency.
-        reasons["vibration"] = say("undetermined.averaged", most=MOST_SAMPLES)
     effects, correlation, undetermined, noticed = report_effects(test, solution, reasons)
     return Diagnosis(
         effects=effects,
@@ -180,15 +185,13 @@ def _fitted_runs(
         )
 
 
-def _average_neighbours(run: CircularRun) -> CircularRun:
-    """Return a run with at most `MOST_SAMPLES` samples, each the mean of neighbouring samples."""
-    size = -(-run.angles.size // MOST_SAMPLES)
-    if size <= 1:
-        return run
-    starts = np.arange(0, run.angles.size, size)
-    counts = np.diff(starts, append=run.angles.size)
+def _average_neighbours(run: CircularRun, count: int) -> CircularRun:
+    """Return a run whose samples are means of ``count`` neighbouring samples each. What is left at
+    the end of the run is left out: a mean of fewer would show more of a vibration.
+    """
+    size = run.angles.size - run.angles.size % count
     angles, deviations = (
-        np.add.reduceat(values, starts) / counts for values in (run.angles, run.deviations)
+        np.mean(values[:size].reshape(-1, count), axis=1) for values in (run.angles, run.deviations)
     )
     return replace(run, angles=angles, deviations=deviations)
 
@@ -359,9 +362,28 @@ def _likeliest(problem: CircleProblem, *starts: _CircleStart) -> _CircleStart:
     return max(fits, key=lambda each: each.evidence)
 
 
-def _solution(start: _CircleStart, given: dict[str, float]) -> Solution:
+def _without_fast_vibration(
+    start: _CircleStart, every: CircleSamples, averaged: int
+) -> tuple[_CircleStart, Vibration]:
+    """Return the fit of a circular test without the vibration that its samples, means of
+    ``averaged`` of ``every`` sample, cannot show; and this vibration.
+    """
+    problem, fitted = start.problem, start.fitted
+    rest = problem.target - fitted_path(problem, fitted.active, fitted.values)
+    found, wave = search_between_means(every, problem, rest, averaged)
+    if found.frequency is None:
+        return start, found
+    target = problem.target - wave
+    aims = sum_and_difference(problem.grid, target)
+    return _likeliest(replace(problem, target=target, aims=aims), start), found
+
+
+def _solution(
+    start: _CircleStart, given: dict[str, float], fast: Vibration, averaged: int
+) -> Solution:
     """Return the full solution of a circular test: noise, reversal spikes, cyclic errors and
-    vibration. ``given``: known frequencies of cyclic errors, 1/mm, by axis.
+    vibration. ``given``: known frequencies of cyclic errors, 1/mm, by axis. ``fast``: vibration
+    that the samples, means of ``averaged`` each, cannot show.
     """
     frequencies = dict(given)
     for axis, frequency in given.items():
@@ -380,7 +402,7 @@ def _solution(start: _CircleStart, given: dict[str, float]) -> Solution:
             break
         found = start.cyclic(open_axes)
     problem, shapes, fitted = start.problem, start.shapes, start.fitted
-    problem, fitted, waves = _add_vibration(problem, shapes, fitted)
+    problem, fitted, slow = _add_vibration(problem, shapes, fitted, averaged)
     draws = draw_shapes(
         weighted_problem(problem, fitted.spectra),
         shapes,
@@ -393,7 +415,7 @@ def _solution(start: _CircleStart, given: dict[str, float]) -> Solution:
         frequencies=frequencies,
         given=frozenset(given),
         hidden=found.hidden,
-        vibration=waves,
+        vibration=slow.or_stronger(fast),
     )
 
 
@@ -451,13 +473,15 @@ def _fit_cyclic(
 
 
 def _add_vibration(
-    problem: CircleProblem, shapes: SpikeShapes, fitted: CircleFit
+    problem: CircleProblem, shapes: SpikeShapes, fitted: CircleFit, averaged: int
 ) -> tuple[CircleProblem, CircleFit, Vibration]:
-    """Return equations and solution with the strongest vibration added, if one was found."""
+    """Return equations and solution with the strongest vibration added, if one was found. Each
+    sample is the mean of ``averaged`` samples.
+    """
     rest = problem.target - fitted_path(problem, fitted.active, fitted.values)
-    found = search_vibration(problem, rest)
+    found = search_vibration(problem.samples, rest, averaged=averaged)
     if found.frequency is not None:
-        columns = vibration_columns(problem.samples, found)
+        columns = vibration_columns(problem.samples, found, averaged)
         shaken = problem.with_columns(columns)
         steady = _fit_with_noise(weighted_problem(shaken, fitted.spectra), shapes)
         places = [shaken.names.index(column.name) for column in columns]
@@ -468,5 +492,6 @@ def _add_vibration(
             return shaken, steady, found
         shapes.adopt(problem)
         most = float(np.sqrt(np.sum(value**2) / np.unique(problem.samples.run).size))
-        found = replace(found, frequency=None, hidden=max(found.hidden, most))
+        hidden = {**found.hidden, found.axis: max(found.hidden[found.axis], most)}
+        found = Vibration(hidden=hidden)
     return problem, fitted, found

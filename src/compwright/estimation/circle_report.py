@@ -38,7 +38,7 @@ from compwright.estimation.circle_symptoms import (
     raw_peak,
     stick_slip,
 )
-from compwright.estimation.circle_vibration import times
+from compwright.estimation.circle_vibration import Vibration, radial_share
 from compwright.foundations.findings import Finding
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularEffect, CircularTest
@@ -100,8 +100,13 @@ def report_effects(
             unit=UNITS.get(cause.name, "um"),
             effect=float(size),
             share=float(size / total) if total > 0.0 and cause.name not in reasons else 0.0,
-            low=max(0.0, cause.value - _ONE_SIDED * float(error)) if cause.positive else None,
+            low=(
+                max(0.0, cause.value - _ONE_SIDED * float(np.sqrt(error**2 - cause.upwards)))
+                if cause.positive
+                else None
+            ),
             more=cause.more,
+            axis=cause.axis,
         )
         for cause, error, size in zip(causes, errors, ranges, strict=True)
     }
@@ -349,7 +354,7 @@ def _stated(
 
 
 def _symptoms(test: CircularTest, solution: Solution) -> Iterator[ReportedCause]:
-    yield _vibration(solution)
+    yield _vibration(test, solution)
     for axis, name in zip(AXES, test.axes, strict=True):
         reason = (
             say("undetermined.few_near_reversals", axis=name)
@@ -370,41 +375,42 @@ def _symptoms(test: CircularTest, solution: Solution) -> Iterator[ReportedCause]
     yield _stated(solution, "positional_tolerance", reason, found, detail=True)
 
 
-def _faded(samples: CircleSamples, frequency: float) -> float:
-    """Return the share of a vibration of ``frequency`` Hz that the slowest possible instrument and
-    drive suppress, as a first-order filter.
+def _faded(found: Vibration) -> float:
+    """Return the standard error of a vibration, as a share of its amplitude, because the instrument
+    may be slow. The slowest first-order filter suppresses twice as much.
     """
-    slow = max(_RESPONSE, _FILTER * sample_spacing(samples) / samples.speed)
-    return float(1.0 - 1.0 / np.hypot(1.0, 2.0 * np.pi * frequency * slow))
+    slow = 2.0 * np.pi * (found.frequency or 0.0) * max(_RESPONSE, _FILTER * found.step)
+    return float(0.5 * (np.hypot(1.0, slow) - 1.0))
 
 
-def _vibration(solution: Solution) -> ReportedCause:
+def _vibration(test: CircularTest, solution: Solution) -> ReportedCause:
     """Return the amplitude of the vibration. If none was found, the amplitude is 0, and its
     standard error is half of the largest amplitude that the search can miss.
     """
     samples, found = solution.problem.samples, solution.vibration
+    names = dict(zip(AXES, test.axes, strict=True))
+    value, drawn, variance = 0.0, np.zeros(solution.draws.values.shape[0]), 0.0
     if found.frequency is None:
-        known = np.isfinite(found.hidden)
-        span = float(np.ptp(times(samples)))
-        return ReportedCause(
-            name="vibration",
-            value=0.0,
-            drawn=np.zeros(solution.draws.values.shape[0]),
-            curve=np.zeros_like(samples.theta),
-            positive=True,
-            variance=(0.5 * found.hidden) ** 2 if known else 0.0,
-            more={"frequency": None},
-            reason=None if known else say("undetermined.few_in_time", time=span),
-        )
-    runs = np.unique(samples.run)
-    parts = [f"_vibration_{part}_{int(number)}" for number in runs for part in ("cos", "sin")]
-    value, drawn, curve = _amplitude(solution, parts, runs.size)
+        variance = (0.5 * max(found.hidden.values(), default=0.0)) ** 2
+    elif found.amplitude is None:
+        parts = [name for name in solution.problem.names if name.startswith("_vibration")]
+        value, drawn, _ = _amplitude(solution, parts, np.unique(samples.run).size)
+    else:
+        value, variance = found.amplitude, found.std_error**2
+    span = samples.arc[1] * samples.radius / samples.speed
+    faded = (_faded(found) * value) ** 2
+    # Over time a vibration has every phase at every angle.
+    wave = 1e-3 * value * np.cos(2.4 * np.arange(samples.theta.size))
     return ReportedCause(
         name="vibration",
         value=value,
         drawn=drawn,
-        curve=curve,
+        curve=wave * radial_share(samples, found.axis),
         positive=True,
-        variance=(_faded(samples, found.frequency) * value) ** 2,
-        more={"frequency": found.frequency},
+        variance=variance + faded,
+        upwards=faded,
+        more={"frequency": found.frequency}
+        | {f"hidden_{axis or 'bar'}": size for axis, size in found.hidden.items()},
+        reason=None if found.hidden else say("undetermined.few_in_time", time=span),
+        axis=names.get(found.axis or ""),
     )

@@ -8,7 +8,7 @@ from array import array
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
-from itertools import chain
+from itertools import chain, repeat
 
 import numpy as np
 
@@ -337,13 +337,14 @@ class GatheredRows:
         """Add several rows of text at once, and return True. Return False and add none if a row
         contains a quote or has too few or too many cells.
         """
-        texts = [text for _, text in rows]
+        numbers, texts = zip(*rows, strict=True)
         others = len(self._columns) - 1
-        if any('"' in text or text.count(delimiter) != others for text in texts):
+        joined = delimiter.join(texts)
+        if '"' in joined or set(map(str.count, texts, repeat(delimiter))) != {others}:
             return False
         self._turn()
-        self.lines.extend(line for line, _ in rows)
-        cells = delimiter.join(texts).split(delimiter)
+        self.lines.extend(numbers)
+        cells = joined.split(delimiter)
         for index, column in enumerate(self._columns):
             column.extend(map(str.strip, cells[index :: others + 1]))
         return True

@@ -100,7 +100,7 @@ class CircularEffect:
     ``share``: ``effect`` divided by the sum of all effects. ``low``: lower end of a one-sided 95 %
     interval if the value cannot be negative; else None. ``more``: further values of the cause, by
     JSON name (``frequency`` Hz of a vibration, ``period`` mm and ``phase`` deg of a cyclic error,
-    ``decay`` ms, ``rise`` ms and ``raw_peak`` um of a spike).
+    ``decay`` ms, ``rise`` ms and ``raw_peak`` um of a spike). ``axis``: the axis that vibrates.
     """
 
     value: float
@@ -110,6 +110,7 @@ class CircularEffect:
     share: float
     low: float | None = None
     more: Mapping[str, float | None] = field(default_factory=dict)
+    axis: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

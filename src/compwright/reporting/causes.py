@@ -57,9 +57,10 @@ class CircleCause:
 
     ``parts``: its details, such as each end of a lost motion, or the scale errors of a mismatch;
     the effect of the cause includes them. ``plain``, ``printed``: the same quantity by simple
-    regression and by the instrument's software; None if there is none. ``frequency``, Hz: that of a
-    vibration. ``correction``: what `run` does about a squareness. ``doubtful``: the instrument's
-    software itself states that its value is not valid.
+    regression and by the instrument's software; None if there is none. ``frequency``, Hz, and
+    ``axis``: those of a vibration; no axis if it is along the bar. ``correction``: what `run` does
+    about a squareness. ``doubtful``: the instrument's software itself states that its value is not
+    valid.
     """
 
     name: str
@@ -71,6 +72,7 @@ class CircleCause:
     share: float
     low: float | None = None
     frequency: float | None = None
+    axis: str | None = None
     plain: float | None = None
     printed: float | None = None
     doubtful: bool = False
@@ -103,8 +105,10 @@ class CircleCause:
 
     @property
     def known(self) -> bool:
-        """Whether the value is larger than twice its standard error."""
-        return abs(self.value) > 2.0 * self.error
+        """Whether the value is larger than twice its standard error. A vibration with a frequency
+        was found, however uncertain its size is.
+        """
+        return self.frequency is not None or abs(self.value) > 2.0 * self.error
 
     @property
     def corrected(self) -> bool:
@@ -201,6 +205,7 @@ def _cause(name: str, result: Mapping[str, Any]) -> CircleCause:
         share=_finite(entry.get("share")),
         low=entry.get("low"),
         frequency=entry.get("frequency"),
+        axis=entry.get("axis"),
         plain=(result.get("plain") or {}).get(name),
         printed=printed,
         doubtful=doubtful,

@@ -47,7 +47,7 @@ def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Senten
         *(
             say("circle.to_do", cause=cause.words, share=100.0 * cause.share, step=step)
             for cause in significant
-            if (step := next_step(whole_cause(_mended(cause)), axes, cause.frequency))
+            if (step := next_step(whole_cause(_mended(cause)), axes, cause))
         ),
         *([say("circle.open_causes", causes=open_causes)] if open_causes else []),
     ]
@@ -68,22 +68,23 @@ def significant_causes(causes: Sequence[CircleCause]) -> list[CircleCause]:
     return found[:_MOST] + [cause for cause in found[_MOST:] if cause.share >= _LARGE]
 
 
-def next_step(cause: str, axes: Sequence[str], frequency: float | None = None) -> Sentence | None:
-    """Return the next step for a cause of a circular test, or None for an unknown cause.
+def next_step(name: str, axes: Sequence[str], found: CircleCause | None = None) -> Sentence | None:
+    """Return the next step for the cause ``name`` of a circular test, or None for an unknown cause.
 
-    ``frequency``: that of a vibration, Hz.
+    ``found``: the cause, for the frequency and the axis of a vibration.
     """
     first, second = axes
-    for ending, axis in (("_first", first), ("_second", second), ("", "")):
-        kind = cause.removesuffix(ending)
-        if cause.endswith(ending) and kind in _STEPS:
+    own = (found.axis if found else None) or ""
+    for ending, axis in (("_first", first), ("_second", second), ("", own)):
+        kind = name.removesuffix(ending)
+        if name.endswith(ending) and kind in _STEPS:
             return say(
                 "circle.step",
                 kind=kind,
                 axis=axis,
                 first=first,
                 second=second,
-                frequency=frequency,
+                frequency=found.frequency if found else None,
             )
     return None
 

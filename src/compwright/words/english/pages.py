@@ -92,7 +92,7 @@ SENTENCES: Final[dict[str, str]] = {
         " job).|offset_change=Measurement: check the centre mount and the magnet cups; then"
         " repeat.|spiral=Measurement: let machine and bar reach a stable temperature; then"
         " repeat.|vibration=Look for the source by its frequency{frequency:if| ({frequency:3sig}"
-        " Hz)|}: pump, fan, motor. Servo: lower"
+        " Hz)|}{axis:if| at axis {axis}|}: pump, fan, motor. Servo: lower"
         " the gain for a trial.|stick_slip=Mechanic: check lubrication, wipers and preload of the"
         " {axis} guideway.|master_slave=Servo: check the interpolation parameters of {first} and"
         " {second}.}"

@@ -58,10 +58,6 @@ SENTENCES: Final[dict[str, str]] = {
     "reading_off": "{traverse} at {target} (deviates by {off})",
     "scale_by": "{axis}: scale error {scale} according to {tests:join|; }",
     "traverse": "run {run} in {direction}",
-    "undetermined.averaged": (
-        "runs of more than {most} samples are averaged, which hides a vibration: thin out the"
-        " samples, or use a lower sample rate"
-    ),
     "undetermined.bar": (
         "the length of the bar was not calibrated: give a calibrated length, or measure the"
         " axis with a laser"

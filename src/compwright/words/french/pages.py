@@ -93,7 +93,7 @@ SENTENCES: Final[dict[str, str]] = {
         " : vérifier le support du centre et les coupelles magnétiques ; puis"
         " répéter.|spiral=Mesure : laisser la machine et l'instrument atteindre une température"
         " stable ; puis répéter.|vibration=Chercher la source par sa fréquence{frequency:if|"
-        " ({frequency:3sig} Hz)|} : pompe,"
+        " ({frequency:3sig} Hz)|}{axis:if| sur l'axe {axis}|} : pompe,"
         " ventilateur, moteur. Asservissement : baisser le gain à titre"
         " d'essai.|stick_slip=Mécanique : vérifier la lubrification, les racleurs et la précharge"
         " du guidage {axis}.|master_slave=Asservissement : vérifier les paramètres d'interpolation"

@@ -58,10 +58,6 @@ SENTENCES: Final[dict[str, str]] = {
     "reading_off": "{traverse} à {target} (écart {off})",
     "scale_by": "{axis} : erreur d'échelle {scale} d'après {tests:join|; }",
     "traverse": "parcours {run} dans le sens {direction}",
-    "undetermined.averaged": (
-        "les parcours de plus de {most} points sont moyennés, ce qui cache une vibration : garder"
-        " moins de points ou échantillonner moins vite"
-    ),
     "undetermined.bar": (
         "la longueur de la barre n'a pas été étalonnée : donner une longueur étalonnée, ou"
         " mesurer l'axe au laser"

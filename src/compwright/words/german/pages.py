@@ -96,7 +96,7 @@ SENTENCES: Final[dict[str, str]] = {
         " hat (cross).|offset_change=Messung: Mittelpunkthalter und Magnetpfannen prüfen; dann"
         " wiederholen.|spiral=Messung: Maschine und Messgerät auf eine gleichbleibende Temperatur"
         " kommen lassen; dann wiederholen.|vibration=Quelle nach ihrer Frequenz{frequency:if|"
-        " ({frequency:3sig} Hz)|} suchen: Pumpe,"
+        " ({frequency:3sig} Hz)|}{axis:if| an Achse {axis}|} suchen: Pumpe,"
         " Lüfter, Motor. Regelung: Verstärkung probeweise senken.|stick_slip=Mechanik: Schmierung,"
         " Abstreifer und Vorspannung der Führung {axis} prüfen.|master_slave=Regelung:"
         " Interpolationsparameter von {first} und {second} prüfen.}"

@@ -57,10 +57,6 @@ SENTENCES: Final[dict[str, str]] = {
     "reading_off": "{traverse} bei {target} (Abweichung {off})",
     "scale_by": "{axis}: Maßstabsfehler {scale} nach {tests:join|; }",
     "traverse": "Lauf {run} in {direction}",
-    "undetermined.averaged": (
-        "Läufe mit mehr als {most} Messpunkten werden gemittelt, was eine Schwingung verdeckt:"
-        " Messpunkte ausdünnen oder langsamer abtasten"
-    ),
     "undetermined.bar": (
         "die Länge des Kreisformmessgeräts wurde nicht kalibriert: eine kalibrierte Länge"
         " angeben, oder die Achse mit einem Laser messen"

@@ -56,10 +56,6 @@ SENTENCES: Final[dict[str, str]] = {
     "reading_off": "{traverse} в {target} (отклонение {off})",
     "scale_by": "{axis}: ошибка масштаба {scale} по {tests:join|; }",
     "traverse": "проход {run} в направлении {direction}",
-    "undetermined.averaged": (
-        "проходы длиннее {most} точек усредняются, что скрывает вибрацию: проредите точки или"
-        " уменьшите частоту опроса"
-    ),
     "undetermined.bar": (
         "длина прибора не калибрована: задайте калиброванную длину или измерьте ось лазером"
     ),
