@@ -10,7 +10,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_model import UM
+from compwright.estimation.circle_model import SOFTEST_LOOP, UM
 from compwright.estimation.circle_solution import Solution
 from compwright.records.axis import FloatArray
 from compwright.words.sentences import Sentence
@@ -23,6 +23,11 @@ _TURN: Final = 0.2
 _CHANGEOVER: Final = 0.05
 #: Scale mismatch with the second harmonic of a changeover of 1 um: 4 * 4/pi * 1/2.
 _OF_CHANGEOVER: Final = 8.0 / np.pi
+#: Servo loops, s: time constant of a velocity loop (30 Hz); least lag behind full feedforward; most
+#: difference of the position loops of two axes (a tenth of 40 ms).
+_VELOCITY_LOOP: Final = 0.005
+_LEAST_LAG: Final = 5e-4
+_UNLIKE_LOOPS: Final = 0.004
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -99,14 +104,18 @@ def changeover(solution: Solution) -> ReportedCause:
 
 
 def scale_mismatch(solution: Solution) -> ReportedCause:
-    """Return the scale mismatch after the effect of unequal servo lags is subtracted.
+    """Return the scale mismatch after the effect of unequal servo loops is subtracted.
 
-    A first-order lag T reduces the radius of its axis by (ωT)² / 2. A mean lag of angle a and a
-    servo mismatch τ thus change the mismatch by -2 a v τ over the diameter. A dead time changes
-    nothing. It is unknown which kind of lag the axes have. Therefore half of the effect is
-    subtracted, and the other half is a standard uncertainty (two values of equal probability: JCGM
-    100:2008, 4.3.1). ``lag_taken_off`` and ``lag_error`` are these halves, um. Circles at several
-    feeds can determine the effect.
+    A position loop of time constant T with the share f of velocity feedforward lags by (1 - f) T,
+    and reduces the radius of its axis by (1 - f²)(ωT)² / 2. A servo mismatch τ thus changes the
+    mismatch by -2 v²/R (1 + f) T τ over the diameter. A dead time changes nothing. Neither f nor T
+    shows in a circle at one feed. (1 + f) T lies between 0 and twice that of the softest usual
+    loop, `SOFTEST_LOOP`: a rectangular distribution (JCGM 100:2008, 4.3.7). Its mean is subtracted.
+
+    A velocity loop of time constant T' increases the radius by ω² T T', and no delay shows this.
+    Behind feedforward the time constants T may be far more unlike than the lags a: by τ T / a.
+    ``lag_taken_off`` is what is subtracted, ``lag_error`` the standard uncertainty of all this, um.
+    Circles at several feeds can determine the effect.
     """
     samples = solution.problem.samples
     cause = linear_cause(solution, "scale_mismatch", {"scale_mismatch": 1.0})
@@ -116,8 +125,13 @@ def scale_mismatch(solution: Solution) -> ReportedCause:
         return replace(cause, more={"lag_taken_off": 0.0, "lag_error": 0.0})
     names = solution.problem.names
     drawn = solution.draws.values[:, names.index("servo_mismatch")]
-    off = samples.speed * samples.lag * drawn
-    error = samples.speed * (samples.lag + samples.lag_std) * abs(float(np.mean(drawn)))
+    softest, across = 1.0 / SOFTEST_LOOP, 2.0 * samples.speed**2 / samples.radius
+    off = across * softest * drawn
+    mismatch = 1e-3 * abs(float(np.mean(drawn)))
+    lag = max(samples.lag * samples.radius / samples.speed, _LEAST_LAG)
+    unlike = min(mismatch * softest / lag, _UNLIKE_LOOPS)
+    parts = softest * mismatch / np.sqrt(3.0), _VELOCITY_LOOP * unlike
+    error = 1e3 * across * float(np.hypot(*parts))
     either = np.where(np.arange(off.size) % 2, error, -error)
     return replace(
         cause,
