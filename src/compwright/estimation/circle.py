@@ -96,7 +96,7 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
     every = circle_samples(test)
     averaged = -(-max(run.angles.size for run in test.runs) // MOST_SAMPLES)
     test = replace(test, runs=tuple(_average_neighbours(run, averaged) for run in test.runs))
-    samples = circle_samples(test)
+    samples = replace(circle_samples(test), averaged=averaged)
     _refuse_few(test, samples)
     frequencies, findings = _visible_periods(test, samples, periods or {})
     measured, plain, grid = samples, harmonic_regression(samples), angle_grid(samples)
@@ -106,8 +106,8 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
         findings.append(_lag_finding(samples))
     fast = Vibration()
     if averaged > 1:
-        start, fast = _without_fast_vibration(start, every, averaged)
-    solution = _solution(start, frequencies, fast, averaged)
+        start, fast = _without_fast_vibration(start, every)
+    solution = _solution(start, frequencies, fast)
     reasons = undetermined_causes(test, samples)
     effects, correlation, undetermined, noticed = report_effects(test, solution, reasons)
     return Diagnosis(
@@ -363,14 +363,14 @@ def _likeliest(problem: CircleProblem, *starts: _CircleStart) -> _CircleStart:
 
 
 def _without_fast_vibration(
-    start: _CircleStart, every: CircleSamples, averaged: int
+    start: _CircleStart, every: CircleSamples
 ) -> tuple[_CircleStart, Vibration]:
     """Return the fit of a circular test without the vibration that its samples, means of
-    ``averaged`` of ``every`` sample, cannot show; and this vibration.
+    neighbours among ``every`` reading, cannot show; and this vibration.
     """
     problem, fitted = start.problem, start.fitted
     rest = problem.target - fitted_path(problem, fitted.active, fitted.values)
-    found, wave = search_between_means(every, problem, rest, averaged)
+    found, wave = search_between_means(every, problem, rest)
     if found.frequency is None:
         return start, found
     target = problem.target - wave
@@ -378,12 +378,10 @@ def _without_fast_vibration(
     return _likeliest(replace(problem, target=target, aims=aims), start), found
 
 
-def _solution(
-    start: _CircleStart, given: dict[str, float], fast: Vibration, averaged: int
-) -> Solution:
+def _solution(start: _CircleStart, given: dict[str, float], fast: Vibration) -> Solution:
     """Return the full solution of a circular test: noise, reversal spikes, cyclic errors and
     vibration. ``given``: known frequencies of cyclic errors, 1/mm, by axis. ``fast``: vibration
-    that the samples, means of ``averaged`` each, cannot show.
+    that the samples, means of readings, cannot show.
     """
     frequencies = dict(given)
     for axis, frequency in given.items():
@@ -402,7 +400,7 @@ def _solution(
             break
         found = start.cyclic(open_axes)
     problem, shapes, fitted = start.problem, start.shapes, start.fitted
-    problem, fitted, slow = _add_vibration(problem, shapes, fitted, averaged)
+    problem, fitted, slow = _add_vibration(problem, shapes, fitted)
     draws = draw_shapes(
         weighted_problem(problem, fitted.spectra),
         shapes,
@@ -473,15 +471,13 @@ def _fit_cyclic(
 
 
 def _add_vibration(
-    problem: CircleProblem, shapes: SpikeShapes, fitted: CircleFit, averaged: int
+    problem: CircleProblem, shapes: SpikeShapes, fitted: CircleFit
 ) -> tuple[CircleProblem, CircleFit, Vibration]:
-    """Return equations and solution with the strongest vibration added, if one was found. Each
-    sample is the mean of ``averaged`` samples.
-    """
+    """Return equations and solution with the strongest vibration added, if one was found."""
     rest = problem.target - fitted_path(problem, fitted.active, fitted.values)
-    found = search_vibration(problem.samples, rest, averaged=averaged)
+    found = search_vibration(problem.samples, rest)
     if found.frequency is not None:
-        columns = vibration_columns(problem.samples, found, averaged)
+        columns = vibration_columns(problem.samples, found)
         shaken = problem.with_columns(columns)
         steady = _fit_with_noise(weighted_problem(shaken, fitted.spectra), shapes)
         places = [shaken.names.index(column.name) for column in columns]

@@ -37,6 +37,7 @@ from compwright.estimation.circle_noise import (
     estimate_spectrum,
     sum_and_difference,
 )
+from compwright.estimation.circle_readings import mean_column, readings_near_reversals
 from compwright.records.axis import FloatArray
 
 #: Shortest length of a reversal spike in samples and in seconds, longest as a share of the radius,
@@ -162,12 +163,14 @@ class CircleProblem:
 
 def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
     """Return the equations of a circular test, without cyclic errors and vibration."""
-    fixed = list(fixed_columns(samples))
+    readings, first = readings_near_reversals(samples)
+    fixed = [mean_column(column, first) for column in fixed_columns(readings)]
     towards, target, known = _linear(samples, fixed)
     fixed += changeover_columns(samples)
     if samples.lag_std > 0.0:
         fixed.append(lag_column(samples, fixed, known))
-    reversals, spikes = _reversals(samples, len(fixed))
+    reversals, spikes = _reversals(samples, readings, len(fixed))
+    spikes = [mean_column(column, first) for column in spikes]
     slopes = np.column_stack([c.x * towards[0] + c.y * towards[1] for c in fixed])
     shapes = np.array([c.x * towards[0] + c.y * towards[1] for c in spikes])
     each = len(spikes) // max(len(reversals), 1)
@@ -236,18 +239,12 @@ def _linear(
         towards = along / distance, across / distance
         slopes = x * towards[0][:, np.newaxis] + y * towards[1][:, np.newaxis]
         target = samples.radius + samples.deviations - distance + slopes @ values
-        values = _solved(slopes.T @ slopes + precision, slopes.T @ target)
+        values = scaled_inverse(slopes.T @ slopes + precision) @ (slopes.T @ target)
     return towards, target, dict(zip(names, (float(value) for value in values), strict=True))
 
 
-def _solved(normal: FloatArray, right: FloatArray) -> FloatArray:
-    unit = 1.0 / np.sqrt(np.diag(normal))
-    answer: FloatArray = unit * np.linalg.solve(normal * np.outer(unit, unit), unit * right)
-    return answer
-
-
 def _reversals(
-    samples: CircleSamples, first: int
+    samples: CircleSamples, readings: CircleSamples, first: int
 ) -> tuple[tuple[Reversal, ...], list[CauseColumn]]:
     spacing = sample_spacing(samples)
     least = max(_SHORTEST * spacing, _QUICKEST * samples.speed)
@@ -270,7 +267,7 @@ def _reversals(
         )
         if inside or lasting
     ]
-    columns = [c for axis, end, *_ in places for c in spike_columns(samples, axis, end, shapes)]
+    columns = [c for axis, end, *_ in places for c in spike_columns(readings, axis, end, shapes)]
     alike = first + np.arange(len(columns)).reshape(len(places), len(shapes))
     unlike = alike + len(columns)
     found = tuple(

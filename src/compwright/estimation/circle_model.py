@@ -105,7 +105,7 @@ class CircleSamples:
     ``run`` (n,): index of the traverse. ``radius``: nominal radius, mm. ``speed``: path speed,
     mm/s. ``arc``: start and extent, rad. ``lag``: common lag of the axes, rad, that is already
     subtracted from ``theta``; 0 if none was found. ``lag_std``: standard uncertainty of the lag,
-    rad.
+    rad. ``averaged``: neighbouring readings of which each sample is the mean.
     """
 
     theta: FloatArray
@@ -117,6 +117,7 @@ class CircleSamples:
     arc: tuple[float, float]
     lag: float = 0.0
     lag_std: float = 0.0
+    averaged: int = 1
 
     @property
     def commanded(self) -> FloatArray:

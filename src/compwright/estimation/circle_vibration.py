@@ -95,12 +95,11 @@ def times(samples: CircleSamples) -> FloatArray:
 
 
 def search_vibration(
-    samples: CircleSamples, residual: FloatArray, *, above: float | None = None, averaged: int = 1
+    samples: CircleSamples, residual: FloatArray, *, above: float | None = None
 ) -> Vibration:
     """Return the strongest vibration in the residuals (n,), mm, of a fit.
 
-    ``above``: least frequency, Hz (None: faster than the shape of the path). ``averaged``: each
-    sample is the mean of so many.
+    ``above``: least frequency, Hz (None: faster than the shape of the path).
 
     The powers of several runs are added. The threshold is the power that noise exceeds once in a
     thousand searches, if the ordinates are independent and exponentially distributed (Scargle
@@ -117,7 +116,7 @@ def search_vibration(
     if frequencies.size <= _AROUND * _OVERSAMPLING or not np.any(keep):
         return Vibration()
     threshold = _threshold(3.0 * int(np.sum(keep)) / _OVERSAMPLING * 2.0, len(runs))
-    shown = mean_share(frequencies[keep], step, averaged)
+    shown = mean_share(frequencies[keep], step, samples.averaged)
     found, hidden, density = Vibration(), {}, np.zeros(0)
     for axis, turned in _DIRECTIONS.items():
         power, gain = np.zeros(frequencies.size), 0.0
@@ -139,7 +138,7 @@ def search_vibration(
         # Vibrations are compared by power alone: a strong one raises the floor around it.
         powers = np.where(keep & (power > threshold * floor), power, 0.0)
         place = int(np.argmax(powers))
-        strength = float(powers[place] / np.mean(share**2)) * averaged
+        strength = float(powers[place] / np.mean(share**2)) * samples.averaged
         hidden[axis] = float(np.sqrt(np.max(floor[keep] / shown**2) * threshold / gain))
         if strength > found.strength:
             found = Vibration(
@@ -148,19 +147,19 @@ def search_vibration(
                 axis=axis,
                 strength=strength,
                 density=float(density[place]),
-                step=step / averaged,
+                step=step / samples.averaged,
             )
     return replace(found, hidden=hidden)
 
 
 def search_between_means(
-    every: CircleSamples, problem: CircleProblem, residual: FloatArray, averaged: int
+    every: CircleSamples, problem: CircleProblem, residual: FloatArray
 ) -> tuple[Vibration, FloatArray]:
     """Return the strongest vibration that is too fast for means of neighbouring samples, and its
     part in the means, mm (m,).
 
     ``every``: the n samples. ``problem``, ``residual`` (m,): equations and residuals, mm, of a fit
-    to the means of ``averaged`` samples each. A vibration faster than half the rate of the means
+    to means of neighbouring samples. A vibration faster than half the rate of the means
     appears in them smaller and at another frequency. It is fitted to the samples themselves, with
     the noise at its own frequency.
     """
@@ -181,7 +180,7 @@ def search_between_means(
         amplitude=float(np.sqrt(max(power - 0.5 * float(np.sum(variance)) / runs, 0.0))),
         std_error=float(np.sqrt(np.sum(variance * sizes**2) / max(power, 1e-24))) / runs,
     )
-    return found, problem.seen(vibration_columns(means, found, averaged)) @ sizes
+    return found, problem.seen(vibration_columns(means, found)) @ sizes
 
 
 def _residuals(every: CircleSamples, means: CircleSamples, path: FloatArray) -> CircleSamples:
@@ -301,19 +300,16 @@ def _peak(frequencies: FloatArray, power: FloatArray, best: int) -> float:
     return float(frequencies[best] + shift * (frequencies[1] - frequencies[0]))
 
 
-def vibration_columns(
-    samples: CircleSamples, found: Vibration, averaged: int = 1
-) -> list[CauseColumn]:
+def vibration_columns(samples: CircleSamples, found: Vibration) -> list[CauseColumn]:
     """Return two model columns for every run: cosine and sine of the vibration ``found``, um. A
     vibration of an axis has two more, for the other axis.
 
     The size of a vibration of an axis is the root mean square of its readings, as for a vibration
-    along the bar: its own amplitude times that of cosθ or sinθ. Each sample is the mean of
-    ``averaged`` samples.
+    along the bar: its own amplitude times that of cosθ or sinθ.
     """
     frequency, seconds = found.frequency or 0.0, times(samples)
     step = _time_step(seconds, _runs(samples))
-    scale = UM * float(mean_share(np.array([frequency]), step, averaged)[0])
+    scale = UM * float(mean_share(np.array([frequency]), step, samples.averaged)[0])
     columns = []
     for axis in (None,) if found.axis is None else AXES:
         x, y = (

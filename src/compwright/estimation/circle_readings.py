@@ -1,0 +1,43 @@
+"""The readings of which the samples of a circular test are means, near its reversals.
+
+A long run is averaged before it is fitted. A mean of readings before and after a reversal has part
+of the step and of the spike only. The model has the same means there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.circle_model import CauseColumn, CircleSamples, sample_spacing
+from compwright.estimation.circle_noise import IndexArray
+
+#: Samples, from one before a reversal on, that are resolved into readings.
+_RESOLVED: Final = 6.0
+
+
+def readings_near_reversals(samples: CircleSamples) -> tuple[CircleSamples, IndexArray]:
+    """Return the samples with those near a reversal replaced by the readings of which they are
+    means, and the index of the first reading of each sample (n,).
+    """
+    spacing = sample_spacing(samples) / samples.radius
+    since = np.mod(samples.sense * samples.theta + spacing, 0.5 * np.pi) / spacing
+    counts = np.where(since < _RESOLVED, samples.averaged, 1)
+    first = np.concatenate([[0], np.cumsum(counts)[:-1]])
+    own = np.arange(np.sum(counts)) - np.repeat(first, counts)
+    share = (own + 0.5) / np.repeat(counts, counts) - 0.5
+    theta, sense, run, deviations = (
+        np.repeat(values, counts)
+        for values in (samples.theta, samples.sense, samples.run, samples.deviations)
+    )
+    theta = theta + spacing * share
+    return replace(samples, theta=theta, sense=sense, run=run, deviations=deviations), first
+
+
+def mean_column(column: CauseColumn, first: IndexArray) -> CauseColumn:
+    """Return a column of readings as one of samples, means of the readings from ``first`` (n,)."""
+    counts = np.diff(first, append=column.x.size)
+    x, y = (np.add.reduceat(values, first) / counts for values in (column.x, column.y))
+    return replace(column, x=x, y=y)
