@@ -79,10 +79,9 @@ def test_the_second_order_of_a_centre_is_that_of_the_handbook() -> None:
     ("name", "sign"), [(name, (-1.0) ** index) for index, name in enumerate(CAUSES)]
 )
 def test_a_single_cause_is_recovered_with_its_sign_and_no_other(name: str, sign: float) -> None:
-    machine, setup = (
-        one(name, sign * CAUSES[name]),
-        Setup(feed=300.0 if name.startswith("scale") else 2000.0),
-    )
+    # What unequal axes take off the scale grows with the square of the feed, and no circle shows it.
+    slow = {"scale": 300.0, "servo": 100.0}.get(name.split("_", maxsplit=1)[0], 2000.0)
+    machine, setup = one(name, sign * CAUSES[name]), Setup(feed=slow)
     found = diagnose(measured(machine, setup))
     for key, value in truth(machine, setup).items():
         effect = found.effects[key]

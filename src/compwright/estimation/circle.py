@@ -375,7 +375,7 @@ def _without_fast_vibration(
         return start, found
     target = problem.target - wave
     aims = sum_and_difference(problem.grid, target)
-    return _likeliest(replace(problem, target=target, aims=aims), start), found
+    return _likeliest(replace(problem, target=target, aims=aims)), found
 
 
 def _solution(start: _CircleStart, given: dict[str, float], fast: Vibration) -> Solution:
