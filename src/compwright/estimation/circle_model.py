@@ -174,12 +174,9 @@ def circle_samples(test: CircularTest) -> CircleSamples:
     their direction of motion is undefined.
     """
     theta = np.radians(np.concatenate([run.angles for run in test.runs]))
-    sense = np.concatenate(
-        [np.full(run.angles.size, 1.0 if run.sense == "ccw" else -1.0) for run in test.runs]
-    )
-    number = np.concatenate(
-        [np.full(run.angles.size, float(index)) for index, run in enumerate(test.runs)]
-    )
+    sizes = [run.angles.size for run in test.runs]
+    sense = np.repeat([1.0 if run.sense == "ccw" else -1.0 for run in test.runs], sizes)
+    number = np.repeat(np.arange(float(len(sizes))), sizes)
     deviations = np.concatenate([run.deviations for run in test.runs])
     clear = np.minimum(np.abs(np.sin(theta)), np.abs(np.cos(theta))) > _AT_REVERSAL
     return CircleSamples(
