@@ -1,7 +1,9 @@
 """The readings of which the samples of a circular test are means, near its reversals.
 
 A long run is averaged before it is fitted. A mean of readings before and after a reversal has part
-of the step and of the spike only. The model has the same means there.
+of the step and of the spike only (the response of a moving average to a step: Smith, The Scientist
+and Engineer's Guide to Digital Signal Processing, 1997, chapter 15). The model has the same means
+there.
 """
 
 from __future__ import annotations
