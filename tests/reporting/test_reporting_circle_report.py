@@ -327,6 +327,21 @@ def test_an_end_whose_axis_has_no_value_is_a_cause_with_a_step() -> None:
     assert "friction compensation of X" in str(steps_for([cause], AXES)[0])
 
 
+def test_the_interval_of_unlike_ends_is_that_of_the_larger_end() -> None:
+    """+1.7 and -1.5 um have a mean of 0.1 um; the path shows the 1.7 um, known to 0.3 um."""
+    result = {
+        **RESULT,
+        "diagnosis": {
+            "backlash_second": entry(0.1, 0.2, 1.7, 0.9),
+            "backlash_second_at_positive": entry(1.7, 0.3, 1.7, 0.0),
+            "backlash_second_at_negative": entry(-1.5, 0.3, 1.5, 0.0),
+        },
+    }
+    (cause,) = ranked_causes(result)
+    assert cause.limits == pytest.approx((1.7 - 1.96 * 0.3, 1.7 + 1.96 * 0.3))
+    assert cause.significant
+
+
 def test_the_step_for_a_vibration_names_its_frequency_and_axis() -> None:
     found = {**entry(1.0, 0.1, 2.0, 1.0), "frequency": 56.09, "axis": "X"}
     causes = ranked_causes({**RESULT, "diagnosis": {"vibration": found}})

@@ -128,19 +128,22 @@ class CircleCause:
     def limits(self) -> tuple[float, float]:
         """Return the effects (µm, never below 0) at the ends of the value's 95 % interval.
 
-        The effect is taken as proportional to the value. This is exact for all causes except cyclic
-        errors that occur in both directions, where it is a good approximation. If the value is
-        zero, or if it has no standard error, both results are the effect itself.
+        The effect is taken as proportional to the value, or to that of its largest part if this is
+        larger: the mean of two unlike ends of an axis may be zero. This is exact for all causes
+        except cyclic errors that occur in both directions, where it is a good approximation. If the
+        value is zero, both results are the effect itself; without a standard error they are 0 and
+        infinity.
         """
-        if math.isnan(self.error):
+        alike = [part for part in self.parts if part.unit == self.unit]
+        largest = max((self, *alike), key=lambda part: abs(part.value))
+        if math.isnan(largest.error):
             return 0.0, math.inf
-        if not self.value:
+        if not largest.value:
             return self.effect, self.effect
-        scale = self.effect / abs(self.value)
-        ends = [abs(self.value) - 1.96 * self.error, abs(self.value) + 1.96 * self.error]
-        if self.low is not None:
-            ends[0] = self.low
-        return max(0.0, scale * ends[0]), scale * ends[1]
+        scale = self.effect / abs(largest.value)
+        spread = 1.96 * largest.error
+        low = abs(largest.value) - spread if largest.low is None else largest.low
+        return max(0.0, scale * low), scale * (abs(largest.value) + spread)
 
 
 def machine_title(machine: Mapping[str, Any]) -> Sentence:

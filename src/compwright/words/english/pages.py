@@ -71,7 +71,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {start:.4g}°|}"
     ),
     "circle.share": "Share",
-    "circle.shares": "Causes, share of all effects\n(pale: less than twice its standard error)",
+    "circle.shares": (
+        "Causes, share of all effects\n(pale: less than twice its standard error, at each end too)"
+    ),
     "circle.software": "Software of the instrument",
     "circle.start": "start of {sense}",
     "circle.step": (

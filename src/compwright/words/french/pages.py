@@ -70,7 +70,10 @@ SENTENCES: Final[dict[str, str]] = {
         " {start:.4g}°|}"
     ),
     "circle.share": "Part",
-    "circle.shares": "Causes, part de tous les effets\n(pâle : moins de deux erreurs types)",
+    "circle.shares": (
+        "Causes, part de tous les effets\n"
+        "(pâle : moins de deux erreurs types, à chaque extrémité aussi)"
+    ),
     "circle.software": "Logiciel de l'instrument",
     "circle.start": "départ {sense}",
     "circle.step": (

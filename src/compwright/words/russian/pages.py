@@ -70,7 +70,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {start:.4g}°|}"
     ),
     "circle.share": "Доля",
-    "circle.shares": "Причины, доля всех эффектов\n(бледные: меньше двух стандартных ошибок)",
+    "circle.shares": (
+        "Причины, доля всех эффектов\n(бледные: меньше двух стандартных ошибок, и на каждом конце)"
+    ),
     "circle.software": "Программа прибора",
     "circle.start": "начало {sense}",
     "circle.step": (
