@@ -325,6 +325,34 @@ def test_the_sign_is_checked_with_what_the_control_can_add(
     assert f"must show +{value} mm for cec_sign: correction, -{value} mm for" in card(folder)
 
 
+def write_cross_job(folder: Path, *cross: str) -> str:
+    """Write a job whose control has no compensation, and return its path."""
+    job = folder / "job.yaml"
+    job.write_text(
+        "compwright: 1\ncontroller: {format: siemens-828d, options: {cec: available,"
+        " cec_sign: correction, cec_tables: [0, 1]}}\nstates: {as_found: none}\naxes:\n"
+        "  X: {travel: [0, 800], address: AX1, before: []}\n"
+        "  Y: {travel: [-500, 0], address: AX2, before: []}\ncross:\n"
+        + "".join(f"  - {{{entry}}}\n" for entry in cross)
+    )
+    return str(job)
+
+
+@pytest.mark.parametrize(
+    ("positions", "code"), [("[900, 1700]", 3), ("[-800, 0]", 3), ("[0, 800]", 0), ("[5, 805]", 0)]
+)
+def test_positions_outside_the_travel_are_refused(
+    folder: Path, capsys: pytest.CaptureFixture[str], positions: str, code: int
+) -> None:
+    """No axis was measured where it cannot be; a travel that is rounded by 5 mm is usual."""
+    entry = f"input: X, output: Y, positions: {positions}, deviations: [0, 8], unit: um"
+    assert compwright(["run", write_cross_job(folder, entry)]) == code
+    said = capsys.readouterr().err
+    assert ("cross[0].positions: the positions are outside the travel" in said) is bool(code)
+    assert ("Next: correct the positions, or `travel` of the axis" in said) is bool(code)
+    assert (folder / "job" / "tables").exists() is not bool(code)
+
+
 @pytest.mark.parametrize(
     ("deviation", "doubt"),
     [("-12", True), ("-12.4", True), ("-11.6", True), ("-10", False), ("12", False), ("-1", False)],

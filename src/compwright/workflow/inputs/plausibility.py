@@ -10,27 +10,35 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import combinations
 from typing import Final
 
+import numpy as np
+
 from compwright.evaluation.duplicate_measurements import NamedTest, same_measurement
 from compwright.evaluation.plausibility import certain_fault, wrong_target_unit
 from compwright.foundations.errors import Fault
-from compwright.records.axis import Axis, AxisKind
+from compwright.records.axis import Axis, AxisKind, FloatArray
 from compwright.records.job import Job
 from compwright.records.plan import PlannedTest
-from compwright.records.positioning import PositioningTest
 
 _TURN: Final = 360.0 - 1e-6
 
 
 def impossible_tests(job: Job, tests: Mapping[str, Sequence[PlannedTest]]) -> list[Fault]:
     """Return the faults of tests whose readings or targets contradict the stated unit or the
-    travel.
+    travel, and of measurements between axes whose positions are outside the travel.
     """
-    return [
+    faults = [
         fault
         for axis, planned in tests.items()
         for index, entry in enumerate(planned)
         for fault in _faults(job, axis, index, entry)
     ]
+    for index, request in enumerate(job.cross):
+        if request.input in job.axes:
+            where, place = np.array(request.positions), f"cross[{index}].positions"
+            hint = "correct the positions, or `travel` of the axis"
+            axis_given = job.axes[request.input].axis
+            faults += _outside(axis_given, where, "positions", job.file, place, hint)
+    return faults
 
 
 def _faults(job: Job, axis: str, index: int, planned: PlannedTest) -> Iterator[Fault]:
@@ -62,30 +70,34 @@ def _faults(job: Job, axis: str, index: int, planned: PlannedTest) -> Iterator[F
             hint="correct the unit of the targets",
         )
     else:
-        yield from _outside(job.axes[axis].axis, test, file)
+        hint = "set `position_map: {sense: 1, offset: ...}` of the test, or correct `travel`"
+        yield from _outside(job.axes[axis].axis, test.targets, "targets", file, "targets", hint)
 
 
-def _outside(axis: Axis, test: PositioningTest, file: str) -> Iterator[Fault]:
-    """Yield a fault for targets outside the travel of the axis.
+def _outside(
+    axis: Axis, positions: FloatArray, what: str, file: str, place: str, hint: str
+) -> Iterator[Fault]:
+    """Yield a fault for ``positions`` (n,), ascending, outside the travel of the axis. ``what``:
+    their name in the message.
 
-    Targets may lie outside by half an interval of the targets (or a tenth of the travel), because
-    the travel may be rounded; this is a doubt (CW-T007). Axes that turn endlessly have no outside.
+    They may lie outside by half an interval (or a tenth of the travel), because the travel may be
+    rounded; for targets this is a doubt (CW-T007). Axes that turn endlessly have no outside.
     """
     low, high = axis.travel
     if axis.kind is AxisKind.ROTARY and (axis.modulo is not None or high - low >= _TURN):
         return
-    first, last = float(test.targets[0]), float(test.targets[-1])
-    interval = (last - first) / max(test.targets.size - 1, 1)
+    first, last = float(positions[0]), float(positions[-1])
+    interval = (last - first) / max(positions.size - 1, 1)
     if max(low - first, last - high) <= min(0.5 * interval, 0.1 * (high - low)):
         return
     unit = axis.kind.unit
     yield Fault(
-        message=f"the targets are outside the travel of the axis, {low:.10g} to {high:.10g} {unit}",
+        message=f"the {what} are outside the travel of the axis, {low:.10g} to {high:.10g} {unit}",
         file=file,
-        place="targets",
-        expected="targets within the travel, in machine coordinates",
+        place=place,
+        expected=f"{what} within the travel, in machine coordinates",
         found=f"{first:.10g} to {last:.10g} {unit}",
-        hint="set `position_map: {sense: 1, offset: ...}` of the test, or correct `travel`",
+        hint=hint,
     )
 
 
