@@ -354,6 +354,29 @@ def test_positions_outside_the_travel_are_refused(
 
 
 @pytest.mark.parametrize(
+    ("entry", "largest"),
+    [
+        ("positions: [0, 800], deviations: [0, 8], unit: mm", "8 mm"),  # µm were meant
+        ("positions: [0, 0.8], deviations: [0, 8], unit: um", "8 mm"),  # m were meant
+        ("positions: [0, 800], deviations: [0, 1.001], unit: mm", "1.001 mm"),
+        ("positions: [0, 800], deviations: [0, 0.999], unit: mm", ""),
+    ],
+)
+def test_a_table_between_axes_of_more_than_a_millimetre_is_a_doubt(
+    folder: Path, capsys: pytest.CaptureFixture[str], entry: str, largest: str
+) -> None:
+    """The same bound as for the deviations of a positioning test and of a circle."""
+    job = Path(write_cross_job(folder, f"input: X, output: Y, {entry}"))
+    assert compwright(["run", str(job)]) == bool(largest)
+    said = capsys.readouterr().out
+    assert ("CW-P168" in said) is bool(largest)
+    if largest:
+        assert f"The correction of Y over X reaches {largest}, more than 1 mm" in said
+        job.write_text(job.read_text() + "acknowledged: {CW-P168: the dial showed it again}\n")
+        assert compwright(["run", str(job), "--force"]) == 0
+
+
+@pytest.mark.parametrize(
     ("deviation", "doubt"),
     [("-12", True), ("-12.4", True), ("-11.6", True), ("-10", False), ("12", False), ("-1", False)],
 )

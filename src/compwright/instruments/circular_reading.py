@@ -26,10 +26,10 @@ from compwright.instruments.circular_arcs import check_same_arc
 from compwright.instruments.circular_csv import read_circular_csv
 from compwright.instruments.fault_list import FaultList
 from compwright.instruments.own_forms import spans_of_plain_csv
-from compwright.instruments.plausibility import LARGEST_PLAUSIBLE
 from compwright.instruments.reading import stem
 from compwright.instruments.spans import Grammar
 from compwright.records.circular import CircularRun, CircularTest
+from compwright.records.positioning import LARGEST_PLAUSIBLE
 
 _SAME_RADIUS: Final = 1e-6  # mm, rounding of printed lengths
 #: Feeds of the runs of one test may differ by the override's last digit and by sampling, not more.

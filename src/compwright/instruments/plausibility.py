@@ -43,11 +43,11 @@ from compwright.foundations.findings import Finding
 from compwright.instruments.assembling import ReadingGrid, as_text
 from compwright.instruments.reading_findings import cut_finding, missing_finding
 from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.positioning import LARGEST_PLAUSIBLE
 from compwright.words.sentences import Amount, Sentence, say
 
-#: Plausible deviations lie between these, in mm or deg: outside, the unit is probably not the one
-#: stated.
-LARGEST_PLAUSIBLE = 1.0
+#: Plausible deviations are larger than this and smaller than `LARGEST_PLAUSIBLE`, mm or deg:
+#: outside, the unit is probably not the one stated.
 SMALLEST_PLAUSIBLE = 1e-6
 #: Slope of the deviations over the targets that looks like a column of measured positions, and its
 #: tolerance (no unit).

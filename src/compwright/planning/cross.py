@@ -34,6 +34,7 @@ from compwright.records.correction import CrossCompensation
 from compwright.records.correction_need import correction_need, shortfall
 from compwright.records.job import AS_FOUND, CrossRequest, Job, other_axis
 from compwright.records.plan import PlannedCross
+from compwright.records.positioning import LARGEST_PLAUSIBLE
 from compwright.words.sentences import Amount, Sentence, say
 
 #: What a good granite square is true to, rad: two values closer than this agree.
@@ -163,6 +164,17 @@ class _Planner:
             source="cross",
             squareness=slope,
         )
+        largest, unit = _largest(planned.added), planned.added.output_kind.unit
+        if largest > LARGEST_PLAUSIBLE:
+            self.find(
+                "CW-P168",
+                "warning",
+                pair,
+                input=request.input,
+                output=request.output,
+                largest=Amount(largest, unit, ".4g"),
+                unit=unit,
+            )
         if request.measured_in == AS_FOUND:
             self._check_repeated(planned, where, curves)
         return planned
@@ -190,9 +202,7 @@ class _Planner:
         was then probably made from this very measurement.
         """
         if size > 0.0 and off <= max(_EQUAL * size, min(error, _SIMILAR * size)):
-            added = planned.added
-            unit = added.output_kind.unit
-            largest = float(np.max(np.abs([added.positive, added.negative])))
+            largest, unit = _largest(planned.added), planned.added.output_kind.unit
             self.find(
                 "CW-P167",
                 "warning",
@@ -437,6 +447,11 @@ def _points(axis: Axis, where: FloatArray) -> FloatArray:
     count = int(np.clip(np.ceil((high - low) / finest - 1e-9), 1, MOST_POINTS))
     step = np.ceil((high - low) / count / STEP - 1e-9) * STEP
     return np.asarray(np.round(low + step * np.arange(count + 1), 6), dtype=np.float64)
+
+
+def _largest(added: CrossCompensation) -> float:
+    """Return the largest amount of a correction between axes, mm or deg."""
+    return float(np.max(np.abs([added.positive, added.negative])))
 
 
 def _continued(

@@ -21,6 +21,9 @@ Cycle = Literal["standard", "step"]
 #: Two readings or targets are the same below this, mm or deg: no instrument resolves a picometre,
 #: and what remains of one decimal number after conversions of units is far smaller.
 SAME_READING: Final = 1e-9
+#: Plausible deviations and corrections are below this, mm or deg: above, the unit is probably not
+#: the one stated.
+LARGEST_PLAUSIBLE: Final = 1.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)

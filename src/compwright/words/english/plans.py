@@ -397,6 +397,11 @@ SENTENCES: Final[dict[str, str]] = {
         " measurement. If the table was active, write in the job how you know it: `acknowledged:"
         " {{CW-P167: reason}}`"
     ),
+    "CW-P168": (
+        "The correction of {output} over {input} reaches {largest}, more than 1 {unit}. Check"
+        " `unit` and `positions` of this measurement under `cross`. If the error is that large,"
+        " write in the job how you know it: `acknowledged: {{CW-P168: reason}}`"
+    ),
     "grid.even": "{points} points from {start:.10g} to {end:.10g} {unit}, every {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": "predicted {name} {value:.2f} {unit} ({elsewhere:.2f} at new targets)",

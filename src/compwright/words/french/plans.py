@@ -407,6 +407,12 @@ SENTENCES: Final[dict[str, str]] = {
         " pendant la mesure. Si la table était active, écrire dans le dossier de travail comment"
         " on le sait : `acknowledged: {{CW-P167: raison}}`"
     ),
+    "CW-P168": (
+        "La correction de {output} sur {input} atteint {largest}, plus de 1 {unit}. Vérifier"
+        " `unit` et `positions` de cette mesure sous `cross`. Si l'erreur est vraiment aussi"
+        " grande, écrire dans le dossier de travail comment on le sait : `acknowledged:"
+        " {{CW-P168: raison}}`"
+    ),
     "grid.even": "{points} points de {start:.10g} à {end:.10g} {unit}, tous les {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": (

@@ -424,6 +424,11 @@ SENTENCES: Final[dict[str, str]] = {
         " Steuerung war. War die Tabelle aktiv, im Auftrag angeben, woher das bekannt ist:"
         " `acknowledged: {{CW-P167: Grund}}`"
     ),
+    "CW-P168": (
+        "Die Korrektur von {output} über {input} erreicht {largest}, mehr als 1 {unit}. `unit` und"
+        " `positions` dieser Messung unter `cross` prüfen. Ist der Fehler wirklich so groß, im"
+        " Auftrag angeben, woher das bekannt ist: `acknowledged: {{CW-P168: Grund}}`"
+    ),
     "grid.even": "{points} Punkte von {start:.10g} bis {end:.10g} {unit}, alle {step:.6g} {unit}",
     "grid.few": "{points} Punkte",
     "grid.predicted": (

@@ -394,6 +394,11 @@ SENTENCES: Final[dict[str, str]] = {
         " действовала, напишите в задании, откуда это известно: `acknowledged: {{CW-P167:"
         " причина}}`"
     ),
+    "CW-P168": (
+        "Коррекция {output} по {input} достигает {largest}, больше 1 {unit}. Проверьте `unit` и"
+        " `positions` этого измерения в `cross`. Если погрешность действительно так велика,"
+        " напишите в задании, откуда это известно: `acknowledged: {{CW-P168: причина}}`"
+    ),
     "grid.even": "точек {points}, от {start:.10g} до {end:.10g} {unit}, через {step:.6g} {unit}",
     "grid.few": "точек {points}",
     "grid.predicted": (
