@@ -54,7 +54,6 @@ PRIORS: Final = {
     "_changeover_before": 1.0,
     "_changeover_late": 1.0,
     "spiral": 3.0,
-    "spiral@small": 0.4,
     "offset_change": 3.0,
     "radius_change": 3.0,
     "_centre_x": 100.0,
@@ -251,9 +250,7 @@ def _set_up(samples: CircleSamples) -> Iterator[_Named]:
     yield "_centre_y", zero, one
     yield "_radius", cos, sin
     progress = UM * travelled_share(samples)
-    # Two widths: one alone would make small ones improbable (Bartlett, Biometrika 44, 1957).
-    for name in ("spiral", "spiral@small"):
-        yield name, progress * cos, progress * sin
+    yield "spiral", progress * cos, progress * sin
     if samples.both_senses:
         half = 0.5 * UM * samples.sense
         yield "offset_change_first", half, zero

@@ -159,7 +159,7 @@ def _causes(test: CircularTest, solution: Solution) -> Iterator[ReportedCause]:
     if samples.both_senses:
         for name in ("radius_change", "offset_change_first", "offset_change_second"):
             yield linear(name, {name: 1.0})
-    yield linear("spiral", {"spiral": 1.0, "spiral@small": 1.0})
+    yield linear("spiral", {"spiral": 1.0})
     yield changeover(solution)
     yield from _symptoms(test, solution)
 
