@@ -112,6 +112,26 @@ def test_a_squareness_on_an_entry_sheet_is_predicted_and_verified_as_typed_in(
         assert compwright(words) == code
 
 
+def test_each_of_two_sheets_of_one_plane_is_its_own_correction(folder: Path) -> None:
+    """The straightness of X in Y and of Y in X: two sheets, and both are in the plan."""
+    job = write_cross_job(
+        folder,
+        "input: X, output: Y, positions: [0, 400, 800], deviations: [0, 5, 0], unit: um",
+        "input: Y, output: X, positions: [-500, -250, 0], deviations: [0, 3, 0], unit: um",
+        control="format: heidenhain-nck",
+    )
+    assert compwright(["run", job]) == 0
+    assert sorted(path.name for path in (folder / "job" / "card").glob("cross*")) == [
+        "cross_X_Y.csv",
+        "cross_Y_X.csv",
+    ]
+    plan = json.loads((folder / "job" / "plan.json").read_text(encoding="utf-8"))
+    assert [(one["input"], one["output"], one["typed"]) for one in plan["cross"]] == [
+        ("X", "Y", True),
+        ("Y", "X", True),
+    ]
+
+
 def test_squareness_alone_goes_into_a_table_between_the_axes_and_can_be_the_state_of_the_next_job(
     folder: Path,
 ) -> None:
@@ -325,12 +345,17 @@ def test_the_sign_is_checked_with_what_the_control_can_add(
     assert f"must show +{value} mm for cec_sign: correction, -{value} mm for" in card(folder)
 
 
-def write_cross_job(folder: Path, *cross: str) -> str:
+#: A control that has tables between axes, and none yet.
+WITH_TABLES = (
+    "format: siemens-828d, options: {cec: available, cec_sign: correction, cec_tables: [0, 1]}"
+)
+
+
+def write_cross_job(folder: Path, *cross: str, control: str = WITH_TABLES) -> str:
     """Write a job whose control has no compensation, and return its path."""
     job = folder / "job.yaml"
     job.write_text(
-        "compwright: 1\ncontroller: {format: siemens-828d, options: {cec: available,"
-        " cec_sign: correction, cec_tables: [0, 1]}}\nstates: {as_found: none}\naxes:\n"
+        f"compwright: 1\ncontroller: {{{control}}}\nstates: {{as_found: none}}\naxes:\n"
         "  X: {travel: [0, 800], address: AX1, before: []}\n"
         "  Y: {travel: [-500, 0], address: AX2, before: []}\ncross:\n"
         + "".join(f"  - {{{entry}}}\n" for entry in cross)

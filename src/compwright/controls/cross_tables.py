@@ -114,10 +114,10 @@ def write_planned(
         refused = combined_answer(_racked(entry, partners) for entry in racked)
         remarks, steps = (*answer.remarks, *refused.remarks), (*answer.steps, *refused.steps)
         answer = replace(answer, remarks=remarks, steps=steps)
-    sheets = {entry.pair: replace(entry, typed=True) for entry in answer.typed}
+    sheets = {entry.addresses: replace(entry, typed=True) for entry in answer.typed}
     outcome = CrossOutcome(
         files=tables,
-        planned=tuple(replace(sheets.get(one.pair, one), written=False) for one in whole),
+        planned=tuple(replace(sheets.get(one.addresses, one), written=False) for one in whole),
         findings=tuple(Finding("CW-P113", how, sentence) for how, sentence in answer.remarks),
         steps=answer.steps,
         sheets=answer.sheets,
