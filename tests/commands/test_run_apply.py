@@ -364,18 +364,57 @@ def write_cross_job(folder: Path, *cross: str, control: str = WITH_TABLES) -> st
 
 
 @pytest.mark.parametrize(
-    ("positions", "code"), [("[900, 1700]", 3), ("[-800, 0]", 3), ("[0, 800]", 0), ("[5, 805]", 0)]
+    ("positions", "code"), [("[900, 1700]", 3), ("[-800, 0]", 3), ("[0, 800]", 0), ("[5, 805]", 1)]
 )
 def test_positions_outside_the_travel_are_refused(
     folder: Path, capsys: pytest.CaptureFixture[str], positions: str, code: int
 ) -> None:
-    """No axis was measured where it cannot be; a travel that is rounded by 5 mm is usual."""
+    """No axis was measured where it cannot be; a travel that is rounded by 5 mm is usual, and a
+    doubt as for targets.
+    """
     entry = f"input: X, output: Y, positions: {positions}, deviations: [0, 8], unit: um"
     assert compwright(["run", write_cross_job(folder, entry)]) == code
-    said = capsys.readouterr().err
-    assert ("cross[0].positions: the positions are outside the travel" in said) is bool(code)
-    assert ("Next: correct the positions, or `travel` of the axis" in said) is bool(code)
-    assert (folder / "job" / "tables").exists() is not bool(code)
+    said = capsys.readouterr()
+    refused, doubted = code == 3, code == 1
+    assert ("cross[0].positions: the positions are outside the travel" in said.err) is refused
+    assert ("Next: correct the positions, or `travel` of the axis" in said.err) is refused
+    shown = " ".join(said.out.split())
+    assert ("Y over X: the positions 5 mm to 805 mm lie outside the travel" in shown) is doubted
+    assert (folder / "job" / "tables").exists() is not refused
+
+
+@pytest.mark.parametrize(
+    ("over_x", "over_y", "code"),
+    [
+        ("[0, 5, 8]", "[0, 2, 8]", 1),  # 10 µm/m and 16 µm/m
+        ("[0, 5, 8]", "[0, -2, -8]", 1),
+        ("[0, 5, 8]", "[0, 3, 0]", 0),  # straightness, the ends at zero
+        ("[0, 6, 0]", "[0, 3, 8]", 0),
+        ("[-1, 2, -1]", "[2, -4, 2]", 0),  # straightness, about the least-squares line
+    ],
+)
+def test_a_squareness_on_both_axes_is_a_doubt(
+    folder: Path, capsys: pytest.CaptureFixture[str], over_x: str, over_y: str, code: int
+) -> None:
+    """The angle between two axes is one value. Only the job knows whether two slopes are its two
+    parts, against one square, or the whole of it twice.
+    """
+    job = Path(
+        write_cross_job(
+            folder,
+            f"input: X, output: Y, positions: [0, 400, 800], deviations: {over_x}, unit: um",
+            f"input: Y, output: X, positions: [-500, -250, 0], deviations: {over_y}, unit: um",
+        )
+    )
+    assert compwright(["run", str(job)]) == code
+    said = " ".join(capsys.readouterr().out.split())
+    assert ("CW-P169" in said) is bool(code)
+    if code:
+        total = -26.0 if over_y == "[0, 2, 8]" else 6.0
+        assert "-10.0 µm/m in Y over X" in said
+        assert f"Together they change it by {total:+.1f} µm/m" in said
+        job.write_text(job.read_text() + "acknowledged: {CW-P169: one square for both}\n")
+        assert compwright(["run", str(job), "--force"]) == 0
 
 
 @pytest.mark.parametrize(

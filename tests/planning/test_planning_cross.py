@@ -235,6 +235,37 @@ def test_a_measured_slope_is_an_angle_with_the_sign_of_the_circle() -> None:
 
 
 @pytest.mark.parametrize(
+    ("circle", "found_codes"),
+    [
+        (None, ["CW-P169"]),
+        (45.0, ["CW-P105"]),  # against one square: 30 and 15 µm/m are its two parts
+        (30.0, ["CW-P104", "CW-P169"]),
+    ],
+)
+def test_a_circle_shows_whether_two_slopes_are_one_squareness(
+    circle: float | None, found_codes: list[str]
+) -> None:
+    over_x = straight((0.0, -15.0 * UM, -30.0 * UM))
+    over_y = CrossRequest(
+        input="Y",
+        output="X",
+        positions=(0.0, 500.0, 1000.0),
+        deviations=(0.0, -7.5 * UM, -15.0 * UM),
+    )
+    circles = () if circle is None else (square(circle),)
+    found = plan(*circles, cross=(over_x, over_y))
+    assert codes(found) == found_codes
+    if circle is None:
+        assert found.findings[0].values["total"] == pytest.approx(45.0)
+
+
+def test_a_squareness_that_would_move_an_axis_by_more_than_a_millimetre_is_a_doubt() -> None:
+    """1.1 mm/m over a metre; the bound is that of measured deviations."""
+    assert "CW-P168" in codes(plan(square(1100.0), apply=BEND_Y))
+    assert "CW-P168" not in codes(plan(square(900.0), apply=BEND_Y))
+
+
+@pytest.mark.parametrize(
     ("circle", "error", "found_codes"),
     [
         (34.9, 0.1, ["CW-P105"]),

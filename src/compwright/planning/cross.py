@@ -20,6 +20,15 @@ from compwright.foundations.findings import Finding, Severity
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.circle_network import squareness_contradiction
 from compwright.planning.circles import CircleWork, effect_of, why_undetermined
+from compwright.planning.cross_doubts import (
+    INCREMENT,
+    SQUARE,
+    both_sloped,
+    has_slope,
+    outside_travel,
+    repeated,
+    too_large,
+)
 from compwright.planning.value_with_error import (
     CONTRADICTORY,
     SIGNIFICANT,
@@ -28,17 +37,14 @@ from compwright.planning.value_with_error import (
 )
 from compwright.prediction.active_corrections import ActiveCorrections
 from compwright.prediction.circular import commanded_path
-from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.circular import CircularRun
 from compwright.records.correction import CrossCompensation
 from compwright.records.correction_need import correction_need, shortfall
 from compwright.records.job import AS_FOUND, CrossRequest, Job, other_axis
 from compwright.records.plan import PlannedCross
-from compwright.records.positioning import LARGEST_PLAUSIBLE
 from compwright.words.sentences import Amount, Sentence, say
 
-#: What a good granite square is true to, rad: two values closer than this agree.
-SQUARE = 5e-6
 #: A correction over more than this many diameters of the circle (lengths of the measured range) is
 #: an extrapolation.
 FAR = 2.0
@@ -47,13 +53,6 @@ FAR = 2.0
 QUANTUM, STEP = 1e-6, 1e-3
 MOST_POINTS = 100
 _PPM = 1e6
-#: A change differs from an existing correction that was made from the same readings by less than
-#: this share of it, also where these have fewer digits,
-_EQUAL = 0.005
-#: or by what the largest usual increment of a table rounds, mm, or by the error of the measurement;
-#: these count up to this share, because small corrections are not all made from one measurement.
-_INCREMENT = 1e-3
-_SIMILAR = 0.25
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,7 +111,8 @@ class _Planner:
         self.states = states
         self.circles = circles
         self.angles = dict(self._angles(circles))
-        self.measured_pairs: dict[frozenset[str], PlannedCross] = {}
+        self.measured_pairs: dict[frozenset[str], list[PlannedCross]] = {}
+        self.sloped: list[PlannedCross] = []
 
     def find(
         self, name: str, severity: Severity, axes: tuple[str, ...] = (), /, **values: object
@@ -129,10 +129,12 @@ class _Planner:
             if request.input not in self.axes or request.output not in self.axes:
                 continue  # CW-J004 says so
             planned = self._measured(request)
-            self.measured_pairs[planned.pair] = planned
+            self.measured_pairs.setdefault(planned.pair, []).append(planned)
             self._gantry(planned.output)
-            self._check_by_circle(planned)
             yield planned
+        for pair, every in self.measured_pairs.items():
+            if not self._confirmed_by_circle(every):
+                self.findings += both_sloped([one for one in self.sloped if one.pair == pair])
 
     def _measured(self, request: CrossRequest) -> PlannedCross:
         """Return the change of the correction between two axes, from a direct measurement.
@@ -164,17 +166,10 @@ class _Planner:
             source="cross",
             squareness=slope,
         )
-        largest, unit = _largest(planned.added), planned.added.output_kind.unit
-        if largest > LARGEST_PLAUSIBLE:
-            self.find(
-                "CW-P168",
-                "warning",
-                pair,
-                input=request.input,
-                output=request.output,
-                largest=Amount(largest, unit, ".4g"),
-                unit=unit,
-            )
+        self.findings += [*too_large(planned), *outside_travel(planned, self.axes[pair[0]], where)]
+        linear = all(self.axes[name].kind is AxisKind.LINEAR for name in pair)
+        if linear and has_slope(where, np.mean([*curves.values()], axis=0)):
+            self.sloped.append(planned)
         if request.measured_in == AS_FOUND:
             self._check_repeated(planned, where, curves)
         return planned
@@ -194,23 +189,8 @@ class _Planner:
             np.ptp([curves[way] - now(where, way) - slope * where for way in Direction])
             for slope in (0.0, turned)
         )
-        self._doubt_repeated(planned, float(off), float(np.ptp([*curves.values()])), _INCREMENT)
-
-    def _doubt_repeated(self, planned: PlannedCross, off: float, size: float, error: float) -> None:
-        """Add the doubt CW-P167 if a change of the ``size`` differs from the present correction
-        hardly more than the ``error`` of this comparison: by ``off``, all in one unit. The table
-        was then probably made from this very measurement.
-        """
-        if size > 0.0 and off <= max(_EQUAL * size, min(error, _SIMILAR * size)):
-            largest, unit = _largest(planned.added), planned.added.output_kind.unit
-            self.find(
-                "CW-P167",
-                "warning",
-                (planned.input, planned.output),
-                input=planned.input,
-                output=planned.output,
-                largest=Amount(largest * outside_factor(unit), shown_unit(unit), ".1f"),
-            )
+        size = float(np.ptp([*curves.values()]))
+        self.findings += repeated(planned, float(off), size, INCREMENT)
 
     def _table(
         self,
@@ -240,22 +220,27 @@ class _Planner:
             self.find("CW-P103", "info", input=given, output=bent, missed=shown)
         return _compensation(axis, self.axes[bent], points, *tables)
 
-    def _check_by_circle(self, planned: PlannedCross) -> None:
-        circle = self.angles.get(planned.pair)
+    def _confirmed_by_circle(self, every: Sequence[PlannedCross]) -> bool:
+        """Return whether the circles of a plane confirm the squareness that ``every`` measured
+        correction between its axes removes together, and add the finding that they confirm it or
+        contradict it.
+        """
+        circle = self.angles.get(every[0].pair)
         if circle is None:
-            return
-        difference = abs(circle.value - planned.squareness)
+            return False
+        measured = sum(planned.squareness for planned in every)
+        difference = abs(circle.value - measured)
         named = say(
             "direct_squareness",
-            input=planned.input,
-            output=planned.output,
-            squareness=planned.squareness * _PPM,
+            input=every[0].input,
+            output=every[0].output,
+            squareness=measured * _PPM,
         )
         if difference > max(CONTRADICTORY * circle.std_error, SQUARE):
             self.find(
                 "CW-P104",
                 "warning",
-                (planned.input, planned.output),
+                (every[0].input, every[0].output),
                 measured=named,
                 circle=circle.words,
                 tests=circle.tests,
@@ -265,6 +250,8 @@ class _Planner:
             and correction_need(circle.value * _PPM, circle.std_error * _PPM) != "undetermined"
         ):
             self.find("CW-P105", "info", measured=named, tests=circle.tests, circle=circle.words)
+            return True
+        return False
 
     # --- squareness from circles
     # ----------------------------------------------------------------------------------------------
@@ -344,6 +331,7 @@ class _Planner:
             squareness=angle.value,
             std_error=angle.std_error,
         )
+        self.findings += too_large(planned)
         # On either axis, from any reference, over a part of the travel: the angle is what counts.
         now = [
             angle_of(work, self.now)
@@ -352,8 +340,8 @@ class _Planner:
         ]
         if now:
             off = abs(float(np.mean(now)) - angle.value)
-            error = max(2.0 * angle.std_error, _INCREMENT / angle.diameter)
-            self._doubt_repeated(planned, off, abs(angle.value), error)
+            error = max(2.0 * angle.std_error, INCREMENT / angle.diameter)
+            self.findings += repeated(planned, off, abs(angle.value), error)
         return planned
 
     def _angles(self, circles: Sequence[CircleWork]) -> Iterator[tuple[frozenset[str], Squareness]]:
@@ -447,11 +435,6 @@ def _points(axis: Axis, where: FloatArray) -> FloatArray:
     count = int(np.clip(np.ceil((high - low) / finest - 1e-9), 1, MOST_POINTS))
     step = np.ceil((high - low) / count / STEP - 1e-9) * STEP
     return np.asarray(np.round(low + step * np.arange(count + 1), 6), dtype=np.float64)
-
-
-def _largest(added: CrossCompensation) -> float:
-    """Return the largest amount of a correction between axes, mm or deg."""
-    return float(np.max(np.abs([added.positive, added.negative])))
 
 
 def _continued(

@@ -399,9 +399,18 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P168": (
         "The correction of {output} over {input} reaches {largest}, more than 1 {unit}. Check"
-        " `unit` and `positions` of this measurement under `cross`. If the error is that large,"
-        " write in the job how you know it: `acknowledged: {{CW-P168: reason}}`"
+        " {source:choose|cross=`unit` and `positions` of this measurement under `cross`|circle=unit"
+        " and radius of the circle and `travel` of {input}}. If the error is that large, write in"
+        " the job how you know it: `acknowledged: {{CW-P168: reason}}`"
     ),
+    "CW-P169": (
+        "Two measurements under `cross` correct the squareness of plane {plane}: {slopes:and}."
+        " Together they change it by {total:+.1f} µm/m. If each shows the whole squareness, it is"
+        " corrected twice: subtract the straight line from the deviations of one of them. If both"
+        " were measured against one square, write that in the job: `acknowledged: {{CW-P169:"
+        " reason}}`. A circle of this plane in the job also shows which is right"
+    ),
+    "CW-P169.slope": "{slope:+.1f} µm/m in {output} over {input}",
     "grid.even": "{points} points from {start:.10g} to {end:.10g} {unit}, every {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": "predicted {name} {value:.2f} {unit} ({elsewhere:.2f} at new targets)",

@@ -409,10 +409,19 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P168": (
         "La correction de {output} sur {input} atteint {largest}, plus de 1 {unit}. Vérifier"
-        " `unit` et `positions` de cette mesure sous `cross`. Si l'erreur est vraiment aussi"
-        " grande, écrire dans le dossier de travail comment on le sait : `acknowledged:"
-        " {{CW-P168: raison}}`"
+        " {source:choose|cross=`unit` et `positions` de cette mesure sous `cross`|circle=l'unité et"
+        " le rayon du cercle et `travel` de {input}}. Si l'erreur est vraiment aussi grande, écrire"
+        " dans le dossier de travail comment on le sait : `acknowledged: {{CW-P168: raison}}`"
     ),
+    "CW-P169": (
+        "Deux mesures sous `cross` corrigent la perpendicularité du plan {plane} : {slopes:and}."
+        " Ensemble, elles la changent de {total:+.1f} µm/m. Si chacune montre toute la"
+        " perpendicularité, celle-ci est corrigée deux fois : retirer alors la droite des écarts"
+        " de l'une des deux. Si les deux ont été mesurées par rapport à une même équerre, l'écrire"
+        " dans le dossier de travail : `acknowledged: {{CW-P169: raison}}`. Un cercle de ce plan"
+        " dans le dossier montre aussi ce qui est juste"
+    ),
+    "CW-P169.slope": "{slope:+.1f} µm/m en {output} sur {input}",
     "grid.even": "{points} points de {start:.10g} à {end:.10g} {unit}, tous les {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": (

@@ -425,10 +425,20 @@ SENTENCES: Final[dict[str, str]] = {
         " `acknowledged: {{CW-P167: Grund}}`"
     ),
     "CW-P168": (
-        "Die Korrektur von {output} über {input} erreicht {largest}, mehr als 1 {unit}. `unit` und"
-        " `positions` dieser Messung unter `cross` prüfen. Ist der Fehler wirklich so groß, im"
-        " Auftrag angeben, woher das bekannt ist: `acknowledged: {{CW-P168: Grund}}`"
+        "Die Korrektur von {output} über {input} erreicht {largest}, mehr als 1 {unit}."
+        " {source:choose|cross=`unit` und `positions` dieser Messung unter `cross`|circle=Einheit"
+        " und Radius des Kreises und `travel` von {input}} prüfen. Ist der Fehler wirklich so groß,"
+        " im Auftrag angeben, woher das bekannt ist: `acknowledged: {{CW-P168: Grund}}`"
     ),
+    "CW-P169": (
+        "Zwei Messungen unter `cross` korrigieren die Rechtwinkligkeit der Ebene {plane}:"
+        " {slopes:and}. Zusammen ändern sie sie um {total:+.1f} µm/m. Zeigt jede die ganze"
+        " Rechtwinkligkeit, wird sie zweimal korrigiert: dann die Gerade von den Abweichungen einer"
+        " der beiden abziehen. Wurden beide gegen einen Winkel gemessen, das im Auftrag angeben:"
+        " `acknowledged: {{CW-P169: Grund}}`. Auch ein Kreis dieser Ebene im Auftrag zeigt, was"
+        " stimmt"
+    ),
+    "CW-P169.slope": "{slope:+.1f} µm/m in {output} über {input}",
     "grid.even": "{points} Punkte von {start:.10g} bis {end:.10g} {unit}, alle {step:.6g} {unit}",
     "grid.few": "{points} Punkte",
     "grid.predicted": (
