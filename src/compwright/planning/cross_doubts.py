@@ -66,7 +66,7 @@ def too_large(planned: PlannedCross) -> Iterator[Finding]:
 
 
 def outside_travel(planned: PlannedCross, given: Axis, where: FloatArray) -> Iterator[Finding]:
-    """Yield the doubt CW-T007 if a position of ``where`` (n,), ascending, lies outside the travel
+    """Yield the doubt CW-P170 if a position of ``where`` (n,), ascending, lies outside the travel
     of the axis ``given``. A rotary axis of a full turn is not checked, because its angles may be
     counted from anywhere.
     """
@@ -77,7 +77,7 @@ def outside_travel(planned: PlannedCross, given: Axis, where: FloatArray) -> Ite
         ends = (Amount(float(end), unit, ".10g") for end in (where[0], where[-1], low, high))
         first, last, travel_start, travel_end = ends
         yield Finding.of(
-            "CW-T007.cross",
+            "CW-P170",
             "warning",
             (planned.input, planned.output),
             input=planned.input,

@@ -411,6 +411,11 @@ SENTENCES: Final[dict[str, str]] = {
         " reason}}`. A circle of this plane in the job also shows which is right"
     ),
     "CW-P169.slope": "{slope:+.1f} µm/m in {output} over {input}",
+    "CW-P170": (
+        "{output} over {input}: the positions {first} to {last} lie outside the travel"
+        " {travel_start} to {travel_end} of the job. Check the offset and the direction of the"
+        " positions, and the travel."
+    ),
     "grid.even": "{points} points from {start:.10g} to {end:.10g} {unit}, every {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": "predicted {name} {value:.2f} {unit} ({elsewhere:.2f} at new targets)",

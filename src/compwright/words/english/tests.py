@@ -127,11 +127,6 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-T006.turns": (
         "{length:.10g}° were measured; the standard asks for 1 800° (five turns) at most."
     ),
-    "CW-T007.cross": (
-        "{output} over {input}: the positions {first} to {last} lie outside the travel"
-        " {travel_start} to {travel_end} of the job. Check the offset and the direction of the"
-        " positions, and the travel."
-    ),
     "CW-T007.end": "{length} at the {end:choose|lower=lower|upper=upper} end",
     "CW-T007.outside": (
         "The targets {first} to {last} lie outside the travel {travel_start} to {travel_end} of"

@@ -422,6 +422,11 @@ SENTENCES: Final[dict[str, str]] = {
         " dans le dossier montre aussi ce qui est juste"
     ),
     "CW-P169.slope": "{slope:+.1f} µm/m en {output} sur {input}",
+    "CW-P170": (
+        "{output} sur {input} : les positions de {first} à {last} sont hors de la course de"
+        " {travel_start} à {travel_end} du dossier de travail. Vérifier le décalage et le sens des"
+        " positions, et la course."
+    ),
     "grid.even": "{points} points de {start:.10g} à {end:.10g} {unit}, tous les {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": (

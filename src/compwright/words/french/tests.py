@@ -130,11 +130,6 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-T006.turns": (
         "{length:.10g}° ont été mesurés ; la norme demande 1 800° (cinq tours) au plus."
     ),
-    "CW-T007.cross": (
-        "{output} sur {input} : les positions de {first} à {last} sont hors de la course de"
-        " {travel_start} à {travel_end} du dossier de travail. Vérifier le décalage et le sens des"
-        " positions, et la course."
-    ),
     "CW-T007.end": "{length} à l'extrémité {end:choose|lower=inférieure|upper=supérieure}",
     "CW-T007.outside": (
         "Les points visés de {first} à {last} sont hors de la course de {travel_start} à"

@@ -439,6 +439,11 @@ SENTENCES: Final[dict[str, str]] = {
         " stimmt"
     ),
     "CW-P169.slope": "{slope:+.1f} µm/m in {output} über {input}",
+    "CW-P170": (
+        "{output} über {input}: Die Positionen {first} bis {last} liegen außerhalb des Verfahrwegs"
+        " {travel_start} bis {travel_end} des Auftrags. Versatz und Richtung der Positionen und den"
+        " Verfahrweg prüfen."
+    ),
     "grid.even": "{points} Punkte von {start:.10g} bis {end:.10g} {unit}, alle {step:.6g} {unit}",
     "grid.few": "{points} Punkte",
     "grid.predicted": (

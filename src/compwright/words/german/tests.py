@@ -131,11 +131,6 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-T006.turns": (
         "{length:.10g}° wurden gemessen; die Norm verlangt höchstens 1 800° (fünf Umdrehungen)."
     ),
-    "CW-T007.cross": (
-        "{output} über {input}: Die Positionen {first} bis {last} liegen außerhalb des Verfahrwegs"
-        " {travel_start} bis {travel_end} des Auftrags. Versatz und Richtung der Positionen und den"
-        " Verfahrweg prüfen."
-    ),
     "CW-T007.end": "{length} am {end:choose|lower=unteren|upper=oberen} Ende",
     "CW-T007.outside": (
         "Die Zielpositionen {first} bis {last} liegen außerhalb des Verfahrwegs {travel_start}"

@@ -408,6 +408,10 @@ SENTENCES: Final[dict[str, str]] = {
         " причина}}`. Окружность этой плоскости в задании тоже покажет, что верно"
     ),
     "CW-P169.slope": "{slope:+.1f} мкм/м у {output} по {input}",
+    "CW-P170": (
+        "{output} по {input}: позиции от {first} до {last} лежат вне хода {travel_start} …"
+        " {travel_end} из задания. Проверьте смещение и направление отсчёта позиций и ход."
+    ),
     "grid.even": "точек {points}, от {start:.10g} до {end:.10g} {unit}, через {step:.6g} {unit}",
     "grid.few": "точек {points}",
     "grid.predicted": (

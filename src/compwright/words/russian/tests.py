@@ -118,10 +118,6 @@ SENTENCES: Final[dict[str, str]] = {
         " не более 45°."
     ),
     "CW-T006.turns": "Измерено {length:.10g}°; стандарт требует не более 1 800° (пять оборотов).",
-    "CW-T007.cross": (
-        "{output} по {input}: позиции от {first} до {last} лежат вне хода {travel_start} …"
-        " {travel_end} из задания. Проверьте смещение и направление отсчёта позиций и ход."
-    ),
     "CW-T007.end": "{length} у {end:choose|lower=нижнего|upper=верхнего} конца",
     "CW-T007.outside": (
         "Заданные позиции от {first} до {last} лежат вне хода {travel_start} … {travel_end} из"

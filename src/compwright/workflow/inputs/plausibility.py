@@ -81,7 +81,7 @@ def _outside(
     their name in the message.
 
     They may lie outside by half an interval (or a tenth of the travel), because the travel may be
-    rounded; this is a doubt (CW-T007). Axes that turn endlessly have no outside.
+    rounded; this is a doubt (CW-T007, CW-P170). Axes that turn endlessly have no outside.
     """
     low, high = axis.travel
     if axis.kind is AxisKind.ROTARY and (axis.modulo is not None or high - low >= _TURN):
