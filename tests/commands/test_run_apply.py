@@ -545,8 +545,35 @@ def test_a_table_in_no_file_is_part_of_the_state(
     error = capsys.readouterr().err
     assert ("also activates others: 0" in error) is (code == 1)
     if code == 3:
-        assert "as_found: CEC table 0 (on, and in no given file); idle: none" in error
+        assert "as_found: CEC table 0 (on but in no given file); idle: none" in error
         assert "or give the file with the CEC tables (NC_CEC.INI)" in error
+
+
+@pytest.mark.parametrize(
+    ("switch", "measured_in", "code"), [(1, "idle", 3), (1, "as_found", 0), (0, "idle", 0)]
+)
+def test_a_table_in_no_file_may_correct_an_axis_over_itself(
+    folder: Path, capsys: pytest.CaptureFixture[str], switch: int, measured_in: str, code: int
+) -> None:
+    """A test without it does not show what it corrects already; a new table would be added to it."""
+    (folder / "MD.INI").write_text(
+        f"CHANDATA(1)\n$MA_CEC_ENABLE[AX1]={switch}\n$SN_CEC_TABLE_ENABLE[0]=1\n"
+        "$MA_BACKLASH[0,AX1]=0\n$MA_ENC_COMP_ENABLE[0,AX1]=0\n$MA_MM_ENC_COMP_MAX_POINTS[0,AX1]=100\n"
+        "M17\n"
+    )
+    job = folder / "job.yaml"
+    job.write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl}\n"
+        "states: {as_found: [MD.INI], idle: none}\naxes:\n"
+        f"  X: {{travel: [0, 800], address: AX1, before: [{{files: [x.csv], measured_in: "
+        f"{measured_in}}}]}}\n"
+    )
+    found = compwright(["run", str(job)])
+    said = capsys.readouterr()
+    assert ("as_found: CEC table 0 (on but in no given file); idle: nothing" in said.err) is (
+        code == 3
+    )
+    assert found == code, said.err
 
 
 @pytest.mark.parametrize(("deviation", "tables"), [(8, "[0]"), (-8, "[1]")])

@@ -147,9 +147,8 @@ class PairsReader(GridReader):
         if self.archives and system is not None:
             unit = "deg" if compensation.kind is AxisKind.ROTARY else self.unit
             stated["archive"] = compared(self.gathered, address, str(system - 1), unit)
-        other_functions = "; ".join(
-            filter(None, (own.facts.other_functions, self.cec.uncounted(address)))
-        )
+        tables = self.cec.uncounted(address), self.cec.unknown(address)
+        other_functions = "; ".join(filter(None, (own.facts.other_functions, *tables)))
         return AxisReading(
             compensation,
             replace(own.facts, pairs=pairs, other_functions=other_functions, stated=stated),

@@ -142,6 +142,13 @@ class Cec:
             if table.times is not None or table.input == address
         )
 
+    def unknown(self, address: str) -> str:
+        """Return as text the tables that are on and in no file, and may correct an axis."""
+        return ", ".join(
+            f"CEC table {index} (on but in no given file)"
+            for index in self.missing.get(address, ())
+        )
+
     def _print(self, table: CecTable | OddTable) -> str:
         parts = (table.index, table.times if isinstance(table, OddTable) else None)
         return ", ".join(self.prints.get(index, "-") for index in parts if index is not None)
@@ -157,16 +164,8 @@ class Cec:
         if not sign_known:
             active += [table for table in self.tables if table.active and table.values.any()]
         mine = [table for table in active if table.output == address != table.input]
-        unknown = (
-            f"CEC table {index} (on, and in no given file)"
-            for index in self.missing.get(address, ())
-        )
-        return ", ".join(
-            [
-                *(
-                    f"CEC table {table.index} over {table.input} ({self._print(table)})"
-                    for table in sorted(mine, key=lambda table: table.index)
-                ),
-                *unknown,
-            ]
-        )
+        named = [
+            f"CEC table {table.index} over {table.input} ({self._print(table)})"
+            for table in sorted(mine, key=lambda table: table.index)
+        ]
+        return ", ".join(filter(None, (*named, self.unknown(address))))
