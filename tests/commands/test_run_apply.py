@@ -576,6 +576,44 @@ def test_a_table_in_no_file_may_correct_an_axis_over_itself(
     assert found == code, said.err
 
 
+def test_an_unused_table_with_channel_names_is_written_with_the_names_of_the_machine(
+    folder: Path,
+) -> None:
+    """Unused tables of a real archive have (X) as both axes, a name of the channel. The small file
+    does not state whose name that is.
+    """
+    names = "".join(
+        f'$MN_AXCONF_MACHAX_NAME_TAB[{index}]="{name}1"\n$MC_AXCONF_CHANAX_NAME_TAB[{index}]="{name}"'
+        f"\n$MC_AXCONF_MACHAX_USED[{index}]={index + 1}\n"
+        for index, name in enumerate("XY")
+    )
+    empty = "".join(
+        f"$AN_CEC_{key}[0]={value}\n"
+        for key, value in (
+            *(("INPUT_AXIS", "(X)"), ("OUTPUT_AXIS", "(X)"), ("STEP", 0), ("MIN", 0), ("MAX", 0)),
+            *(("DIRECTION", 0), ("MULT_BY_TABLE", 0), ("IS_MODULO", 0)),
+        )
+    )
+    (folder / "ALL.INI").write_text(
+        f"CHANDATA(1)\n{names}$MA_BACKLASH[0,AX1]=0\n$MA_BACKLASH[0,AX2]=0\n"
+        "$MN_MM_CEC_MAX_POINTS[0]=2\n$MA_CEC_ENABLE[AX2]=1\n$SN_CEC_TABLE_ENABLE[0]=0\n"
+        "$SN_CEC_TABLE_WEIGHT[0]=1\nM17\n"
+    )
+    (folder / "NC_CEC.INI").write_text(f"CHANDATA(1)\n$AN_CEC[0,0]=0\n$AN_CEC[0,1]=0\n{empty}M17\n")
+    job = folder / "job.yaml"
+    job.write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl, options: {cec: available,"
+        " cec_sign: correction, cec_tables: [0], files: small}}\nstates: {as_found: [ALL.INI, NC_CEC.INI]}\n"
+        "axes:\n  X: {travel: [0, 800], address: AX1, before: []}\n"
+        "  Y: {travel: [-500, 0], address: AX2, before: []}\ncross:\n"
+        "  - {input: X, output: Y, positions: [0, 800], deviations: [0, 8], unit: um}\n"
+    )
+    assert compwright(["run", str(job)]) == 0
+    written = (folder / "job" / "tables" / "siemens-840d-sl" / "Y1_CROSS.INI").read_text()
+    assert "$AN_CEC_INPUT_AXIS[0]=(AX1)" in written
+    assert "$AN_CEC_OUTPUT_AXIS[0]=(AX2)" in written
+
+
 @pytest.mark.parametrize(("deviation", "tables"), [(8, "[0]"), (-8, "[1]")])
 def test_a_control_in_inch_takes_a_table_in_mm(folder: Path, deviation: int, tables: str) -> None:
     """MD32711 = 1: the values and positions of a CEC table are in mm, and the file of a new table

@@ -401,8 +401,8 @@ class SmallFiles:
         text = value_of(occurrence)
         if not self._is(key, _BETWEEN):
             return text
-        address = self.new.names.address(normal_text(self.definition, text))
-        return self.new.names.written(address) if address in self.systems else text
+        names = self.new.names
+        return names.written(names.address(normal_text(self.definition, text)))
 
     def _old_text(self, key: Key) -> str | None:
         """Return the old value of an entry as text.
