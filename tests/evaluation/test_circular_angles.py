@@ -1,4 +1,6 @@
-"""Angles of one run that were counted in its direction of travel; circles from the exact path."""
+"""Angles of one run that were counted in its direction of travel or from another axis; circles from
+the exact path.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +10,7 @@ import numpy as np
 import pytest
 
 from circle_machine import Machine, Setup, measured
-from compwright.evaluation.circular_angles import mirrored_angles
+from compwright.evaluation.circular_angles import wrong_angles
 from compwright.records.circular import CircularTest
 
 BENT = Machine(
@@ -40,8 +42,8 @@ def mirrored(test: CircularTest, turn: float = 0.0) -> CircularTest:
 def test_angles_in_the_direction_of_travel_are_a_doubt(samples: int, lag: float) -> None:
     setup = Setup(feed=1000.0, noise=0.2, samples=samples)
     test = measured(replace(BENT, lag=lag), setup, np.random.default_rng(samples))
-    assert not mirrored_angles(test)
-    (finding,) = mirrored_angles(mirrored(test))
+    assert not wrong_angles(test)
+    (finding,) = wrong_angles(mirrored(test))
     assert finding.code == "CW-C014"
     assert finding.is_doubt
 
@@ -57,14 +59,14 @@ def test_a_ball_that_moved_between_the_runs_is_none() -> None:
         )
         for run in test.runs
     )
-    assert not mirrored_angles(replace(test, runs=moved))
+    assert not wrong_angles(replace(test, runs=moved))
 
 
 @pytest.mark.parametrize("start", [0.0, 90.0, 180.0, 270.0])
 def test_angles_from_the_start_of_a_run_in_the_direction_of_travel(start: float) -> None:
     """What is at ``start`` - t is at ``start`` + t."""
     test = measured(BENT, Setup(start=start, noise=0.2), np.random.default_rng(7))
-    (finding,) = mirrored_angles(mirrored(test, 2.0 * start))
+    (finding,) = wrong_angles(mirrored(test, 2.0 * start))
     assert np.mod(float(finding.values["turn"]) - 2.0 * start, 360.0) == 0.0
 
 
@@ -72,10 +74,26 @@ def test_angles_from_the_start_of_a_run_in_the_direction_of_travel(start: float)
 def test_angles_of_an_arc_in_the_direction_of_travel(start: float) -> None:
     """A cw run of 220° ends at ``start``, and its angles begin there."""
     test = measured(BENT, Setup(start=start, extent=220.0, noise=0.2), np.random.default_rng(4))
-    assert not mirrored_angles(test)
-    (finding,) = mirrored_angles(mirrored(test, 2.0 * start + 220.0))
+    assert not wrong_angles(test)
+    (finding,) = wrong_angles(mirrored(test, 2.0 * start + 220.0))
     assert finding.values["turn"] == pytest.approx(2.0 * start + 220.0)
 
 
+@pytest.mark.parametrize("turn", [90.0, 270.0])
+def test_angles_from_another_axis_are_a_doubt(turn: float) -> None:
+    """With a scale mismatch of 12 µm: it does not depend on the direction, and is turned too."""
+    machine = replace(BENT, scale_error_first=40.0)
+    test = measured(machine, Setup(noise=0.2), np.random.default_rng(5))
+    assert not wrong_angles(test)
+    runs = (
+        replace(run, angles=np.mod(run.angles - turn, 360.0)) if run.sense == "cw" else run
+        for run in test.runs
+    )
+    (finding,) = wrong_angles(replace(test, runs=tuple(runs)))
+    assert finding.sentence.name == "CW-C014.turned"
+    assert finding.values["turn"] == turn
+    assert finding.is_doubt
+
+
 def test_samples_without_noise_are_none() -> None:
-    assert not mirrored_angles(measured(Machine(squareness=35.0), Setup()))
+    assert not wrong_angles(measured(Machine(squareness=35.0), Setup()))

@@ -13,7 +13,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.evaluation.circular_angles import mirrored_angles
+from compwright.evaluation.circular_angles import wrong_angles
 from compwright.evaluation.circular_fit import Point
 from compwright.evaluation.circular_points import SAME_ANGLE, ActualPath
 from compwright.foundations.findings import Finding
@@ -62,7 +62,7 @@ def test_findings(
         *_feed(test),
         *_unequal(test),
         *_offset(test, centres, F_given=F_given),
-        *mirrored_angles(test),
+        *wrong_angles(test),
         *_copies(test),
     ]
 

@@ -63,11 +63,16 @@ SENTENCES: Final[dict[str, str]] = {
         "Every sample of {run} is exactly zero. The run was probably not measured: measure it"
         " again."
     ),
-    "CW-C014": (
+    "CW-C014.mirrored": (
         "The deviations fit the causes of ISO 230-4 better with the angles of the cw runs"
-        " mirrored ({mirrored} rms are left, not {given}). The angles of both directions must"
+        " mirrored ({left} rms are left, not {given}). The angles of both directions must"
         " increase from the first axis to the second. If those of cw were counted in the"
         " direction of travel, write {turn:g}° minus each of them."
+    ),
+    "CW-C014.turned": (
+        "The deviations fit the causes of ISO 230-4 better with the angles of the cw runs turned"
+        " ({left} rms are left, not {given}). The angles of both directions must begin at the first"
+        " axis. If those of cw begin at another axis, add {turn:g}° to each of them."
     ),
     "CW-C015": (
         "{first} and {second} have exactly the same readings. One of them is probably a copy of the"

@@ -68,11 +68,17 @@ SENTENCES: Final[dict[str, str]] = {
         "Chaque point de mesure de {run} est exactement nul. Le parcours n'a probablement pas été"
         " mesuré : le mesurer de nouveau."
     ),
-    "CW-C014": (
+    "CW-C014.mirrored": (
         "Les écarts correspondent mieux aux causes de l'ISO 230-4 si les angles des parcours en"
-        " cw sont inversés : il reste {mirrored} rms au lieu de {given}. Les angles des deux"
+        " cw sont inversés : il reste {left} rms au lieu de {given}. Les angles des deux"
         " sens doivent croître du premier axe vers le second. Si ceux de cw ont été comptés dans"
         " le sens du mouvement, écrire {turn:g}° moins chacun d'eux."
+    ),
+    "CW-C014.turned": (
+        "Les écarts correspondent mieux aux causes de l'ISO 230-4 si les angles des parcours en"
+        " cw sont tournés : il reste {left} rms au lieu de {given}. Les angles des deux sens"
+        " doivent commencer au premier axe. Si ceux de cw commencent à un autre axe, ajouter"
+        " {turn:g}° à chacun d'eux."
     ),
     "CW-C015": (
         "{first} et {second} ont exactement les mêmes mesures. L'un est probablement une copie de"

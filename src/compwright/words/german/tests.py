@@ -67,11 +67,17 @@ SENTENCES: Final[dict[str, str]] = {
         "Jeder Messpunkt von {run} ist genau null. Der Lauf wurde wahrscheinlich nicht gemessen:"
         " neu messen."
     ),
-    "CW-C014": (
+    "CW-C014.mirrored": (
         "Die Abweichungen passen besser zu den Ursachen der ISO 230-4, wenn die Winkel der Läufe"
-        " in cw gespiegelt werden: Es bleiben {mirrored} rms statt {given}. Die Winkel beider"
+        " in cw gespiegelt werden: Es bleiben {left} rms statt {given}. Die Winkel beider"
         " Richtungen müssen von der ersten zur zweiten Achse zunehmen. Wurden die von cw in"
         " Fahrtrichtung gezählt, jeden durch {turn:g}° minus den Winkel ersetzen."
+    ),
+    "CW-C014.turned": (
+        "Die Abweichungen passen besser zu den Ursachen der ISO 230-4, wenn die Winkel der Läufe"
+        " in cw gedreht werden: Es bleiben {left} rms statt {given}. Die Winkel beider Richtungen"
+        " müssen an der ersten Achse beginnen. Beginnen die von cw an einer anderen Achse, zu jedem"
+        " {turn:g}° addieren."
     ),
     "CW-C015": (
         "{first} und {second} haben genau die gleichen Messwerte. Einer ist wahrscheinlich eine"
