@@ -526,7 +526,7 @@ def test_a_table_in_no_file_is_part_of_the_state(
     folder: Path, capsys: pytest.CaptureFixture[str], switches: str, measured_in: str, code: int
 ) -> None:
     """Table 0 is on, and only table 1 may be written. A measurement without it does not show what
-    it corrects already; with MD32710 = 0 it corrects nothing, and the switch would wake it.
+    it corrects already; with MD32710 = 0 it corrects nothing, and the switch would activate it.
     """
     (folder / "MD.INI").write_text(
         f"CHANDATA(1)\n{switches}\n$MA_CEC_ENABLE[AX1]=0\n$SN_CEC_TABLE_ENABLE[0]=1\n"
