@@ -42,7 +42,8 @@ _USUAL: Final = 0.75
 #: probable.
 _SIZE: Final = 4.0 * UM
 _SINGLE: Final = np.array([0.5, 4.0]) * UM
-#: Prior probabilities of no decay, one, and two.
+#: Prior probabilities of no decay, one, and two: the second, a rise, is half as probable. On 24
+#: generated circles thirds instead moved the lag by at most 0.2 of its uncertainty.
 _SPIKES: Final = np.log([0.4, 0.4, 0.2])
 #: Number of decays, the longest by the radius, the shortest in samples.
 _DECAYS: Final = 5
@@ -54,18 +55,24 @@ _SHORTEST: Final = 0.5
 _TAKEN: Final = (0.3, 200.0)
 _LENGTHS: Final = 12
 _SEEN: Final = 0.6
-#: Prior probabilities of a take-up, and that one reversal point of an axis differs from the others.
+#: Prior probability of a take-up: nothing is known for or against it. From 0.25 to 0.75 the lag
+#: moves by at most 0.4 of its uncertainty.
 _GRADUAL: Final = 0.5
+#: Prior probability that one reversal point of an axis differs from the others, which have the same
+#: guide and drive. From 0.05 to 0.2 the lag moves by at most 0.04 of its uncertainty.
 _DIFFERENT: Final = 0.1
-#: An axis that stands still deviates by its travel, with this relative standard deviation.
+#: An axis that stands still deviates by its travel, with this relative standard deviation: its
+#: elastic share is unknown. From 0.05 to 0.2 the lag moves by at most 0.01 of its uncertainty.
 _STANDING: Final = 0.1
 #: The share (s / length)² of a gradual slip, by that of a take-up of the same length.
 _SLIPPING: Final = 1.5
-#: Orders of the polynomial in every window, the least and the most correlation of neighbours that
-#: is removed, and the share of similar columns that a window determines.
+#: Orders of the polynomial in every window, and the least and the most correlation of neighbours
+#: that is removed. The polynomial has what is longer than `_BEFORE` samples (0.95 = exp(-1/20)).
 _SMOOTH: Final = 6
 _LEAST_CORRELATED: Final = 0.05
 _MOST_CORRELATED: Final = 0.95
+#: Share of similar columns that counts as determined by a window, for the noise. The hat matrix of
+#: the ridge has 0.74 to 0.92; from 0.4 to 1.0 the lag moves by at most 0.2 of its uncertainty.
 _DETERMINED: Final = 0.6
 #: Deviations, mm, below which no noise is assumed.
 _FLOOR: Final = 2e-5

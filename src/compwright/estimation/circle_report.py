@@ -136,7 +136,8 @@ def _causes(test: CircularTest, solution: Solution) -> Iterator[ReportedCause]:
         return linear_cause(solution, name, parts, detail=detail)
 
     yield squareness(solution)
-    mismatch = scale_mismatch(solution)
+    changed = changeover(solution)
+    mismatch = scale_mismatch(solution, changed.value)
     yield mismatch
     if test.calibrated:
         yield from scale_errors(solution, mismatch)
@@ -160,7 +161,7 @@ def _causes(test: CircularTest, solution: Solution) -> Iterator[ReportedCause]:
         for name in ("radius_change", "offset_change_first", "offset_change_second"):
             yield linear(name, {name: 1.0})
     yield linear("spiral", {"spiral": 1.0})
-    yield changeover(solution)
+    yield changed
     yield from _symptoms(test, solution)
 
 
