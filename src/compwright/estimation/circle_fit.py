@@ -114,7 +114,7 @@ class CircleProblem:
     def rows_of(self, active: IndexArray) -> tuple[FloatArray, ...]:
         """Return matrices (size, a) of sum and difference of samples, only ``active`` columns."""
         count, (curves, shapes) = len(self.names), self.mixture.shape
-        found = tuple(np.empty((half.shape[0], active.size)) for half in self.rows)
+        found = tuple(np.empty((active.size, half.shape[0])).T for half in self.rows)
         for index, column in enumerate(active.tolist()):
             block, place = divmod(column - count, max(shapes, 1))
             start = count + block * curves
@@ -133,7 +133,7 @@ class CircleProblem:
 
     def seen(self, columns: Sequence[CauseColumn]) -> FloatArray:
         """Return the change of the measured distance by one unit of each cause, mm (n, columns)."""
-        return np.column_stack([c.x * self.towards_x + c.y * self.towards_y for c in columns])
+        return np.array([c.x * self.towards_x + c.y * self.towards_y for c in columns]).T
 
     def with_columns(self, columns: Sequence[CauseColumn]) -> CircleProblem:
         """Return the equations with further causes (columns) that are always in the model. A new
@@ -171,7 +171,7 @@ def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
         fixed.append(lag_column(samples, fixed, known))
     reversals, spikes = _reversals(samples, readings, len(fixed))
     spikes = [mean_column(column, first) for column in spikes]
-    slopes = np.column_stack([c.x * towards[0] + c.y * towards[1] for c in fixed])
+    slopes = np.array([c.x * towards[0] + c.y * towards[1] for c in fixed]).T
     shapes = np.array([c.x * towards[0] + c.y * towards[1] for c in spikes])
     each = len(spikes) // max(len(reversals), 1)
     curves, mixture = _common_curves(shapes.reshape(len(reversals), each, samples.theta.size))
@@ -179,11 +179,8 @@ def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
     rows = sum_and_difference(grid, seen)
     if len(rows) == 2:
         # A column that changes sign with the direction has its halves exchanged.
-        first = slopes.shape[1]
-        rows = (
-            np.column_stack([rows[0], rows[1][:, first:]]),
-            np.column_stack([rows[1], rows[0][:, first:]]),
-        )
+        turned = [half[:, len(fixed) :] for half in rows[::-1]]
+        rows = tuple(np.column_stack(each) for each in zip(rows, turned, strict=True))
     widths = np.concatenate([[c.width for c in fixed], *([c.width for c in spikes] for _ in rows)])
     return CircleProblem(
         samples=samples,
@@ -414,22 +411,19 @@ def weighted_problem(
     problem: CircleProblem, spectra: tuple[ResidualSpectrum, ...], only: IndexArray | None = None
 ) -> WeightedProblem:
     """Return the weighted normal equations. They are zero for columns not in ``only``, if given."""
+    roots = [1.0 / np.sqrt(spectrum.density) for spectrum in spectra]
     if only is None:
         halves = [
             _normal(rows * root[:, np.newaxis], aim * root)
-            for rows, aim, root in zip(problem.rows, problem.aims, _roots(spectra), strict=True)
+            for rows, aim, root in zip(problem.rows, problem.aims, roots, strict=True)
         ]
         return _of_halves(problem, spectra, halves)
     gram, right = np.zeros((problem.widths.size,) * 2), np.zeros(problem.widths.size)
-    for rows, aim, root in zip(problem.rows_of(only), problem.aims, _roots(spectra), strict=True):
+    for rows, aim, root in zip(problem.rows_of(only), problem.aims, roots, strict=True):
         block, side = _normal(rows * root[:, np.newaxis], aim * root)
         gram[np.ix_(only, only)] += block
         right[only] += side
     return WeightedProblem(problem, spectra, gram, right)
-
-
-def _roots(spectra: tuple[ResidualSpectrum, ...]) -> list[FloatArray]:
-    return [1.0 / np.sqrt(spectrum.density) for spectrum in spectra]
 
 
 def _normal(rows: FloatArray, aim: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, Final, TypeVar
+from typing import TYPE_CHECKING, Any, Final, TypeVar
 
 from compwright.documents.circular import machine_document
 from compwright.foundations import storage
@@ -20,14 +20,11 @@ from compwright.foundations.utf8 import shown_path
 from compwright.instruments.circular_pairs import paired
 from compwright.instruments.circular_reading import merge_circular, read_circular
 from compwright.instruments.other_files import is_circular
-from compwright.planning.circle_network import (
-    machine_findings,
-    solve_network,
-    squareness_findings,
-)
 from compwright.records.circular import CircularResult, CircularTest
-from compwright.records.job import Job
 from compwright.workflow.inputs.measurement_files import measurement_files
+
+if TYPE_CHECKING:  # a single circle starts without the records of jobs and plans
+    from compwright.records.job import Job
 
 T = TypeVar("T")
 #: Keys of a header that name its machine.
@@ -78,6 +75,12 @@ def machines_of(circles: Sequence[CircularResult]) -> tuple[list[dict[str, Any]]
 
 
 def _machine(stated: Mapping[str, str | None], results: Sequence[CircularResult]) -> dict[str, Any]:
+    from compwright.planning.circle_network import (
+        machine_findings,
+        solve_network,
+        squareness_findings,
+    )
+
     network = solve_network(results)
     values = {
         _CAUSES[kind]: network.values_of(kind) for kind in ("squareness", "scale", "lost motion")
