@@ -63,24 +63,24 @@ def against(records: Sequence[Record], name: str) -> float:
     return float(np.mean(ratios)) if ratios else float("nan")
 
 
-def over_judge(records: Sequence[Record], name: str = "ours") -> str:
-    """Return the mean A of a table over that of the judge who knows the noise (ratio of the means
-    of A over the oracle's), with its standard error; empty where the table is missing.
+def over_judge(records: Sequence[Record], judge: str) -> str:
+    """Return the mean A of our table over that of a ``judge`` (ratio of the means of A over the
+    oracle's), with its standard error; empty where the judge has no table.
 
     Error of a ratio of two means: Cochran, Sampling Techniques, 3rd ed. 1977, chapter 6.
     """
-    rows = [one for one in records if name in one["merit"]["new"]]
+    rows = [one for one in records if judge in one["merit"]["new"]]
     if len(rows) < 2:
         return ""
     kinds = [one["kind"] for one in rows]
     oracles = ["oracle, one table" if kind.endswith("one table") else "oracle" for kind in kinds]
     merits = [one["merit"]["new"] for one in rows]
-    mine = np.array([one[name] / one[best] for one, best in zip(merits, oracles, strict=True)])
-    judge = np.array(
-        [one["informed"] / one[best] for one, best in zip(merits, oracles, strict=True)]
+    mine, theirs = (
+        np.array([one[name] / one[best] for one, best in zip(merits, oracles, strict=True)])
+        for name in ("ours", judge)
     )
-    ratio = mine.mean() / judge.mean()
-    error = np.std(mine - ratio * judge, ddof=1) / judge.mean() / np.sqrt(len(rows))
+    ratio = mine.mean() / theirs.mean()
+    error = np.std(mine - ratio * theirs, ddof=1) / theirs.mean() / np.sqrt(len(rows))
     return f"{ratio:.2f} ± {error:.2f}"
 
 
@@ -98,7 +98,7 @@ def width(records: Sequence[Record], names: Sequence[str]) -> float:
 
 HEAD = (
     "| kind | n | holds, same targets | holds, new targets | width | A: ours | informed |"
-    " interpolation | spline | minimax | ours over informed | period unknown over informed | s |"
+    " interpolation | spline | minimax | ours over informed | ours over period unknown | s |"
 )
 
 
@@ -136,7 +136,7 @@ def row(name: str, records: Sequence[Record]) -> str:
     cells.append(pair(found_here["width"], 2))
     cells += ["" if value is None else f"{value:.2f}" for value in found_here["A"]]
     good = [one for one in records if "failed" not in one]
-    cells += [over_judge(good), over_judge(good, "period unknown")]
+    cells += [over_judge(good, "informed"), over_judge(good, "period unknown")]
     cells.append(f"{np.median(seconds):.2f}" if seconds else "")
     return "| " + " | ".join(cells) + " |"
 
