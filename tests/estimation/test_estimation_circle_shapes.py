@@ -46,6 +46,24 @@ def test_a_spiral_that_begins_at_a_reversal_point_is_no_lost_motion(
             assert abs(found[name].value - true) < 2.5 * found[name].std_error, name
 
 
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_spike_that_does_not_fall_exponentially_is_no_servo_mismatch(seed: int) -> None:
+    """A spike of 7 µm with a rise falls as 1 / (1 + t²), at both ends of the first axis. What is
+    left of it far from the reversals looks like sin2θ with the sign of the direction.
+    """
+    plain = Setup()
+    since = np.mod((np.arange(plain.samples) + 0.5) * 2.0 * np.pi / plain.samples, np.pi)
+    arc = plain.radius * since
+    spike = 9.0 * (1.0 - np.exp(-arc / 0.8)) / (1.0 + (arc / 5.0) ** 2) * np.cos(since)
+    setup = replace(plain, noise=0.1, extra=dict.fromkeys(plain.senses, spike))
+    lost = {f"backlash_first_at_{end}": 3.0 for end in ("positive", "negative")}
+    machine = replace(Machine(servo_mismatch=0.1), **lost)  # type: ignore[arg-type]
+    found = diagnose(measured(machine, setup, np.random.default_rng(seed))).effects
+    servo = found["servo_mismatch"]
+    assert abs(servo.value - 0.1) < 3.0 * servo.std_error
+    assert servo.std_error < 0.002
+
+
 @pytest.mark.parametrize("ramp", [True, False])
 @pytest.mark.parametrize("time", [0.02, 0.05, 0.08])
 def test_a_changeover_that_takes_a_time_is_no_scale_mismatch(time: float, ramp: bool) -> None:

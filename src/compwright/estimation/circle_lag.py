@@ -71,9 +71,6 @@ _SLIPPING: Final = 1.5
 _SMOOTH: Final = 6
 _LEAST_CORRELATED: Final = 0.05
 _MOST_CORRELATED: Final = 0.95
-#: Share of similar columns that counts as determined by a window, for the noise. The hat matrix of
-#: the ridge has 0.74 to 0.92; from 0.4 to 1.0 the lag moves by at most 0.2 of its uncertainty.
-_DETERMINED: Final = 0.6
 #: Deviations, mm, below which no noise is assumed.
 _FLOOR: Final = 2e-5
 #: Noise levels tried, by that of a least-squares fit of all decays.
@@ -409,12 +406,15 @@ def _noise(columns: FloatArray, smooth: FloatArray, values: FloatArray) -> tuple
     """
     rows, right, values = _without(smooth, columns, values)
     unit = np.mean(np.einsum("awkk->awk", rows), axis=-1)[..., np.newaxis, np.newaxis]
-    sizes = np.linalg.solve(rows + 1e-6 * unit * np.eye(rows.shape[-1]), right[..., np.newaxis])
+    ridged = rows + 1e-6 * unit * np.eye(rows.shape[-1])
+    sizes = np.linalg.solve(ridged, right[..., np.newaxis])
     best = int(np.argmax(np.sum(sizes[..., 0] * right, axis=(1, 2))))
     rest = values - np.einsum("wk,wkn->wn", sizes[best, ..., 0], columns[best])
     rest = _without(smooth, columns[:1, :, :1], rest)[2]
-    # Ridge and similar decays: about this many unknowns are determined.
-    used = smooth.shape[-2] + _DETERMINED * columns.shape[-2]
+    # Unknowns that a ridge regression determines: the trace of its hat matrix (Hastie, Tibshirani
+    # and Friedman, The Elements of Statistical Learning, 2nd ed. 2009, eq. 3.50).
+    hat = np.linalg.solve(ridged[best], rows[best])
+    used = smooth.shape[-2] + float(np.mean(np.trace(hat, axis1=-2, axis2=-1)))
     correlation = float(np.sum(rest[:, 1:] * rest[:, :-1]) / max(np.sum(rest**2), 1e-300))
     correlation += 0.5 * used / rest.shape[1]
     correlation = min(max(correlation, 0.0), _MOST_CORRELATED)

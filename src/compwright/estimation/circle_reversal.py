@@ -2,7 +2,7 @@
 averaged by their probability.
 
 After a reversal the axis deviates by its lost motion and by a spike of unknown height, rise and
-decay (ISO 230-4:1996, B.3.1). The spike is a sum of up to `SLOTS` decays. One decay is a sharp
+decay (ISO 230-4:1996, B.3.1). The spike is a sum of up to `DECAYS` decays. One decay is a sharp
 spike; a slow decay minus a fast one is a spike with a rise. Each reversal point has its own shape,
 which may differ between the directions. All these shapes are hypotheses with prior probabilities.
 They are drawn in proportion to their evidence, one decay at a time, with all sizes integrated out
@@ -41,7 +41,7 @@ from compwright.records.axis import FloatArray
 #: Sweeps over all reversal points to find the likeliest shapes, to forget the start, and to draw.
 _CLIMBS: Final = 4
 _FORGOTTEN: Final = 6
-_SWEEPS: Final = 40
+_SWEEPS: Final = 80
 #: A spike goes inward where its depth is more than this many times its height.
 INWARD: Final = 2.0
 #: Added to the diagonal of scaled normal equations: readings without noise leave only rounding.
@@ -203,9 +203,9 @@ class SpikeDraws:
     ``lost``: column of the lost motion there.
 
     The arrays (d, s) are in µm; s = 2 for ccw and cw, s = 1 if both are equal. ``heights``: outward
-    peak above the lost motion. ``depths``: largest inward deviation. ``extrapolated``: slowest
-    decay, extrapolated to the reversal. ``unseen``: range of the heights that no sample determines.
-    ``deeper``: additional inward deviation while the lost motion is taken up.
+    peak above the lost motion. ``depths``: largest inward deviation. ``extrapolated``: all
+    decays but the fastest, extrapolated to the reversal. ``unseen``: range of the heights that no
+    sample determines. ``deeper``: additional inward deviation while lost motion is taken up.
 
     ``decay`` (d,), mm: arc from the peak (of the depth for an `INWARD` spike) to 1/e of it.
     ``rise`` (d,), mm: arc to the peak, or 0. ``there``: probability of a spike; ``unlike``: of
@@ -367,16 +367,16 @@ class _Recorder:
         slow = heights
         if sizes:
             places = sorted(sizes, key=lambda place: self.reversal.shapes[place].length)
-            longest = self.reversal.shapes[places[-1]]
             whole = np.mean(curve, axis=(0, 1))
             if np.mean(depths) > INWARD * np.mean(heights):
                 whole = np.where(seen, -whole, 0.0)
             peak = int(np.argmax(whole))
             rise += self.arcs[peak]
             decay += self._died(whole, peak)
-            rising = isinstance(longest, SpikeShape) and longest.rising
-            if len(places) > 1 and not rising and np.mean(sizes[places[0]]) < 0.0:
-                slow = sizes[places[-1]]
+            fast, *fall = places
+            rising = any(self.shapes[place][0] == 0.0 for place in fall)
+            if fall and not rising and np.mean(sizes[fast]) < 0.0:
+                slow = np.sum([sizes[place] for place in fall], axis=0)
         # Of a decay shorter than the distance of two samples its height at the reversal is a guess.
         guessed = 1.0 / (1.0 + (decay / self.spacing) ** 2)[:, np.newaxis]
         unseen = guessed * (heights - first)

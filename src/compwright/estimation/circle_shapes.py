@@ -13,11 +13,14 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.circle_fit import CircleProblem, Reversal
-from compwright.estimation.circle_model import RARE, TakeUp, rare_cause
+from compwright.estimation.circle_model import RARE, UM, TakeUp, rare_cause
 from compwright.estimation.circle_noise import IndexArray
+from compwright.records.axis import FloatArray
 
-#: Decays that a spike may be the sum of, and the slot of the take-up of lost motion.
-DECAYS: Final = 2
+#: Decays that a spike may be the sum of, and with the slot of the take-up of lost motion. One decay
+#: is the rise. Two others make a fall between two tried lengths, or one that is not exponential.
+#: With only one, the noise took this rest: servo mismatch was wrong by up to six standard errors.
+DECAYS: Final = 3
 SLOTS: Final = DECAYS + 1
 #: Standard deviations of the amplitudes of a decay or take-up, um, equally probable: a single wide
 #: one would make small ones improbable (Bartlett, Biometrika 44, 1957).
@@ -26,6 +29,8 @@ PRIOR: Final = (SIZES**-2.0)[:, np.newaxis]
 #: Prior probability that a decay is there, and that the two directions differ in it.
 THERE: Final = 0.5
 UNLIKE: Final = 0.1
+#: A shape of which no sample shows this share is no hypothesis: its size would be its prior.
+_LEAST_SEEN: Final = 1e-3
 
 
 class SpikeShapes:
@@ -46,7 +51,14 @@ class SpikeShapes:
     def adopt(self, problem: CircleProblem) -> None:
         """Use these shapes in the equations ``problem``, whose columns have other numbers."""
         self.reversals = problem.reversals
-        self._kinds = [_kinds_of(reversal) for reversal in problem.reversals]
+        self._kinds = [
+            _kinds_of(reversal, curves @ problem.mixture)
+            for reversal, curves in zip(
+                problem.reversals,
+                np.split(problem.spikes, max(len(problem.reversals), 1), axis=1),
+                strict=False,
+            )
+        ]
         self.precision = problem.widths**-2.0
         self._columns: dict[tuple[int, int], list[int]] = {}
         for slot in self.slots():
@@ -143,12 +155,13 @@ class SpikeShapes:
                 yield reversal, slot
 
 
-def _kinds_of(reversal: Reversal) -> tuple[IndexArray, IndexArray]:
+def _kinds_of(reversal: Reversal, columns: FloatArray) -> tuple[IndexArray, IndexArray]:
     """Return the indices of the decaying spikes, and of the gradual take-ups of lost motion, among
-    the shapes of a reversal point.
+    the shapes of a reversal point. ``columns`` (n, m), mm: each shape in every sample.
     """
     take_up = np.array([isinstance(shape, TakeUp) for shape in reversal.shapes], dtype=bool)
-    return np.flatnonzero(~take_up), np.flatnonzero(take_up)
+    seen = np.max(np.abs(columns), axis=0) > _LEAST_SEEN * UM
+    return np.flatnonzero(~take_up & seen), np.flatnonzero(take_up & seen)
 
 
 def set_shape(shapes: SpikeShapes, reversal: int, slot: int, option: int) -> None:
