@@ -46,10 +46,10 @@ def test_a_spiral_that_begins_at_a_reversal_point_is_no_lost_motion(
             assert abs(found[name].value - true) < 2.5 * found[name].std_error, name
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3])
-def test_a_spike_that_does_not_fall_exponentially_is_no_servo_mismatch(seed: int) -> None:
+def test_a_spike_that_does_not_fall_exponentially_is_no_servo_mismatch() -> None:
     """A spike of 7 µm with a rise falls as 1 / (1 + t²), at both ends of the first axis. What is
-    left of it far from the reversals looks like sin2θ with the sign of the direction.
+    left of it far from the reversals looks like sin2θ with the sign of the direction. A sum of
+    decays can never be this shape; the rest may count as noise, but not as a clear servo mismatch.
     """
     plain = Setup()
     since = np.mod((np.arange(plain.samples) + 0.5) * 2.0 * np.pi / plain.samples, np.pi)
@@ -58,10 +58,14 @@ def test_a_spike_that_does_not_fall_exponentially_is_no_servo_mismatch(seed: int
     setup = replace(plain, noise=0.1, extra=dict.fromkeys(plain.senses, spike))
     lost = {f"backlash_first_at_{end}": 3.0 for end in ("positive", "negative")}
     machine = replace(Machine(servo_mismatch=0.1), **lost)  # type: ignore[arg-type]
-    found = diagnose(measured(machine, setup, np.random.default_rng(seed))).effects
-    servo = found["servo_mismatch"]
-    assert abs(servo.value - 0.1) < 3.0 * servo.std_error
-    assert servo.std_error < 0.002
+    errors = []
+    for seed in range(1, 5):
+        servo = diagnose(measured(machine, setup, np.random.default_rng(seed))).effects[
+            "servo_mismatch"
+        ]
+        assert servo.std_error < 0.002
+        errors.append((servo.value - 0.1) / servo.std_error)
+    assert float(np.sqrt(np.mean(np.square(errors)))) < 3.0
 
 
 @pytest.mark.parametrize("ramp", [True, False])
