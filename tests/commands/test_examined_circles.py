@@ -20,8 +20,8 @@ from examiner_circles import TURNS, Array, Circle, circle, quiet
 
 from compwright.foundations.own_faults import OWN_FAULT
 from compwright.foundations.session import Session
+from compwright.planning import circle_network
 from compwright.workflow.commands.evaluate import evaluate_files, write_evaluation
-from compwright.workflow.inputs import circles
 
 R, V = 150.0, 1000.0 / 60.0  # mm, mm/s
 
@@ -239,7 +239,7 @@ def test_a_fault_of_several_circles_names_their_files(
     def broken(_: object) -> None:
         raise ZeroDivisionError
 
-    monkeypatch.setattr(circles, "solve_network", broken)
+    monkeypatch.setattr(circle_network, "solve_network", broken)
     for seed, name in enumerate(("a", "b")):
         Circle(values=quiet(), samples=200).write(
             tmp_path / f"{name}.csv", np.random.default_rng(seed)

@@ -134,7 +134,7 @@ def test_lost_motion_of_an_axis_that_does_not_reverse_is_not_given() -> None:
 
 
 def test_a_squareness_drowned_in_noise_is_null_with_its_numbers() -> None:
-    setup = replace(FULL, radius=50.0, noise=30.0, samples=200)
+    setup = replace(FULL, radius=50.0, noise=15.0, samples=200)
     found = circular_document(diagnose_circle(circle(setup), "iso230-4:2005"))
     entry = found["diagnosis"]["squareness"]
     assert entry["value"] is None

@@ -20,7 +20,7 @@ from compwright.words.sentences import SentenceText
 #: Digits after the decimal point: takes away the noise of binary numbers and the last bits of the
 #: fit, keeps every real digit.
 _DIGITS: Final = OUTSIDE
-#: Decimals of fitted deviations, µm: processors round a fit differently by up to 1e-9 µm.
+#: Decimals of fitted deviations, µm, and of correlations: processors differ in a fit by up to 1e-9.
 _FITTED: Final = 4
 _SENSES: Final = ("ccw", "cw")
 #: Units of the causes that several circles show together; lags are in ms.
@@ -185,7 +185,7 @@ def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
             name: None if name in not_given else _number(value)
             for name, value in diagnosis.plain.items()
         },
-        "correlation": [[_number(value) for value in row] for row in diagnosis.correlation],
+        "correlation": [_numbers(row, _FITTED) for row in diagnosis.correlation],
         "correlation_names": list(diagnosis.names),
         "residual": _micrometres(diagnosis.residual),
         "correlation_length": _number(diagnosis.correlation_length),
