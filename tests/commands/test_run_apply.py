@@ -412,7 +412,7 @@ def test_a_squareness_on_both_axes_is_a_doubt(
     if code:
         total = -26.0 if over_y == "[0, 2, 8]" else 6.0
         assert "-10.0 µm/m in Y over X" in said
-        assert f"Together they change it by {total:+.1f} µm/m" in said
+        assert f"Together they remove {total:+.1f} µm/m" in said
         job.write_text(job.read_text() + "acknowledged: {CW-P169: one square for both}\n")
         assert compwright(["run", str(job), "--force"]) == 0
 

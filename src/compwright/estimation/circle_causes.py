@@ -105,7 +105,8 @@ def changeover(solution: Solution) -> ReportedCause:
 
 def scale_mismatch(solution: Solution, changed: float = 0.0) -> ReportedCause:
     """Return the scale mismatch after the effect of unequal servo loops is subtracted.
-    ``changed``: the `changeover`, um, for the variance; the draws do not contain its part.
+
+    ``changed``: size of the `changeover`, um. Its part counts in the variance, not in the draws.
 
     A position loop of time constant T with the share f of velocity feedforward lags by (1 - f) T,
     and reduces the radius of its axis by (1 - f²)(ωT)² / 2. A servo mismatch τ thus changes the

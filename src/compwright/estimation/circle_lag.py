@@ -67,7 +67,7 @@ _STANDING: Final = 0.1
 #: The share (s / length)² of a gradual slip, by that of a take-up of the same length.
 _SLIPPING: Final = 1.5
 #: Orders of the polynomial in every window, and the least and the most correlation of neighbours
-#: that is removed. The polynomial has what is longer than `_BEFORE` samples (0.95 = exp(-1/20)).
+#: that is removed. The polynomial fits what is longer than `_BEFORE` samples (0.95 = exp(-1/20)).
 _SMOOTH: Final = 6
 _LEAST_CORRELATED: Final = 0.05
 _MOST_CORRELATED: Final = 0.95

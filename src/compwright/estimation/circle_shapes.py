@@ -17,9 +17,9 @@ from compwright.estimation.circle_model import RARE, UM, TakeUp, rare_cause
 from compwright.estimation.circle_noise import IndexArray
 from compwright.records.axis import FloatArray
 
-#: Decays that a spike may be the sum of, and with the slot of the take-up of lost motion. One decay
-#: is the rise. Two others make a fall between two tried lengths, or one that is not exponential.
-#: With only one, the noise took this rest: servo mismatch was wrong by up to six standard errors.
+#: Most decays of one spike, and slots of a reversal point (one for the take-up of lost motion).
+#: One decay is the rise. The other two add up to a fall that is not exponential, or that lies
+#: between two tried lengths. With one, servo mismatch was wrong by up to seven standard errors.
 DECAYS: Final = 3
 SLOTS: Final = DECAYS + 1
 #: Standard deviations of the amplitudes of a decay or take-up, um, equally probable: a single wide
@@ -157,7 +157,8 @@ class SpikeShapes:
 
 def _kinds_of(reversal: Reversal, columns: FloatArray) -> tuple[IndexArray, IndexArray]:
     """Return the indices of the decaying spikes, and of the gradual take-ups of lost motion, among
-    the shapes of a reversal point. ``columns`` (n, m), mm: each shape in every sample.
+    the shapes of a reversal point. ``columns`` (n, m): deviation of every sample by 1 um of each
+    shape, mm.
     """
     take_up = np.array([isinstance(shape, TakeUp) for shape in reversal.shapes], dtype=bool)
     seen = np.max(np.abs(columns), axis=0) > _LEAST_SEEN * UM

@@ -101,8 +101,8 @@ def has_slope(where: FloatArray, curve: FloatArray) -> bool:
 
 
 def both_sloped(sloped: Sequence[PlannedCross]) -> Iterator[Finding]:
-    """Yield the doubt CW-P169 if the corrections ``sloped``, all of one plane, are two. The angle
-    of the plane is one value, and each of them changes it.
+    """Yield the doubt CW-P169 if there are two corrections ``sloped``, both of one plane. The
+    angle of the plane is one value, and each of them removes a part of it.
 
     The sum is right if both were measured against one square. It is twice what is needed if each
     axis was measured against the other. The files do not show which.

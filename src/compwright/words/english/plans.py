@@ -405,7 +405,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P169": (
         "Two measurements under `cross` correct the squareness of plane {plane}: {slopes:and}."
-        " Together they change it by {total:+.1f} µm/m. If each shows the whole squareness, it is"
+        " Together they remove {total:+.1f} µm/m. If each shows the whole squareness, it is"
         " corrected twice: subtract the straight line from the deviations of one of them. If both"
         " were measured against one square, write that in the job: `acknowledged: {{CW-P169:"
         " reason}}`. A circle of this plane in the job also shows which is right"

@@ -415,7 +415,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P169": (
         "Deux mesures sous `cross` corrigent la perpendicularité du plan {plane} : {slopes:and}."
-        " Ensemble, elles la changent de {total:+.1f} µm/m. Si chacune montre toute la"
+        " Ensemble, elles éliminent {total:+.1f} µm/m. Si chacune montre toute la"
         " perpendicularité, celle-ci est corrigée deux fois : retirer alors la droite des écarts"
         " de l'une des deux. Si les deux ont été mesurées par rapport à une même équerre, l'écrire"
         " dans le dossier de travail : `acknowledged: {{CW-P169: raison}}`. Un cercle de ce plan"

@@ -432,7 +432,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P169": (
         "Zwei Messungen unter `cross` korrigieren die Rechtwinkligkeit der Ebene {plane}:"
-        " {slopes:and}. Zusammen ändern sie sie um {total:+.1f} µm/m. Zeigt jede die ganze"
+        " {slopes:and}. Zusammen beseitigen sie {total:+.1f} µm/m. Zeigt jede die ganze"
         " Rechtwinkligkeit, wird sie zweimal korrigiert: dann die Gerade von den Abweichungen einer"
         " der beiden abziehen. Wurden beide gegen einen Winkel gemessen, das im Auftrag angeben:"
         " `acknowledged: {{CW-P169: Grund}}`. Auch ein Kreis dieser Ebene im Auftrag zeigt, was"
