@@ -138,5 +138,6 @@ def test_a_squareness_drowned_in_noise_is_null_with_its_numbers() -> None:
     found = circular_document(diagnose_circle(circle(setup), "iso230-4:2005"))
     entry = found["diagnosis"]["squareness"]
     assert entry["value"] is None
-    assert entry["std_error"] > 14.0
+    # Of 400 samples: sqrt(2 / 400) * 15 um is the error of the amplitude of sin2θ, beta R / 2.
+    assert entry["std_error"] == pytest.approx(2e3 * 15.0 * (2 / 400) ** 0.5 / 50.0, rel=0.2)
     assert "too uncertain: the uncertainty (k = 2)" in found["not_applicable"]["squareness"]

@@ -11,7 +11,7 @@ import pytest
 from compwright.planning.circles import CircleWork
 from compwright.planning.cross import CrossPlan, angle_of, plan_cross
 from compwright.prediction.active_corrections import NO_CORRECTIONS, ActiveCorrections
-from compwright.records.axis import Axis
+from compwright.records.axis import Axis, AxisKind
 from compwright.records.job import ApplyRequest, CrossRequest
 from compwright.records.plan import PlannedCross
 from planning_samples import MINUS, PLUS, PPM, UM, axis_of, by_slope, circle_of, job_of
@@ -337,3 +337,15 @@ def test_two_points_are_a_table_of_two_points_over_the_travel() -> None:
 def test_axes_that_the_job_does_not_have_are_left_to_the_reading_of_the_job() -> None:
     found = plan(axes=(axis_of(),), cross=(straight((0.0,) * 3),), apply=BEND_Y)
     assert (found.planned, found.findings) == ((), ())
+
+
+@pytest.mark.parametrize(
+    ("words", "doubted"),
+    [({"travel": (0.0, 180.0)}, True), ({"travel": (0.0, 180.0), "modulo": 360.0}, False)],
+)
+def test_no_position_lies_outside_the_travel_of_an_endless_axis(
+    words: dict[str, Any], doubted: bool
+) -> None:
+    axes = (axis_of(kind=AxisKind.ROTARY, **words), axis_of("Y"))
+    crossed = straight((0.0, 2.0 * UM, 1.0 * UM), positions=(0.0, 92.0, 184.0))
+    assert ("CW-P170" in codes(plan(axes=axes, cross=(crossed,)))) is doubted

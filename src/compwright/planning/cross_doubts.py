@@ -11,7 +11,7 @@ import numpy as np
 
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
-from compwright.records.axis import Axis, AxisKind, FloatArray
+from compwright.records.axis import Axis, FloatArray
 from compwright.records.plan import PlannedCross
 from compwright.records.positioning import LARGEST_PLAUSIBLE
 from compwright.words.sentences import Amount, say
@@ -67,11 +67,10 @@ def too_large(planned: PlannedCross) -> Iterator[Finding]:
 
 def outside_travel(planned: PlannedCross, given: Axis, where: FloatArray) -> Iterator[Finding]:
     """Yield the doubt CW-P170 if a position of ``where`` (n,), ascending, lies outside the travel
-    of the axis ``given``. A rotary axis of a full turn is not checked, because its angles may be
-    counted from anywhere.
+    of the axis ``given``. An endless axis has no position outside.
     """
     (low, high), unit = given.travel, given.kind.unit
-    if given.kind is AxisKind.ROTARY and high - low >= 360.0 - _OUTSIDE:
+    if given.endless:
         return
     if where[0] < low - _OUTSIDE or where[-1] > high + _OUTSIDE:
         ends = (Amount(float(end), unit, ".10g") for end in (where[0], where[-1], low, high))

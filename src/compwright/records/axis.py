@@ -119,6 +119,15 @@ class Axis:
     zero_at_reference: bool = field(default=False, compare=False)
     counts_turns: bool = field(default=False, compare=False)
 
+    @property
+    def endless(self) -> bool:
+        """Whether the axis is rotary with a modulo range or a travel of a full turn: its angles may
+        be counted from anywhere, and none is outside its travel.
+        """
+        low, high = self.travel
+        whole = self.modulo is not None or high - low >= 360.0 - 1e-6
+        return self.kind is AxisKind.ROTARY and whole
+
 
 def partner_of(axis: Axis, address: str) -> Axis:
     """Return the slave axis of a gantry: a copy of its master axis with the slave's ``address``."""

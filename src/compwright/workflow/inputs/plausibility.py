@@ -8,18 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import combinations
-from typing import Final
 
 import numpy as np
 
 from compwright.evaluation.duplicate_measurements import NamedTest, same_measurement
 from compwright.evaluation.plausibility import certain_fault, wrong_target_unit
 from compwright.foundations.errors import Fault
-from compwright.records.axis import Axis, AxisKind, FloatArray
+from compwright.records.axis import Axis, FloatArray
 from compwright.records.job import Job
 from compwright.records.plan import PlannedTest
-
-_TURN: Final = 360.0 - 1e-6
 
 
 def impossible_tests(job: Job, tests: Mapping[str, Sequence[PlannedTest]]) -> list[Fault]:
@@ -81,10 +78,10 @@ def _outside(
     their name in the message.
 
     They may lie outside by half an interval (or a tenth of the travel), because the travel may be
-    rounded; this is a doubt (CW-T007, CW-P170). Axes that turn endlessly have no outside.
+    rounded; this is a doubt (CW-T007, CW-P170). An endless axis has no position outside.
     """
     low, high = axis.travel
-    if axis.kind is AxisKind.ROTARY and (axis.modulo is not None or high - low >= _TURN):
+    if axis.endless:
         return
     first, last = float(positions[0]), float(positions[-1])
     interval = (last - first) / max(positions.size - 1, 1)
