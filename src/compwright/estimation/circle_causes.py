@@ -103,7 +103,7 @@ def changeover(solution: Solution) -> ReportedCause:
     return replace(cause, variance=cause.variance + (_OTHER_RESPONSE * cause.value) ** 2)
 
 
-def scale_mismatch(solution: Solution, changed: float = 0.0) -> ReportedCause:
+def scale_mismatch(solution: Solution, changed: float) -> ReportedCause:
     """Return the scale mismatch after the effect of unequal servo loops is subtracted.
 
     ``changed``: size of the `changeover`, um. Its part counts in the variance, not in the draws.

@@ -121,7 +121,7 @@ def positional_tolerance(solution: Solution) -> tuple[float, float]:
     of third order may be that of either axis. A cyclic error may be hidden. This definition is of
     this project, because the formula of instrument makers is not published.
     """
-    every, mismatches = solution.draws.values, scale_mismatch(solution).drawn
+    every, mismatches = solution.draws.values, scale_mismatch(solution, 0.0).drawn
     mean = np.mean(every, axis=0), (float(np.mean(mismatches)), 0.0)
     value = float(np.mean([_spread(solution, *mean, first=first) for first in (True, False)]))
     each = slice(None, None, max(mismatches.size // _MOST_DRAWS, 1))
