@@ -322,3 +322,46 @@ def test_an_axis_is_found_by_the_letter_that_the_files_give_it(
         assert code in (0, 1), words  # axis 2 has no table of its own, and may get one
         assert f"address of axis {name}" in shown
         assert f"1020 of axis {said}" in shown
+
+
+#: A rotary axis as a real backup has it: reference 300, first 301, last 312.
+OF_REAL_BACKUP = {3620: "300", 3621: "301", 3622: "312", 3624: "30.0"}
+
+
+@pytest.mark.parametrize(
+    ("kind", "modulo", "unit", "step"),
+    [
+        (LINEAR, None, None, "set `kind: rotary` for the axis in the job"),
+        (ROTARY, None, None, "set `modulo: 360` for the axis in the job"),
+        (ROTARY, 180.0, None, "set `modulo: 360` for the axis in the job"),
+        (ROTARY, 360.0, 0.01, "delete `detection_unit` of the axis in the job"),
+    ],
+)
+def test_a_job_that_the_control_contradicts_is_corrected_and_not_the_control(
+    kind: AxisKind, modulo: float | None, unit: float | None, step: str
+) -> None:
+    """Each of these sent the reader to change a parameter that is right."""
+    said = {**TABLE, **OF_REAL_BACKUP, 1006: "00000001", 1013: "00000000", 1820: "2"}
+    rows = "".join(f"N{number:05d}Q1A1P{value}\n" for number, value in sorted(said.items()))
+    points = "".join(f"N{10000 + number}Q0P0\n" for number in range(300, 313))
+    files = [
+        ControlFile("CNC-PARA.TXT", f"%\n{rows}N01260Q1A1P360.0\n%\n".encode()),
+        ControlFile("PITCH.TXT", f"%\n{points}%\n".encode()),
+    ]
+    axis = Axis(
+        name="B",
+        kind=kind,
+        travel=(0.0, modulo or 360.0),
+        address="1",
+        modulo=modulo,
+        options={} if unit is None else {"detection_unit": unit},
+    )
+    with pytest.raises(InputError) as refused:
+        control_format(DEFINITIONS["fanuc-30i"], {}).read(files, [axis])
+    assert step in str(refused.value)
+    assert "in the control, measure" not in str(refused.value)
+
+
+def test_a_control_of_totals_is_left_as_it_is() -> None:
+    with pytest.raises(InputError, match="Next: leave the axis out of the job; never change 3602"):
+        read({3602: "00000001"}, unit=0.001)

@@ -7,6 +7,7 @@ of X from its reference.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -347,3 +348,79 @@ def test_something_else_in_the_files_is_a_fault_of_our_own(
     monkeypatch.setattr(PairsFamily, "between", wrong)
     with pytest.raises(CompwrightError, match="differs from the planned table"):
         write(follows(addresses=("AX1", "AX2")))
+
+
+# --- refusals in each language
+
+#: What stays in every language: parameters, options, formats, standard words in backquotes.
+NAME = re.compile(r"`[^`]*`|[$]?[A-Z]+\w*(?:\[[^]]*\])?|siemens-\w+-\w+|method: line|lr_param\S*")
+
+
+def refused(case: str) -> Between:
+    """An answer that the control cannot store the correction of Y over X."""
+    if case == "linear parameter":
+        axes = [axis("X", "X"), axis("Y", "Y", method="line")]
+        return ask(family(ITNC), axes=axes, tabled=["Y"])
+    if case == "straightness":
+        control = family("fanuc-30i", detection_unit=0.001, **FANUC)
+        pair = [follows(addresses=("1", "2"))] * 2
+        return ask(control, *pair, axes=[axis("X", "1"), axis("Y", "2")], tables=line_of())
+    if case == "one input":
+        other = replace(follows(), input="Z", added=replace(follows().added, input="Z"))
+        planned, axes = [follows(), other], [axis("Y", "Y", cross_values="error")]
+        control = family("isg-kernel", cross_values="error")
+        return ask(control, *planned, axes=axes, tables=ControlState(format="isg-kernel", axes={}))
+    own_options: dict[str, dict[str, Any]] = {
+        "no option": {"cec": "absent"},
+        "no table": {"cec_tables": ()},
+    }
+    options = own_options.get(case, {})
+    text = BENT_BEFORE
+    if case == "table beyond":
+        options = {"cec_tables": (62,)}
+        text = (
+            "".join(f"$MN_MM_CEC_MAX_POINTS[{one}]={2 * (one == 3)}\n" for one in range(62)) + text
+        )
+    elif case == "own table":
+        options, text = {"cec_tables": (3,)}, text.replace("ENABLE[3]=1", "ENABLE[3]=0")
+    own = ControlFile("CEC.INI", text.encode())
+    control = family(SIEMENS, **{**CEC, **options})
+    found = decode(Control(control), (own,), [axis("X", "AX1"), axis("Y", "AX2")])
+
+    def read(files: tuple[ControlFile, ...], *, written: bool = False) -> ControlState:
+        assert (files, written) == ((own,), False)
+        return found.state
+
+    return control.between(
+        BetweenRequest(
+            found=(own,),
+            planned=(follows(addresses=("AX1", "AX2")),),
+            axes={},
+            tabled=(),
+            tables=(),
+            base=(own,),
+            read=read,
+        )
+    )
+
+
+@pytest.mark.parametrize(
+    "case", ["linear parameter", "straightness", "one input", "no option", "no table", "own table"]
+)
+def test_the_reason_of_a_refusal_is_in_the_language_of_the_page(case: str) -> None:
+    """No two English words in a row are in the Russian text, which has other letters."""
+    ((_, said), *_) = refused(case).remarks
+    assert "is not corrected" in str(said)
+    russian = NAME.sub("", said.text("ru"))
+    assert re.search(r"[a-z]+ [a-z]+", russian) is None, russian
+    for language in ("de", "fr"):
+        assert not {"the", "is", "and"} & set(said.text(language).split())
+
+
+def test_a_table_that_the_files_of_the_control_do_not_list_is_not_written() -> None:
+    """A real 840D sl lists MD18342 for its tables 0 to 61: a table 62 is taken by no control."""
+    answer = refused("table beyond")
+    ((severity, said),) = answer.remarks
+    assert (severity, answer.files) == ("error", None)
+    assert "$MN_MM_CEC_MAX_POINTS[62]" in str(said)
+    assert "indices from 0 to 61" in str(said)

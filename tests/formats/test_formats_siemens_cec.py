@@ -712,7 +712,7 @@ def test_straightness_by_direction_takes_a_pair_of_free_tables_and_adds_up() -> 
     (total,) = agreed([*given, *written]).cross
     assert total.at(np.array([400.0]), POSITIVE) == pytest.approx([-0.008 + 0.003], abs=EXACT)
     assert total.at(np.array([400.0]), NEGATIVE) == pytest.approx([-0.008 + 0.004], abs=EXACT)
-    with pytest.raises(CapacityError, match=r"AX1 on AX2.*2 CEC tables"):
+    with pytest.raises(CapacityError, match=r"AX2 over AX1.*2 CEC tables"):
         write_cross(
             SIEMENS,
             [bow],

@@ -255,6 +255,10 @@ def test_a_circle_shows_whether_two_slopes_are_one_squareness(
     circles = () if circle is None else (square(circle),)
     found = plan(*circles, cross=(over_x, over_y))
     assert codes(found) == found_codes
+    if circle is not None:
+        said = str(found.findings[0].sentence)
+        assert "squareness +45.0 µm/m according to the sum of the direct measurements" in said
+        assert "the direct measurement." not in said
     if circle is None:
         assert found.findings[0].values["total"] == pytest.approx(45.0)
 

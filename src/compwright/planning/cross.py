@@ -235,6 +235,7 @@ class _Planner:
             input=every[0].input,
             output=every[0].output,
             squareness=measured * _PPM,
+            measurements=len(every),
         )
         if difference > max(CONTRADICTORY * circle.std_error, SQUARE):
             self.find(
@@ -242,6 +243,7 @@ class _Planner:
                 "warning",
                 (every[0].input, every[0].output),
                 measured=named,
+                measurements=len(every),
                 circle=circle.words,
                 tests=circle.tests,
             )

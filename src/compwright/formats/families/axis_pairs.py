@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Protocol
 
 from compwright.formats.definition.schema import Definition
+from compwright.foundations.errors import Fault
 from compwright.foundations.findings import Severity
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import Axis, FloatArray
@@ -132,6 +133,22 @@ def cannot_hold(entry: PlannedCross, why: str) -> Between:
         remarks=(("error", say("CW-P113.not_held", what=error_label(entry), why=why)),),
         steps=({"title": title, "text": control_text("{why}.", why=why), "evidence": "inferred"},),
     )
+
+
+def refusal(faults: Iterable[Fault]) -> SentenceText:
+    """Return ``faults`` of a control's files or options as one text that can be translated."""
+    every = [
+        say(
+            "between.fault",
+            where=": ".join((fault.file, fault.place)) if fault.file else "",
+            message=fault.message,
+            expected=fault.expected,
+            found=fault.found,
+            hint=fault.hint,
+        )
+        for fault in faults
+    ]
+    return SentenceText(say("between.faults", faults=every))
 
 
 def alternative_answer(definition: Definition, planned: Iterable[PlannedCross]) -> Between:

@@ -12,6 +12,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "better_targets": "targets that would show this error: {targets:g} {unit}",
     "between.deviation": "the measured deviation of {output} over {input} ({slope})",
+    "between.fault": (
+        "{where:if|{where}: |}{message}{expected:if|; expected {expected}|}"
+        "{found:if|, found {found}|}{hint:if|. Next: {hint}|}"
+    ),
+    "between.faults": "{faults:join|; }",
     "between.racked": (
         "{output} is a gantry axis, and a table on {output} without {partner} racks the machine."
         " Next: {squareness:if|correct the squareness by the reference offset of the"
@@ -22,8 +27,8 @@ SENTENCES: Final[dict[str, str]] = {
     "between.squareness": "squareness of {output} over {input} ({slope:+.1f} µm/m)",
     "compared_not_removed": "{parameters:join|; }. The result contains all readings.",
     "direct_squareness": (
-        "{input} and {output}: squareness {squareness:+.1f} µm/m according to the direct"
-        " measurement"
+        "{input} and {output}: squareness {squareness:+.1f} µm/m according to the"
+        " {measurements:plural|direct measurement|sum of the direct measurements of both axes}"
     ),
     "doubts.acknowledged": "Acknowledged in the job: {reason}. {message}",
     "doubts.compare": (

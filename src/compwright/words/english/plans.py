@@ -48,9 +48,10 @@ SENTENCES: Final[dict[str, str]] = {
         " positions it therefore differs from the wanted correction by up to {missed}."
     ),
     "CW-P104": (
-        "{measured}, but {circle} according to {tests}. The two contradict each other. The table is"
-        " computed from the direct measurement. Check its sign, and repeat the measurement that is"
-        " wrong."
+        "{measured}, but {circle} according to {tests}. The two contradict each other. The"
+        " {measurements:plural|table is computed from the direct measurement. Check its"
+        " sign|tables are computed from the direct measurements. Check their signs}, and repeat the"
+        " measurement that is wrong."
     ),
     "CW-P105": "{measured}. {tests} confirms it ({circle}).",
     "CW-P106.no_circle": (

@@ -12,6 +12,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "better_targets": "points visés qui montreraient cette erreur : {targets:g} {unit}",
     "between.deviation": "l'écart mesuré de {output} sur {input} ({slope})",
+    "between.fault": (
+        "{where:if|{where} : |}{message}{expected:if| ; attendu : {expected}|}"
+        "{found:if|, trouvé : {found}|}{hint:if|. Ensuite : {hint}|}"
+    ),
+    "between.faults": "{faults:join| ; }",
     "between.racked": (
         "{output} est un axe de portique, et une table sur {output} sans {partner} vrille la"
         " machine. Ensuite : {squareness:if|corriger la perpendicularité par le décalage de"
@@ -22,7 +27,8 @@ SENTENCES: Final[dict[str, str]] = {
     "between.squareness": "perpendicularité de {output} à {input} ({slope:+.1f} µm/m)",
     "compared_not_removed": "{parameters:join|; }. Le résultat contient toutes les mesures.",
     "direct_squareness": (
-        "{input} et {output} : perpendicularité {squareness:+.1f} µm/m d'après la mesure directe"
+        "{input} et {output} : perpendicularité {squareness:+.1f} µm/m d'après la"
+        " {measurements:plural|mesure directe|somme des mesures directes des deux axes}"
     ),
     "doubts.acknowledged": "Confirmé dans le dossier de travail : {reason}. {message}",
     "doubts.compare": (

@@ -49,8 +49,10 @@ SENTENCES: Final[dict[str, str]] = {
         " mesurées, elle s'écarte donc de la correction souhaitée de {missed} au plus."
     ),
     "CW-P104": (
-        "{measured}, mais {circle} d'après {tests}. Les deux se contredisent. La table est calculée"
-        " d'après la mesure directe. Vérifier son signe, et répéter la mesure fausse."
+        "{measured}, mais {circle} d'après {tests}. Les deux se contredisent."
+        " {measurements:plural|La table est calculée d'après la mesure directe. Vérifier son"
+        " signe|Les tables sont calculées d'après les mesures directes. Vérifier leurs signes}, et"
+        " répéter la mesure fausse."
     ),
     "CW-P105": "{measured}. {tests} le confirme ({circle}).",
     "CW-P106.no_circle": (

@@ -12,6 +12,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "better_targets": "Zielpositionen, die diesen Fehler zeigen würden: {targets:g} {unit}",
     "between.deviation": "die gemessene Abweichung von {output} über {input} ({slope})",
+    "between.fault": (
+        "{where:if|{where}: |}{message}{expected:if|; erwartet: {expected}|}"
+        "{found:if|, gefunden: {found}|}{hint:if|. Weiter: {hint}|}"
+    ),
+    "between.faults": "{faults:join|; }",
     "between.racked": (
         "{output} ist eine Gantry-Achse, und eine Tabelle auf {output} ohne {partner} verspannt die"
         " Maschine. Weiter: {squareness:if|die Rechtwinkligkeit über den Referenzversatz des Gantry"
@@ -22,7 +27,8 @@ SENTENCES: Final[dict[str, str]] = {
     "between.squareness": "Rechtwinkligkeit von {output} zu {input} ({slope:+.1f} µm/m)",
     "compared_not_removed": "{parameters:join|; }. Das Ergebnis enthält alle Messwerte.",
     "direct_squareness": (
-        "{input} und {output}: Rechtwinkligkeit {squareness:+.1f} µm/m nach der direkten Messung"
+        "{input} und {output}: Rechtwinkligkeit {squareness:+.1f} µm/m nach der"
+        " {measurements:plural|direkten Messung|Summe der direkten Messungen beider Achsen}"
     ),
     "doubts.acknowledged": "Im Auftrag bestätigt: {reason}. {message}",
     "doubts.compare": (

@@ -56,9 +56,10 @@ SENTENCES: Final[dict[str, str]] = {
         " Korrektur ab."
     ),
     "CW-P104": (
-        "{measured}, aber {circle} nach {tests}. Die beiden widersprechen sich. Die Tabelle wird"
-        " aus der direkten Messung berechnet. Ihr Vorzeichen prüfen und die falsche Messung"
-        " wiederholen."
+        "{measured}, aber {circle} nach {tests}. Die beiden widersprechen sich. Die"
+        " {measurements:plural|Tabelle wird aus der direkten Messung berechnet. Ihr"
+        " Vorzeichen|Tabellen werden aus den direkten Messungen berechnet. Ihre Vorzeichen} prüfen"
+        " und die falsche Messung wiederholen."
     ),
     "CW-P105": "{measured}. {tests} bestätigt es ({circle}).",
     "CW-P106.no_circle": (

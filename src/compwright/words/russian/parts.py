@@ -11,6 +11,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "better_targets": "заданные позиции, которые показали бы эту погрешность: {targets:g} {unit}",
     "between.deviation": "измеренное отклонение {output} по {input} ({slope})",
+    "between.fault": (
+        "{where:if|{where}: |}{message}{expected:if|; ожидалось: {expected}|}"
+        "{found:if|, найдено: {found}|}{hint:if|. Далее: {hint}|}"
+    ),
+    "between.faults": "{faults:join|; }",
     "between.racked": (
         "{output} — ось портала, и таблица на {output} без {partner} перекашивает станок. Далее:"
         " {squareness:if|исправьте перпендикулярность смещением опорной позиции"
@@ -21,7 +26,9 @@ SENTENCES: Final[dict[str, str]] = {
     "between.squareness": "перпендикулярность {output} к {input} ({slope:+.1f} мкм/м)",
     "compared_not_removed": "{parameters:join|; }. Результат содержит все отсчёты.",
     "direct_squareness": (
-        "{input} и {output}: перпендикулярность {squareness:+.1f} мкм/м по прямому измерению"
+        "{input} и {output}: перпендикулярность {squareness:+.1f} мкм/м по"
+        " {measurements:plural|прямому измерению|сумме прямых измерений обеих осей|сумме прямых"
+        " измерений обеих осей}"
     ),
     "doubts.acknowledged": "Подтверждено в задании: {reason}. {message}",
     "doubts.compare": (

@@ -163,14 +163,26 @@ def _by_line(family: Family, request: BetweenRequest, entry: PlannedCross) -> st
         return ""
     old = family.state.axes.get(axis.address)
     if family.options_of(axis).get("method") == "line":
-        why = f"the job corrects {axis.name} by {linear} (method: line)"
+        why = control_text(
+            "the job corrects {name} by {parameter} (method: line)",
+            name=axis.name,
+            parameter=linear,
+        )
     elif entry.output not in request.tabled and old is not None and old.slope != 0.0:
-        why = f"{linear} corrects {axis.name} now ({-old.slope * 1e3:+.3f} mm/m)"
+        why = control_text(
+            "{parameter} corrects {name} now ({slope} mm/m)",
+            parameter=linear,
+            name=axis.name,
+            slope=f"{-old.slope * 1e3:+.3f}",
+        )
     else:
         return ""
-    return (
-        f"{why}, and a column is active only with tables, never with {linear}; give {axis.name} a"
-        " test and a table of its own"
+    return control_text(
+        "{why}, and a column is active only with tables, never with {parameter}; give {name} a test"
+        " and a table of its own",
+        why=why,
+        parameter=linear,
+        name=axis.name,
     )
 
 

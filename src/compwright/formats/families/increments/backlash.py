@@ -92,7 +92,7 @@ def active_backlash(values: IncrementAxisValues, feed: int) -> int:
             "its test was taken at rapid traverse (motion: rapid), where 1852 is active (1800#4)"
         )
         expected = "the line of 1852 among the files"
-        values.notes.once(bits.fault(f"{values.label}: {message}", expected))
+        values.notes.once(bits.fault(f"{values.label}: {message}", expected, ADD_FILE))
     if separate is False or rapid is None or rapid == feed:
         return feed
     if at_rapid and separate is None:

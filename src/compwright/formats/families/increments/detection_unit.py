@@ -155,10 +155,9 @@ def _silent(values: IncrementAxisValues, kind: AxisKind) -> bool:
     if odd is not None and not values.notes.faults:
         raise UsageError(
             odd.fault(
-                f"{values.label}: the detection unit does not follow from this value; give the"
-                f" option {DETECTION_UNIT}",
-                "mm or deg, such as 0.001; read are 1820 = 1 to 96 and 101 to 127 with IS-A, IS-B"
-                " or IS-C in 1013 and 1006#3 = 0",
+                f"{values.label}: the detection unit does not follow from this value",
+                "1820 = 1 to 96 or 101 to 127 with IS-A, IS-B or IS-C in 1013 and 1006#3 = 0",
+                f"set `{DETECTION_UNIT}` (mm or deg, such as 0.001) in the options of the axis",
             )
         )
     return bool(values.notes.faults)
@@ -171,5 +170,9 @@ def _check_unit(values: IncrementAxisValues, stated: DetectionUnit, size: float,
             f"{values.label}: the detection unit of the control's files differs from the option"
             " detection_unit"
         )
-        fault = stated.multiplier.fault(message, f"{stated.size:g} {unit} by {stated.evidence}")
+        fault = stated.multiplier.fault(
+            message,
+            f"{stated.size:g} {unit} by {stated.evidence}",
+            f"delete `{DETECTION_UNIT}` of the axis in the job, or set it to {stated.size:g}",
+        )
         values.notes.faults.append(replace(fault, found=f"detection_unit: {size:g}"))

@@ -21,19 +21,25 @@ def check_wrapping(values: IncrementAxisValues, kind: AxisKind) -> None:
     if kind is not AxisKind.ROTARY or values.axis is None or wraps is None or bits is None:
         return
     modulo, turn = values.axis.modulo, values.turn(kind)
+    set_turn = f"set `modulo: {turn:g}` for the axis in the job"
     if (modulo is not None) != wraps:
-        says, expected = (
-            ("endless (1006#0 = 1, 1006#1 = 0)", f"modulo: {turn:g} in the job")
+        says, expected, step = (
+            ("endless (1006#0 = 1, 1006#1 = 0)", f"modulo: {turn:g} in the job", set_turn)
             if wraps
-            else ("a rotary axis with ends (1006#0 = 1, 1006#1 = 1)", "no modulo in the job")
+            else (
+                "a rotary axis with ends (1006#0 = 1, 1006#1 = 1)",
+                "no modulo in the job",
+                "delete `modulo` of the axis in the job",
+            )
         )
         message = f"the axis is {says} in the control, but not in the job"
     elif modulo is not None and abs(turn - modulo) > SAME_PLACE:
         message = "the turn of the control's files (3625, else 1260) is not the modulo of the job"
-        expected = f"modulo: {turn:g}"
+        expected, step = f"modulo: {turn:g}", set_turn
     else:
         return
-    values.notes.faults.append(bits.fault(f"{values.label}: {message}", expected))
+    hint = f"{step}, if the control is right"
+    values.notes.faults.append(bits.fault(f"{values.label}: {message}", expected, hint))
 
 
 def check_travel_limits(values: IncrementAxisValues, kind: AxisKind) -> None:
@@ -124,7 +130,11 @@ def check_return(values: IncrementAxisValues, *, two: bool) -> None:
         )
         why = "with two sets it decides what 3627 means"
         expected = f'reference_return: "{home.value}" in the job: {why}'
-        values.notes.faults.append(bits.fault(message, expected))
+        hint = (
+            f'set `reference_return: "{home.value}"` for the axis in the job, if the control is'
+            " right"
+        )
+        values.notes.faults.append(bits.fault(message, expected, hint))
         return
     values.notes.find(
         "CW-S044",

@@ -15,7 +15,7 @@ from compwright.formats.families.increments.parameters import (
     AxisParameters,
     Parameters,
 )
-from compwright.formats.text.notes import Notes
+from compwright.formats.text.notes import ADD_FILE, Notes
 from compwright.foundations.errors import Fault
 from compwright.records.axis import AxisKind
 
@@ -29,6 +29,7 @@ def refusals(own: AxisParameters) -> Iterator[Fault]:
         yield totals.fault(
             f"{own.label}: the pitch data may be totals instead of increments",
             "0 (increments): how the control counts totals is unknown",
+            "leave the axis out of the job; never change 3602 for this",
         )
 
 
@@ -85,7 +86,11 @@ def unread_bits(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
         value = own.get(number)
         if bits and value is not None and value.nonzero and not value.is_bits:
             names = ", ".join(f"{number}#{bit}" for bit in bits)
-            yield value.fault(f"{own.label}: {names} cannot be read", "eight binary digits")
+            yield value.fault(
+                f"{own.label}: {names} cannot be read",
+                "eight binary digits",
+                "export the parameters from the control again",
+            )
 
 
 def unclear_path(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
@@ -111,4 +116,5 @@ def unclear_path(own: AxisParameters, kind: AxisKind) -> Iterator[Fault]:
                 f"{own.label}: the paths differ ({described}), and no file says to which of them"
                 " the axis belongs (parameter 981)",
                 f"the line of parameter 981 of axis {own.address} among the files",
+                ADD_FILE,
             )

@@ -17,6 +17,7 @@ from functools import cached_property
 from compwright.formats.definition.schema import ParameterRule
 from compwright.formats.families.increments.points import NUMBERED, POINTS_FROM
 from compwright.formats.text.entry_sheet import is_entry_sheet
+from compwright.formats.text.notes import CORRECT_VALUE, KEEP_ONE
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 from compwright.words.sentences import control_text
@@ -154,18 +155,15 @@ class ParameterValue:
         """Return one bit of eight, 0 the rightmost; False if the value is not eight bits."""
         return self.is_bits and self.text[7 - bit] == "1"
 
-    def fault(self, message: str, expected: str = "") -> Fault:
-        """Return a fault with the file and line of this parameter."""
+    def fault(self, message: str, expected: str = "", hint: str = CORRECT_VALUE) -> Fault:
+        """Return a fault with the file and line of this parameter. ``hint``: the next step."""
         return Fault(
             message=message,
             file=self.file,
             place=f"line {self.line}",
             expected=expected,
             found=self.label,
-            hint=(
-                "set it so in the control, measure again and export the parameters again, "
-                "or leave this axis out of the job"
-            ),
+            hint=hint,
         )
 
 
@@ -322,7 +320,9 @@ class AxisParameters:
         """Yield a fault for each parameter of the axis with different values in the files."""
         for known, value in self.all.contradictions:
             if value.whose in self._owners:
-                yield value.fault(f"contradicts {known.file}, line {known.line}", known.label)
+                yield value.fault(
+                    f"contradicts {known.file}, line {known.line}", known.label, KEEP_ONE
+                )
 
     def rivals(self, number: int, bits: Sequence[int]) -> list[ParameterValue]:
         """Return a parameter's values of all paths, if the axis' path is unknown and the paths

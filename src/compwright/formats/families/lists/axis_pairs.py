@@ -15,6 +15,7 @@ from compwright.formats.families.axis_pairs import (
     cannot_hold,
     combined_answer,
     error_label,
+    refusal,
 )
 from compwright.formats.families.card_texts import and_joined
 from compwright.formats.families.family import Family
@@ -45,8 +46,7 @@ def lists_between(family: Family, request: BetweenRequest) -> Between:
         try:
             _write(writer, entry, signs[entry.output], before, request.planned)
         except CapacityError as error:
-            why = "; ".join(str(fault) for fault in error.faults)
-            refused.append(cannot_hold(entry, why))
+            refused.append(cannot_hold(entry, refusal(error.faults)))
         else:
             held.append(entry)
     missing = combined_answer(refused)
@@ -113,32 +113,42 @@ def _write(
     faults = []
     if in_lists | in_job != {added.input}:
         places = (
-            (in_lists, "lists of the control"),
-            (in_job, "job (`apply` and `cross`)"),
+            (in_lists, control_text("lists of the control")),
+            (in_job, control_text("job (`apply` and `cross`)")),
         )
         hints = [
-            f"remove the corrections of axis {added.output} over {', '.join(sorted(others))} from"
-            f" the {where}"
+            control_text(
+                "remove the corrections of axis {output} over {inputs} from the {where}",
+                output=added.output,
+                inputs=", ".join(sorted(others)),
+                where=where,
+            )
             for inputs, where in places
             if (others := inputs - {added.input})
         ]
         faults.append(
             Fault(
-                message=f"this control can correct axis {added.output} over the position of only "
-                "one other axis",
-                expected="one other axis",
+                message=control_text(
+                    "this control can correct axis {output} over the position of only one other"
+                    " axis",
+                    output=added.output,
+                ),
+                expected=control_text("one other axis"),
                 found=", ".join(sorted(in_lists | in_job)),
-                hint=f"{' and '.join(hints)}, and run again",
+                hint=control_text("{steps}, and run again", steps=and_joined(hints)),
             )
         )
     if not np.allclose(added.positive, added.negative, rtol=0.0, atol=_STRAIGHT):
         faults.append(
             Fault(
-                message="a cross-axis table contains one curve, which is the same for both "
-                "directions",
-                expected="one curve",
-                found="two different curves",
-                hint="give the same deviations for both directions in this entry of `cross`",
+                message=control_text(
+                    "a cross-axis table contains one curve, which is the same for both directions"
+                ),
+                expected=control_text("one curve"),
+                found=control_text("two different curves"),
+                hint=control_text(
+                    "give the same deviations for both directions in this entry of `cross`"
+                ),
             )
         )
     raise_all(CapacityError, faults)
@@ -149,14 +159,17 @@ def _write(
     positions, total = positions[kept], total[kept]
     room = _room(writer, added.output)
     if positions.size > room:
-        found = str(positions.size)
         raise CapacityError(
             Fault(
-                message=f"the table that corrects axis {added.output} over the position of axis "
-                f"{added.input} has too many points",
-                expected=f"at most {room}",
-                found=found,
-                hint="give fewer points in this entry of `cross`",
+                message=control_text(
+                    "the table that corrects axis {output} over the position of axis {input} has"
+                    " too many points",
+                    output=added.output,
+                    input=added.input,
+                ),
+                expected=control_text("at most {value}", value=str(room)),
+                found=str(positions.size),
+                hint=control_text("give fewer points in this entry of `cross`"),
             )
         )
     writer.put_cross(

@@ -15,6 +15,7 @@ from compwright.formats.families.axis_pairs import (
     combined_answer,
     error_label,
     merged_files,
+    refusal,
 )
 from compwright.formats.families.card_texts import and_joined, file_stem
 from compwright.formats.families.control_texts import gathered_files
@@ -30,6 +31,7 @@ from compwright.formats.families.pairs.options import (
 from compwright.formats.families.pairs.places import Pair
 from compwright.formats.families.pairs.updated_tables import (
     added_up,
+    either_step,
     largest_sum,
     obstacles,
     over_own_points,
@@ -48,7 +50,7 @@ from compwright.records.correction import (
     CrossCompensation,
 )
 from compwright.records.plan import PlannedCross
-from compwright.words.sentences import Sentence, say
+from compwright.words.sentences import Sentence, SentenceText, control_text, say
 
 
 def write_cross(
@@ -71,13 +73,15 @@ def write_cross(
     if not available(control.options):
         raise CapacityError(
             Fault(
-                message=f"{definition.id} has cross-axis tables only if the control has the CEC "
-                "option",
+                message=control_text(
+                    "{control} has cross-axis tables only if the control has the CEC option",
+                    control=definition.id,
+                ),
                 place="option cec",
                 expected="cec: available",
-                hint=(
-                    "set `cec: available` in the options if the control has it, or "
-                    "remove the cross entries from the job"
+                hint=control_text(
+                    "set `cec: available` in the options if the control has it, or remove the"
+                    " cross entries from the job"
                 ),
             )
         )
@@ -92,7 +96,7 @@ def write_cross(
     left: dict[str, list[PairEntry]] = {}
     for entry in cross:
         kinds = entry.input_kind, entry.output_kind
-        label = f"{entry.input} on {entry.output}"
+        label = control_text("{output} over {input}", output=entry.output, input=entry.input)
         unknown = unit_unknown(control, label, writer.tables.axis(entry.output), kinds)
         unsound = [*unknown, *_unsound(entry)]
         faults.extend(unsound)
@@ -127,10 +131,11 @@ def _put(writer: CecWriter, entry: CrossCompensation, faults: list[Fault]) -> li
     free = _unused(tables)
     if len(free) < len(directions):
         own = [index for index in own_tables(writer.control, pair) if index not in tables.kept]
-        needed, between = len(directions), f"{pair[0]} on {pair[1]}"
+        needed = len(directions)
+        between = control_text("{output} over {input}", output=pair[1], input=pair[0])
         fault = too_few(between, writer.definition.id, needed, len(free), tables.allowed)
         if refused:  # a free table holds the correction too: the control adds active tables
-            faults += [replace(one, hint=f"{one.hint}; or {fault.hint}") for one in refused]
+            faults += [replace(one, hint=either_step(one.hint, fault.hint)) for one in refused]
         else:
             faults.append(_with_own(fault, own, writer.control, entry) if both else fault)
         return []
@@ -166,11 +171,14 @@ def _with_own(fault: Fault, own: Sequence[int], control: Family, entry: CrossCom
     message, steps = fault.message, []
     for index in own:
         why = obstacles(control, index, entry)
-        reasons = "; ".join(reason for reason, _ in why)
-        message += f"; table {index} of these axes takes no further correction: {reasons}"
+        message = control_text(
+            "{message}; table {index} of these axes takes no further correction: {reasons}",
+            message=message,
+            index=str(index),
+            reasons=SentenceText(say("between.faults", faults=[reason for reason, _ in why])),
+        )
         steps += [step for _, step in why if step]
-    hints = filter(None, (", and ".join(steps), fault.hint))
-    return replace(fault, message=message, hint="; or ".join(hints))
+    return replace(fault, message=message, hint=either_step(and_joined(steps), fault.hint))
 
 
 def _beyond_sum(writer: CecWriter, cross: Sequence[CrossCompensation]) -> list[Fault]:
@@ -188,14 +196,18 @@ def _beyond_sum(writer: CecWriter, cross: Sequence[CrossCompensation]) -> list[F
         inputs = and_joined(list(dict.fromkeys(one.input for one in new if one.output == output)))
         faults.append(
             Fault(
-                message=(
-                    f"axis {output}: with the correction over {inputs}, the sum of all CEC tables"
-                    " of this axis would exceed CEC_MAX_SUM (MD32720)"
+                message=control_text(
+                    "axis {output}: with the correction over {inputs}, the sum of all CEC tables"
+                    " of this axis would exceed CEC_MAX_SUM (MD32720)",
+                    output=output,
+                    inputs=inputs,
                 ),
-                expected=f"at most {limit:g}",
-                found=f"up to {reach:g}",
-                hint="reduce the correction or the other tables of this axis, or raise MD32720,"
-                " then run the job again",
+                expected=control_text("at most {value}", value=f"{limit:g}"),
+                found=control_text("up to {value}", value=f"{reach:g}"),
+                hint=control_text(
+                    "reduce the correction or the other tables of this axis, or raise MD32720,"
+                    " then run the job again"
+                ),
             )
         )
     return faults
@@ -281,7 +293,8 @@ def pairs_between(family: Family, request: BetweenRequest, *, small: bool) -> Be
     try:
         new = _written(family, request, before)
     except CapacityError as error:
-        why = "; ".join(str(fault) for fault in error.faults).replace(_OWN, "")
+        faults = [replace(fault, file=fault.file.removeprefix(_OWN)) for fault in error.faults]
+        why = refusal(faults)
         return combined_answer(cannot_hold(entry, why) for entry in request.planned)
     after = request.read(merged_files(request.base, new), written=True)
     steps = (

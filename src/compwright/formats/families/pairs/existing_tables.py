@@ -22,6 +22,7 @@ from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.gathering import FoundValue, same_value
 from compwright.formats.text.own_files import OwnFiles, TablePlaces, rows_by_index
 from compwright.foundations.errors import Fault
+from compwright.words.sentences import control_text
 
 
 class ExistingTables:
@@ -99,15 +100,17 @@ class ExistingTables:
                 if index in changed or int(place.text) - 1 not in changed or self.is_empty(index):
                     continue
                 yield Fault(
-                    message=(
-                        f"CEC table {index} has to be written, but the control multiplies "
-                        f"it by table {int(place.text) - 1} ($AN_CEC_MULT_BY_TABLE)"
+                    message=control_text(
+                        "CEC table {index} has to be written, but the control multiplies it by"
+                        " table {other} ($AN_CEC_MULT_BY_TABLE)",
+                        index=str(index),
+                        other=str(int(place.text) - 1),
                     ),
                     file=place.occurrence.file,
                     place=place.occurrence.place,
-                    expected="other indices in the option cec_tables",
+                    expected=control_text("other indices in the option cec_tables"),
                     found=place.text,
-                    hint="give other indices in the option `cec_tables`",
+                    hint=control_text("give other indices in the option `cec_tables`"),
                 )
 
     def is_empty(self, index: int) -> bool:
@@ -165,21 +168,26 @@ class ExistingTables:
                 if not before or same_value(before[-1].text, "0"):
                     continue
                 fault = Fault(
-                    message=(
-                        f"CEC table {index}: this file switches the table on (SD41300, "
-                        "MD32710) before it gives the values. A table that is on is "
-                        "protected, so the control takes none of these values"
+                    message=control_text(
+                        "CEC table {index}: this file switches the table on (SD41300, MD32710)"
+                        " before it gives the values. A table that is on is protected, so the"
+                        " control takes none of these values",
+                        index=str(index),
                     ),
                     file=before[-1].occurrence.file,
                     place=before[-1].occurrence.place,
-                    expected=(
-                        "0 in the switch, or the values before the switch or in a file of "
-                        "their own, as the control exports them (NC_CEC.INI)"
+                    expected=control_text(
+                        "0 in the switch, or the values before the switch or in a file of their"
+                        " own, as the control exports them (NC_CEC.INI)"
                     ),
-                    found=f"{before[-1].text}, and the first value in line {line}",
-                    hint=(
-                        "export the CEC tables into a file of their own (NC_CEC.INI), then give "
-                        "that file"
+                    found=control_text(
+                        "{value}, and the first value in line {line}",
+                        value=before[-1].text,
+                        line=str(line),
+                    ),
+                    hint=control_text(
+                        "export the CEC tables into a file of their own (NC_CEC.INI), then give"
+                        " that file"
                     ),
                 )
                 faults.append(fault)

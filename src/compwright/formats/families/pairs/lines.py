@@ -16,15 +16,16 @@ from compwright.formats.text.values import Values
 from compwright.foundations.errors import Fault
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.axis import AxisKind
+from compwright.words.sentences import control_text
 
 #: Why tables in inch are not written.
-IN_INCH = "its values are in inch (MD32711 $MA_CEC_SCALING_SYSTEM_METRIC = 0)"
+IN_INCH = control_text("its values are in inch (MD32711 $MA_CEC_SCALING_SYSTEM_METRIC = 0)")
 #: Why tables of a control that works in inch are neither read nor written.
-MAYBE_INCH = (
+MAYBE_INCH = control_text(
     "the control works in inch (MD10240 = 0), and no file says in which unit its cross-axis"
     " corrections are (MD32711 $MA_CEC_SCALING_SYSTEM_METRIC)"
 )
-SAYING_METRIC = "the machine data with MD32711 = 1: metric"
+SAYING_METRIC = control_text("the machine data with MD32711 = 1: metric")
 _SWITCHES = "SD41300 $SN_CEC_TABLE_ENABLE, MD32710 $MA_CEC_ENABLE"
 
 

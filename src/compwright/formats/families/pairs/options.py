@@ -127,22 +127,39 @@ def free_tables(allowed: Sequence[int], in_use: Mapping[int, Pair], address: str
 
 def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[int, ...]) -> Fault:
     """Return the fault that the option ``cec_tables`` allows too few tables for an axis."""
-    one = needed == 1
-    tables = "a CEC table that is free" if one else f"{needed} CEC tables that are free"
-    indices = "the index of such a table" if one else f"{needed} indices of such tables"
-    look = "an unused table" if one else f"{needed} unused tables"
+    values = {"name": name, "control": format_id, "needed": str(needed)}
+    values |= {"found": str(found), "allowed": ", ".join(map(str, allowed))}
+    given = control_text("none: the option is not given")
+    if allowed and found:
+        given = control_text("{found} in `cec_tables` ({allowed})", **values)
+    elif allowed:
+        given = control_text("none in `cec_tables` ({allowed})", **values)
+    if needed == 1:
+        message = control_text(
+            "axis {name}: {control} needs a CEC table that is free or already belongs to this axis",
+            **values,
+        )
+        hint = control_text(
+            "look in the control for an unused table, and ask the machine's builder; then give its"
+            " index as `cec_tables` in the options"
+        )
+    else:
+        message = control_text(
+            "axis {name}: {control} needs {needed} CEC tables that are free or already belong to"
+            " this axis",
+            **values,
+        )
+        hint = control_text(
+            "look in the control for {needed} unused tables, and ask the machine's builder; then"
+            " give their indices as `cec_tables` in the options",
+            **values,
+        )
     return Fault(
-        message=f"axis {name}: {format_id} needs {tables} or already"
-        f" {'belongs' if one else 'belong'} to this axis",
+        message=message,
         place="option cec_tables",
-        expected=f"{indices} in `cec_tables`",
-        found=(
-            f"{found or 'none'} in `cec_tables` ({', '.join(map(str, allowed))})"
-            if allowed
-            else "none: the option is not given"
-        ),
-        hint=f"look in the control for {look}, and ask the machine's builder; then give"
-        f" {'its index' if one else 'their indices'} as `cec_tables` in the options",
+        expected=control_text("free indices in `cec_tables`, at least {needed}", **values),
+        found=given,
+        hint=hint,
     )
 
 
@@ -159,18 +176,24 @@ def unit_unknown(
     metric = control.state.facts_of(output).pairs.metric
     unknown = metric is None and control.options.get("units") == "inch"
     if (metric is False or unknown) and any(kind is not AxisKind.ROTARY for kind in kinds):
-        why = MAYBE_INCH if unknown else IN_INCH
-        known = (
-            f", or add the file with {SAYING_METRIC} to the control's files (`states` or `--state`)"
-            if unknown
-            else ""
-        )
+        hint = control_text("set `cec: absent` in the options, so that no CEC table is written")
+        if unknown:
+            hint = control_text(
+                "{step}, or add the file with {parameter} to the control's files (`states` or"
+                " `--state`)",
+                step=hint,
+                parameter=SAYING_METRIC,
+            )
         yield Fault(
-            message=f"{label}: no CEC table can be written for this control: {why}",
+            message=control_text(
+                "{label}: no CEC table can be written for this control: {why}",
+                label=label,
+                why=MAYBE_INCH if unknown else IN_INCH,
+            ),
             place="option cec",
-            expected=f"`cec: absent`, or {SAYING_METRIC}",
+            expected=control_text("`cec: absent`, or {parameter}", parameter=SAYING_METRIC),
             found="`cec: available`",
-            hint=f"set `cec: absent` in the options, so that no CEC table is written{known}",
+            hint=hint,
         )
 
 

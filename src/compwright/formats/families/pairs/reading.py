@@ -416,6 +416,6 @@ class _CrossTableReader(TableLines):
             message = f"more points than the {fixed} of such a table"
             self._wrong(message, self.places["cross_value"][fixed], found=str(table.positions.size))
         reserved = self._one("cross_max_points")
-        if reserved is not None and 0 < int(reserved.text) < table.positions.size:
+        if reserved is not None and int(reserved.text) < table.positions.size:
             message = "the control has not reserved so many points"
             self._wrong(message, reserved, found=str(table.positions.size))

@@ -228,14 +228,36 @@ class PairsReader(GridReader):
             name = f"{name_of(self.definition, quantity)}[{key}]"
             found = last(quantity, places)
             if found is None:
-                step = f"add the file with {name} to the control's files (`states` or `--state`)"
-                yield f"{parameter} ({name}) is in no given file, needed: 1", step
+                step = control_text(
+                    "add the file with {name} to the control's files (`states` or `--state`)",
+                    name=name,
+                )
+                reason = control_text(
+                    "{parameter} ({name}) is in no given file, needed: 1",
+                    parameter=parameter,
+                    name=name,
+                )
+                yield reason, step
             elif not same_value(found.text, "1"):
-                then = "measure again"
+                then = control_text("measure again")
                 if quantity == "cross_weight":
-                    then = f"multiply the values of table {one.index} by {found.text}"
-                step = f"set {name} to 1 in the control, {then}, and {_EXPORT}"
-                yield f"{parameter} ({name}) is {found.text}, needed: 1", step
+                    then = control_text(
+                        "multiply the values of table {index} by {value}",
+                        index=str(one.index),
+                        value=found.text,
+                    )
+                step = control_text(
+                    "set {name} to 1 in the control, {then}, and export the files again",
+                    name=name,
+                    then=then,
+                )
+                reason = control_text(
+                    "{parameter} ({name}) is {value}, needed: 1",
+                    parameter=parameter,
+                    name=name,
+                    value=found.text,
+                )
+                yield reason, step
         for quantity, wrong in (
             ("cross_direction", len(one.directions) != len(Direction)),
             ("cross_repeats", one.period is not None),
@@ -243,12 +265,23 @@ class PairsReader(GridReader):
             found = last(quantity, every[one.index])
             if wrong and found is not None:
                 name = name_of(self.definition, quantity)
-                yield f"{name}[{one.index}] is {found.text}, needed: 0", ""
+                reason = control_text(
+                    "{name} is {value}, needed: 0",
+                    name=f"{name}[{one.index}]",
+                    value=found.text,
+                )
+                yield reason, ""
         for index, places in every.items():
             found = last("cross_multiplier", places)
             if index != one.index and found is not None and int(found.text) - 1 == one.index:
                 name = name_of(self.definition, "cross_multiplier")
-                yield f"{name}[{index}] is {found.text}: table {index} is multiplied by it", ""
+                reason = control_text(
+                    "{name} is {value}: table {index} is multiplied by it",
+                    name=f"{name}[{index}]",
+                    value=found.text,
+                    index=str(index),
+                )
+                yield reason, ""
 
     def active_lines(self) -> dict[str, FoundValue]:
         """Return, by axis name, one line that shows an active correction of the axis, or a value of
@@ -277,8 +310,7 @@ class PairsReader(GridReader):
         return AxisKind(binding.values.get(places[-1].text, "linear"))
 
 
-_EXPORT = "export the files again"
-_CORRECT = f"correct this table in the control and {_EXPORT}"
+_CORRECT = control_text("correct this table in the control and export the files again")
 _LINE = re.compile(
     rb"^[ \t]*(?:N\d+[ \t]+)?(\$\w+(?:[ \t]*\[[^\]\r\n]*\])?)[ \t]*=[ \t]*([^;\r\n]*?)"
     rb"[ \t]*(?:;[^\r\n]*)?\r?$",

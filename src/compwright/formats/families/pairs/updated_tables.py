@@ -17,6 +17,7 @@ from compwright.formats.families.pairs.options import allowed_tables
 from compwright.formats.text.values import name_of
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import ControlState, CrossCompensation
+from compwright.words.sentences import control_text
 
 #: Positions closer than this are one, mm or deg.
 _SAME = 1e-6
@@ -60,15 +61,17 @@ def _positions(
     tables = control.state.tables
     why = [*tables.obstacles.get(index, ())]
     if index not in allowed_tables(control.definition, control.options):
-        step = f"add {index} to `cec_tables`, so that it is changed in place"
-        why.append(("`cec_tables` does not name it", step))
+        step = control_text(
+            "add {index} to `cec_tables`, so that it is changed in place", index=str(index)
+        )
+        why.append((control_text("`cec_tables` does not name it"), step))
     if entry.period is not None:
-        why.append(("the correction repeats", ""))
+        why.append((control_text("the correction repeats"), ""))
     if not np.array_equal(entry.positive, entry.negative):
-        why.append(("the correction differs by direction", ""))
+        why.append((control_text("the correction differs by direction"), ""))
     old = np.array(tables.curves.get(index, ((), ()))[0])
     if not old.size:
-        return old, why or [("it cannot be read as a curve", "")]
+        return old, why or [(control_text("it cannot be read as a curve"), "")]
     if all(float(np.min(np.abs(old - one))) <= _SAME for one in entry.positions):
         return old, why
     every = np.unique(np.concatenate([old, entry.positions]))
@@ -76,19 +79,24 @@ def _positions(
     whole = np.round(steps).astype(int)
     interval = gcd(*whole.tolist())
     spacing = float(old[-1] - old[0]) / max(old.size - 1, 1)
-    move = (
-        f"end the travel of {entry.input} in the job at a point of the table (multiples of"
-        f" {spacing:g} from {old[0]:g})"
+    move = control_text(
+        "end the travel of {input} in the job at a point of the table (multiples of {spacing} from"
+        " {first})",
+        input=entry.input,
+        spacing=f"{spacing:g}",
+        first=f"{old[0]:g}",
     )
     if float(np.max(np.abs(steps - whole))) > _SAME / _STEP or interval == 0:
-        return old, [*why, ("no equal spacing has its points and those of the correction", move)]
+        reason = control_text("no equal spacing has its points and those of the correction")
+        return old, [*why, (reason, move)]
     count = int(whole[-1]) // interval + 1
     little = _too_little_room(control, index, old.size, count)
     if not little:
         return every[0] + interval * _STEP * np.arange(count), why
-    have, step = little
-    steps = [step, *([move] if interval * _STEP < spacing - _SAME else [])]
-    return old, [*why, (f"{have}, needed: {count}", "; or ".join(filter(None, steps)))]
+    have, more_room = little
+    coarser = move if interval * _STEP < spacing - _SAME else ""
+    reason = control_text("{have}, needed: {count}", have=have, count=str(count))
+    return old, [*why, (reason, either_step(more_room, coarser))]
 
 
 def _too_little_room(
@@ -104,17 +112,29 @@ def _too_little_room(
     if count <= room:
         return None
     if fixed:
-        return f"it has room for {room} points", ""
+        return control_text("it has room for {room} points", room=str(room)), ""
     name = f"MD18342 ({name_of(definition, 'cross_max_points')}[{index}])"
-    step = (
-        f"set MD18342 to {count} or more (save an archive, power on, load the archive back) and"
-        " export the files again"
+    step = control_text(
+        "set MD18342 to {count} or more (save an archive, power on, load the archive back) and"
+        " export the files again",
+        count=str(count),
     )
     if index in stated:
-        return f"{name} is {stated[index]}", step
+        return control_text("{name} is {value}", name=name, value=str(stated[index])), step
     return (
-        f"{name} is in no given file, and room is known for {room} points only",
-        f"add the file with MD18342 to the control's files, or {step}",
+        control_text(
+            "{name} is in no given file, and room is known for {room} points only",
+            name=name,
+            room=str(room),
+        ),
+        control_text("add the file with MD18342 to the control's files, or {step}", step=step),
+    )
+
+
+def either_step(one: str, other: str) -> str:
+    """Return two alternative next steps, of which either may be empty, as one."""
+    return (
+        control_text("{one}; or {other}", one=one, other=other) if one and other else one or other
     )
 
 

@@ -34,6 +34,7 @@ from compwright.formats.text.texts import BY_HAND
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Direction
 from compwright.records.correction import AxisCompensation, ControlFile
+from compwright.words.sentences import control_text
 
 _BACK = {name: cross for cross, name in AS_TABLE.items()}
 _DIRECTIONS = {None: "0", Direction.POSITIVE: "1", Direction.NEGATIVE: "-1"}
@@ -200,30 +201,59 @@ class CecWriter:
         if the files reserve none: for ``count`` points. A reservation that is too small is then a
         fault. The files must not keep a smaller number, because loading it would remove the memory
         again.
+
+        An export of all machine data lists also the tables that have no points. A table behind the
+        last one of such a list does not exist, and is a fault.
         """
         fixed = self.definition.limit_number("cross_points")
         if fixed is not None:
             if count > fixed:
                 faults.append(
                     Fault(
-                        message=f"CEC table {index} needs more points than a table can have",
-                        expected=f"at most {fixed} points",
-                        found=f"{count} points",
-                        hint="give a larger `table: {spacing: ...}`",
+                        message=control_text(
+                            "CEC table {index} needs more points than a table can have",
+                            index=str(index),
+                        ),
+                        expected=control_text("at most {value}", value=str(fixed)),
+                        found=str(count),
+                        hint=control_text("give a larger `spacing` under `table`"),
                     )
                 )
             return
-        promised = self.control.options.get("points")
-        reserved = self.tables.reserved.get(index, 0)
+        promised, listed = self.control.options.get("points"), self.tables.reserved
+        if 0 in listed.values() and index > max(
+            listed
+        ):  # 0: all tables are listed, not those in use
+            faults.append(
+                Fault(
+                    message=control_text(
+                        "the control's files have no MD18342 ($MN_MM_CEC_MAX_POINTS[{index}]) of"
+                        " CEC table {index}, so the control does not have this table",
+                        index=str(index),
+                    ),
+                    expected=control_text("indices from 0 to {last}", last=str(max(listed))),
+                    found=str(index),
+                    hint=control_text(
+                        "give other indices in `cec_tables`; or, if the control has this table, add"
+                        " the file with its MD18342 to the control's files"
+                    ),
+                )
+            )
+            return
+        reserved = listed.get(index, 0)
         if 0 < reserved < count and not (isinstance(promised, int) and promised >= count):
             faults.append(
                 Fault(
-                    message=f"CEC table {index} needs more points than MD18342 reserves",
-                    expected=f"at most {reserved} points",
-                    found=f"{count} points",
-                    hint=(
-                        "raise MD18342 of this table in the control (this clears its memory), then "
-                        f"set `points: {count}` in the options; or give a larger spacing"
+                    message=control_text(
+                        "CEC table {index} needs more points than MD18342 reserves",
+                        index=str(index),
+                    ),
+                    expected=control_text("at most {value}", value=str(reserved)),
+                    found=str(count),
+                    hint=control_text(
+                        "raise MD18342 of this table in the control (this clears its memory), then"
+                        " set `points` to {count} in the options; or give a larger spacing",
+                        count=str(count),
                     ),
                 )
             )

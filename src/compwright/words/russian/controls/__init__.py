@@ -13,6 +13,7 @@ from compwright.words.russian.controls import (
     increments,
     lists,
     pairs,
+    refusals,
     wrapped,
 )
 
@@ -22,6 +23,7 @@ TEXTS: Final[dict[str, str]] = {
     **increments.TEXTS,
     **lists.TEXTS,
     **pairs.TEXTS,
+    **refusals.TEXTS,
     **common.TEXTS,
     **wrapped.TEXTS,
 }
