@@ -78,11 +78,8 @@ def parameters(
         8311,
         8312,
     }
-    free = (
-        number
-        for number in range(1, 30_000)
-        if number not in {*rows, *meant} and not 10_000 <= number < 20_000
-    )
+    taken = {*rows, *meant, *range(10_000, 20_000)}
+    free = (number for number in range(1, 30_000) if number not in taken)
     for _ in range(lines):
         number = next(free)
         rows[number] = f"N{number:0{digits}d}{mark}" + (

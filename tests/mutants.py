@@ -79,7 +79,7 @@ def mutants(format_id: str, *, beside: str = "") -> Iterator[tuple[str, Definiti
         for what, turned, change in _below(path, whole.data[section], whole.data):
             if known is not None and _at(known, turned) == _at(whole.data, turned):
                 continue
-            data = deepcopy(whole.data)
+            data = _copied(whole.data, turned)
             change(data)
             yield f"{key_path_text(turned)}: {what}", replace(whole, data=data)
 
@@ -110,6 +110,18 @@ def merged_definition(format_id: str) -> DefinitionText:
     files = dict(definition_files(Session()))
     name = f"{format_id}.yaml"
     return merged(texts_of(files[name], name, found_in(files)))
+
+
+def _copied(data: Any, path: KeyPath) -> Any:
+    """Return a copy of a definition's data that may be changed at a place, and may lose quantities."""
+    copy = dict(data)
+    for name in {"bindings", "layout"} - {path[0]}:
+        copy[name] = dict(copy[name])
+    here = copy
+    for part in path[:-1]:
+        here[part] = here[part].copy()
+        here = here[part]
+    return copy
 
 
 _Turn = tuple[str, KeyPath, Callable[[Any], None]]

@@ -14,6 +14,8 @@ from hypothesis import strategies as st
 
 from compwright.foundations.errors import InputError
 from compwright.foundations.key_faults import key_path_text
+from compwright.foundations.session import Session
+from compwright.foundations.storage import definition_files
 from compwright.foundations.yaml_reader import read_yaml, read_yaml_with_faults
 
 
@@ -120,6 +122,30 @@ def test_keys_are_text_and_know_their_line() -> None:
 def test_key_path_text() -> None:
     assert key_path_text(("axes", "X", "before", 0, "files", 1)) == "axes.X.before[0].files[1]"
     assert key_path_text((0, "a")) == "[0].a"
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        *(content for _, content in definition_files(Session())),
+        *(b"a:\t1\n", b"a: [b?c, 1]\n", b"a: {b ? : c}\n", b"a: >#b\n", b"\n\xef\xbb\xbfa: 1\n"),
+        *(b'a: "is it?"\n', b"a: 'is it?'\n", b"a: is it?\n", b"# is it?\na: >-\n  b # c\n"),
+    ],
+)
+def test_the_parser_of_libyaml_changes_nothing(
+    content: bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is not in every installation of PyYAML, and reads some texts that the other refuses."""
+
+    def outcome() -> object:
+        try:
+            return read_yaml_with_faults(content, "f.yaml")
+        except InputError as error:
+            return [str(fault) for fault in error.faults]
+
+    here = outcome()
+    monkeypatch.setattr(yaml, "__with_libyaml__", False)
+    assert outcome() == here
 
 
 def test_duplicate_keys_are_all_listed_with_both_lines() -> None:

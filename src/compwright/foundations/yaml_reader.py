@@ -9,10 +9,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any
 
 import yaml
+from yaml.composer import Composer
 
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.input_sizes import MOST_YAML_LEVELS, MOST_YAML_WORDS
@@ -47,21 +49,21 @@ class YamlDocument:
 
 
 _LONE_SURROGATE = re.compile("[\ud800-\udfff]")  # cannot be written to any file or terminal
+#: What libyaml reads but the parser in Python refuses: tabs, marks of byte order, a comment
+#: directly behind > or |.
+_READ_BY_LIBYAML_ONLY = re.compile("[\t\ufeff]|[>|]\\S*#")
 
 
-class _StrictLoader(yaml.SafeLoader):
-    """A YAML loader for plain data only, with few forms of numbers and truth values."""
+class _PlainData:
+    """For a YAML loader: plain data only, of limited depth and length."""
 
-    def __init__(self, text: str, file: str) -> None:
-        super().__init__(text)
-        self.file = file
-        self.depth = 0
-        self.words = 0
+    file: str
+    depth = 0
+    words = 0
 
     def get_event(self) -> yaml.Event:
         """Return the next YAML event. Raises InputError for aliases, tags or deep nesting."""
-        # # the stubs leave it open
-        event: yaml.Event = super().get_event()  # type: ignore[no-untyped-call]
+        event: yaml.Event = super().get_event()  # type: ignore[misc]  # that of the parser
         self.depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(
             event, yaml.CollectionEndEvent
         )
@@ -90,6 +92,14 @@ class _StrictLoader(yaml.SafeLoader):
         )
 
 
+class _StrictLoader(_PlainData, yaml.SafeLoader):
+    """A YAML loader for plain data only, with few forms of numbers and truth values."""
+
+    def __init__(self, text: str, file: str) -> None:
+        super().__init__(text)
+        self.file = file
+
+
 _StrictLoader.yaml_implicit_resolvers = {}
 _SCALARS = (
     ("tag:yaml.org,2002:null", r"^(?:~|null|)$", ["~", "n", ""]),
@@ -103,6 +113,37 @@ _SCALARS = (
 )
 for _tag, _pattern, _first in _SCALARS:
     _StrictLoader.add_implicit_resolver(_tag, re.compile(_pattern), _first)
+
+if yaml.__with_libyaml__:
+
+    class _FastLoader(_PlainData, Composer, yaml.CSafeLoader):
+        """The same with the parser of libyaml, which needs a tenth of the time."""
+
+        yaml_implicit_resolvers = _StrictLoader.yaml_implicit_resolvers
+
+        def __init__(self, text: str, file: str) -> None:
+            yaml.CSafeLoader.__init__(self, text)
+            self.anchors: dict[str, yaml.Node] = {}
+            self.file = file
+
+        def get_event(self) -> yaml.Event:
+            """Return the next YAML event. Raises YAMLError for a word with ``?``, which the parser
+            in Python refuses between brackets.
+            """
+            event = super().get_event()
+            if isinstance(event, yaml.ScalarEvent) and event.implicit[0] and "?" in event.value:
+                raise yaml.YAMLError
+            return event
+
+
+def _top_node(text: str, file: str) -> yaml.Node | None:
+    """Return the node of the document. Faults, and what only libyaml reads, are left to the parser
+    in Python: the same text is read, or refused with the same words, on every computer.
+    """
+    if yaml.__with_libyaml__ and not _READ_BY_LIBYAML_ONLY.search(text):
+        with suppress(yaml.YAMLError, InputError, ValueError, OverflowError):
+            return _FastLoader(text, file).get_single_node()
+    return _StrictLoader(text, file).get_single_node()
 
 
 class _YamlReader:
@@ -191,7 +232,7 @@ def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tupl
     """
     text = _decoded(content, file)
     try:
-        node = _StrictLoader(text, file).get_single_node()
+        node = _top_node(text, file)
         if node is None:
             raise InputError(
                 Fault(
