@@ -15,6 +15,7 @@ share what one of them has compiled, also where nothing is to be written beside 
 
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Iterator
 from inspect import unwrap
@@ -99,6 +100,12 @@ _BRIEF_ESTIMATES, _WHOLE_ESTIMATES = (
 look_for_garbage_seldom()  # as every command does
 settings.register_profile("suite", derandomize=True, deadline=None)
 settings.load_profile("suite")
+
+
+def pytest_collection_finish() -> None:
+    """Let no search for garbage go through the thousands of tests, which stay until the end."""
+    gc.collect()
+    gc.freeze()
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

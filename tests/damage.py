@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 import numpy as np
 
@@ -52,6 +53,27 @@ def _samples() -> Iterator[Sample]:
 
 
 SAMPLES = tuple(_samples())
+#: What does not decide how files are read: words for people, and what is written at most.
+_NOT_READ = {"id", "title", "aliases", "sources", "evidence", "help", "expect", "look_at", "limits"}
+
+
+def _facts(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _facts(one) for key, one in value.items() if key not in _NOT_READ}
+    return [_facts(one) for one in value] if isinstance(value, list) else value
+
+
+def _read_differently() -> Iterator[Sample]:
+    """Yield one of the samples with the same files that relatives read by the same facts."""
+    seen: set[str] = set()
+    for sample in SAMPLES:
+        key = repr((sample.files, sample.options, _facts(DEFINITIONS[sample.format_id].text.data)))
+        if key not in seen:
+            seen.add(key)
+            yield sample
+
+
+READ_DIFFERENTLY = tuple(_read_differently())
 
 
 @cache

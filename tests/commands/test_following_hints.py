@@ -14,6 +14,8 @@ import pytest
 from compwright.cli import run as compwright
 from next_steps import MARK
 
+pytestmark = pytest.mark.short_estimate
+
 READINGS = "# axis: X\n# cycle: standard\ntarget_mm,direction,run,deviation_um\n" + "".join(
     f"{target},{sign},{run},{target / 40 + run / 10 + (3 if sign == '-' else 0):.2f}\n"
     for run in (1, 2, 3)
@@ -134,7 +136,6 @@ def done(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-@pytest.mark.short_estimate
 @pytest.mark.parametrize("kind", KINDS.values(), ids=KINDS)
 def test_the_next_step_removes_the_fault(
     kind: Kind,

@@ -17,6 +17,8 @@ from places import PROJECT
 
 EXAMPLE = PROJECT / "examples" / "fanuc-backup"
 
+pytestmark = pytest.mark.short_estimate
+
 
 def real(file: Path, date: str) -> None:
     """Make a simulated file one of a real machine, taken on ``date``."""

@@ -12,7 +12,16 @@ from __future__ import annotations
 import pytest
 
 from compwright.foundations.errors import InputError, UsageError
-from damage import SAMPLES, Sample, cut_points, damaged, read, said_incomplete, trials
+from damage import (
+    READ_DIFFERENTLY,
+    SAMPLES,
+    Sample,
+    cut_points,
+    damaged,
+    read,
+    said_incomplete,
+    trials,
+)
 
 #: Trials by format: those in which one array is shared by all axes have most to go wrong.
 TRIALS = {"fanuc-30i": 600, "fanuc-0i-16i": 600}
@@ -39,7 +48,7 @@ def test_damaged_files_are_refused_or_both_readers_agree(format_id: str) -> None
     assert counts["ambiguous"] < 0.02 * count
 
 
-@pytest.mark.parametrize("sample", SAMPLES, ids=str)
+@pytest.mark.parametrize("sample", READ_DIFFERENTLY, ids=str)
 def test_a_file_cut_short_is_refused_or_warned_about(sample: Sample) -> None:
     """At every byte of every file: what is left is refused, or says the same as the whole, or comes
     with a warning.

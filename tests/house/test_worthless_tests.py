@@ -19,6 +19,8 @@ import pytest
 from compwright.cli import run as compwright
 from loop import Floats, Machine, csv_of
 
+pytestmark = pytest.mark.short_estimate
+
 X = Machine(bow=0.009)
 Y = Machine(slope=-30e-6, bow=0.007, lost=0.003)
 TARGETS = X.targets(count=15)

@@ -17,6 +17,8 @@ from compwright.workflow.inputs.job_inputs import read_measurement
 from loop import Floats, Machine, csv_of
 from one_test import read_positioning
 
+pytestmark = pytest.mark.short_estimate
+
 MACHINE = Machine(noise=0.0006)
 TARGETS = MACHINE.targets(count=17)
 Readings = dict[int, Floats]

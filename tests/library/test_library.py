@@ -24,6 +24,8 @@ from places import PROJECT
 PAGE = PROJECT / "docs" / "tutorials" / "library.md"
 EXAMPLE = PROJECT / "examples" / "linuxcnc-two-axes"
 
+pytestmark = pytest.mark.short_estimate
+
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
@@ -35,6 +37,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.real_figures
+@pytest.mark.full_estimate
 def test_page_is_what_a_reader_gets(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("pandas")
     shutil.copytree(EXAMPLE, tmp_path / "machine")
@@ -56,6 +59,7 @@ def test_page_is_what_a_reader_gets(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 
 
 @pytest.mark.real_figures
+@pytest.mark.full_estimate
 def test_notebook_runs_from_top_to_bottom(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     shutil.copytree(EXAMPLE, tmp_path / "machine")
     monkeypatch.chdir(tmp_path / "machine")
@@ -100,7 +104,6 @@ def test_tests_in_memory_are_verified_as_their_files(folder: Path) -> None:
     assert "CW-V" in str(cw.verify(folder / "job.yaml", old, plan=results).to_dict())
 
 
-@pytest.mark.short_estimate
 def test_circles_in_memory_are_verified_as_their_files(tmp_path: Path) -> None:
     for seed, name in enumerate(("before", "after")):
         test = measured(Machine(squareness=30.0), Setup(noise=0.1), np.random.default_rng(seed))
