@@ -126,6 +126,20 @@ def test_a_vibration_of_one_axis_has_the_root_mean_square_of_its_readings(
     assert effect.more["frequency"] == pytest.approx(7.3, abs=0.01)
 
 
+@pytest.mark.parametrize("start", [160.0, 250.0])
+def test_a_vibration_along_the_bar_is_none_of_an_axis_on_an_arc(start: float) -> None:
+    """In the middle of these arcs of 220°, one axis alone is in line with the bar."""
+    setup = Setup(start=start, extent=220.0, samples=900, noise=0.1)
+    test = measured(LOST, setup, np.random.default_rng(13))
+    seconds = np.radians(220.0) * setup.radius / (setup.feed / 60.0)
+    wave = np.sin(2.0 * np.pi * 7.3 * seconds * (np.arange(900) + 0.5) / 900)
+    runs = [replace(run, deviations=run.deviations + 0.4 * UM * wave) for run in test.runs]
+    effect = diagnose(replace(test, runs=tuple(runs))).effects["vibration"]
+    assert effect.axis is None
+    assert abs(effect.value - 0.4) < 2.0 * effect.std_error
+    assert effect.std_error < 0.1
+
+
 def test_lobes_are_amplitudes_of_the_mean_trace() -> None:
     """-(40 um/m)(0.15 m)/2 sin2θ has 3 um; k/4 sin3θ of a sag k = 4 um has 1 um."""
     machine = Machine(squareness=40.0, straightness_first=4.0, servo_mismatch=0.3)

@@ -119,7 +119,7 @@ def search_vibration(
     shown = mean_share(frequencies[keep], step, samples.averaged)
     found, hidden, density = Vibration(), {}, np.zeros(0)
     for axis, turned in _DIRECTIONS.items():
-        power, gain = np.zeros(frequencies.size), 0.0
+        power, gain, weight, weights = np.zeros(frequencies.size), 0.0, 0.0, 0.0
         share, one = turned(samples.theta), radial_share(samples, axis)
         seen = residual * share
         for run in runs:
@@ -132,13 +132,16 @@ def search_vibration(
             power += np.abs(np.fft.rfft(values, length)) ** 2
             moved = np.interp(even, seconds[order], (share * one)[order])
             gain += (0.5 * UM * float(taper @ moved) / scale) ** 2
+            weight, weights = weight + float(taper @ moved), weights + float(np.sum(taper))
         floor = _floor(power, len(runs))
         if axis is None:
             density = floor / len(runs)
         # Vibrations are compared by power alone: a strong one raises the floor around it.
         powers = np.where(keep & (power > threshold * floor), power, 0.0)
         place = int(np.argmax(powers))
-        strength = float(powers[place] / np.mean(share**2)) * samples.averaged
+        # The taper weighs the middle of the arc, where one axis may move the bar more.
+        seen_there = weight / weights / _unit(samples, axis)
+        strength = float(powers[place] / seen_there) * samples.averaged
         hidden[axis] = float(np.sqrt(np.max(floor[keep] / shown**2) * threshold / gain))
         if strength > found.strength:
             found = Vibration(
