@@ -820,6 +820,22 @@ def test_the_page_shows_each_axis_with_its_course(tmp_path: Path) -> None:
     assert "B reaches its limit 9.00 µm about" in text
 
 
+def test_growth_that_is_not_clear_does_not_read_as_none(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Six tests, scattered by 0.1 um, of a reversal error that grows by 0.08 um a year."""
+    values = [-3.0 - 0.08 * 91 * place / YEAR + e for place, e in enumerate(scattered(6, 8))]
+    over_years(tmp_path / "years", values)
+    page = tmp_path / "page.html"
+    assert compwright(["history", str(tmp_path / "years"), "--page", str(page)]) == 0
+    rates = r"mean B: growth is not clear, (\S+) to (\S+) µm per year is possible \(95 %\)"
+    for text in (capsys.readouterr().out, page.read_text(encoding="utf-8")):
+        [ends] = re.findall(rates, text)
+        low, high = (float(end.replace("−", "-")) for end in ends)
+        assert low < -0.08 < high
+    assert not re.findall(r'class="(?:badge|verdict) good"', text)
+
+
 def test_what_is_no_folder_with_results(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "file").write_text("x", encoding="utf-8")
     (tmp_path / "empty").mkdir()

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
+from datetime import date, timedelta
 
 import numpy as np
 import pytest
@@ -16,10 +18,10 @@ from compwright.evaluation.change_significance import (
     two_sided_probability,
 )
 from compwright.evaluation.forecasts import ErrorCurve, reached
-from compwright.evaluation.series_changes import noted_changes
+from compwright.evaluation.series_changes import noted_changes, noted_trends
 from compwright.evaluation.standard_errors import standard_errors
 from compwright.evaluation.trends import Trend, trend_of
-from compwright.records.history import HistoryEntry
+from compwright.records.history import HistoryEntry, NotedTrend
 
 TARGETS = np.linspace(0.0, 600.0, 11)
 CURVE = 8.0 * np.sin(TARGETS / 130.0)
@@ -230,6 +232,35 @@ def test_a_clear_rate_is_one_probability_for_few_tests_and_for_many() -> None:
     assert not wear(40, 2.5).clear
     assert not wear(5, 3.3).clear
     assert wear(5, 4.2).clear
+
+
+def worn(seed: int, rate: float, share: float) -> NotedTrend:
+    """Mean B of twelve tests over five years, known to 0.12 um. It grows by ``rate`` a year, and an
+    adjustment in between takes back this ``share`` of what has grown.
+    """
+    rng = np.random.default_rng(seed)
+    years = np.linspace(0.0, 5.0, 12)
+    at = int(rng.integers(4, 9))
+    grown = rate * years - share * rate * years[at] * (np.arange(12) >= at)
+    lost = -2.0 + grown + 0.12 * rng.standard_normal(12)
+    days = [date(2019, 1, 1) + timedelta(days=round(365.25 * year)) for year in years]
+    tests = [
+        replace(entry(k, {"B_mean": float(lost[k])}), day=days[k].isoformat()) for k in range(12)
+    ]
+    [trend] = noted_trends(tests)
+    return trend
+
+
+def test_growth_is_found_although_an_adjustment_set_it_back() -> None:
+    """A saw tooth: without the adjustment the values look like a large scatter."""
+    shares = (0.7, 0.9, 1.0, 1.1)
+    found = [worn(seed, -0.35, shares[seed % 4]) for seed in range(1000, 1080)]
+    assert sum(trend.clear and trend.rate < 0.0 for trend in found) >= 72
+    assert sum(abs(trend.rate + 0.35) < 2.0 * trend.std_error for trend in found) >= 70
+
+
+def test_scatter_is_no_saw_tooth() -> None:
+    assert sum(worn(seed, 0.0, 1.0).clear for seed in range(2000, 2080)) <= 2
 
 
 def test_the_rates_that_are_clear_are_not_forecast_too_large() -> None:

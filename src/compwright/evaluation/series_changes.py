@@ -127,6 +127,9 @@ _FIRST: Final = ("B_mean", "B", "slope")
 #: an axis are thus clear on at most 2 % of stable machines.
 _OPPOSITE: Final = {"B_mean": 0.0035, "slope": 0.0035, "squareness": 0.0035}
 _OPPOSITE_OF_OTHERS: Final = 0.0005
+#: Probability that a jump of these parameters is an adjustment, which takes back what has grown:
+#: as likely as all other events together.
+_SET_BACK: Final = 0.5
 _DAYS: Final = 365.25
 
 
@@ -181,6 +184,7 @@ class _ComparedTests:
             np.array(of_temperature) * (by_curve is None),
             self.odds,
             _OPPOSITE.get(name, _OPPOSITE_OF_OTHERS),
+            _SET_BACK if name in _OPPOSITE else 0.0,
         )
 
     def noted(self, jumps: Sequence[TrendJump]) -> tuple[NotedJump, ...]:

@@ -13,6 +13,7 @@ from compwright.reporting.history_words import (
     CHANGED_MARK,
     change_line,
     limit_lines,
+    possible_lines,
     trend_lines,
 )
 from compwright.reporting.numbers import MISSING, number, symbol, unit_text
@@ -59,6 +60,7 @@ def _series(title: str, one: Mapping[str, Any], values: Sequence[str]) -> list[R
             for change in ordered
         ),
         *(Text(line, style="yellow") for line in (*trend_lines(one), *limit_lines(one))),
+        *(Text(line) for line in possible_lines(one)),
         Text(),
     ]
 

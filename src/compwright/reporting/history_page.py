@@ -12,6 +12,7 @@ from compwright.reporting.history_words import (
     change_line,
     limit_lines,
     parameter_name,
+    possible_lines,
     trend_lines,
 )
 from compwright.reporting.numbers import MISSING, number, unit_text
@@ -41,13 +42,13 @@ def history_page(document: Document) -> bytes:
         for machine in document["machines"]
     ]
     rows = [row for machine in machines for row in machine["rows"]]
-    changing = sum(bool(row["lines"]) for row in rows)
+    changing = sum(row["changing"] for row in rows)
     unknown = sum(row["unknown"] for row in rows)
     return render_page(
         "history.html",
         {
             "page_title": "Machines over the years",
-            "tone": "undecided" if changing or unknown else "good",
+            "tone": "undecided",  # growth that is not clear is possible on every axis
             "verdict": (
                 f"{changing or 'None'} of {len(rows)} axes and planes changed beyond the"
                 " uncertainty" + (f"; {unknown} have too few tests for a rate" if unknown else "")
@@ -73,7 +74,8 @@ def _row(name: str, one: Mapping[str, Any]) -> dict[str, Any]:
         "last": max(days, default=MISSING),
         "value": f"{parameter_name(shown)} {number(values[-1])} {unit}" if values else MISSING,
         "course": _course(tests, shown),
-        "lines": lines,
+        "lines": [*lines, *possible_lines(one)],
+        "changing": bool(lines),
         "unknown": not trends,
         "limits": limits or [MISSING],
         "mark": (
@@ -81,7 +83,7 @@ def _row(name: str, one: Mapping[str, Any]) -> dict[str, Any]:
             if limits
             else {"tone": "open", "text": "changes"}
             if lines
-            else {"tone": "good", "text": "steady"}
+            else {"tone": "none", "text": "not clear"}
             if trends
             else {"tone": "none", "text": "too few tests"}
         ),

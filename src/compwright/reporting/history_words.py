@@ -22,6 +22,12 @@ _NAMES = {
 }
 
 
+#: Parameters that show wear first.
+_WEAR: Final = ("B_mean", "slope", "squareness")
+#: Half width of the 95 % interval of a rate, in standard errors.
+_HALF_95: Final = 1.96
+
+
 def parameter_name(parameter: str) -> str:
     """Return the printed name of a parameter in a history."""
     return _NAMES.get(parameter) or symbol(parameter)
@@ -45,6 +51,21 @@ def trend_lines(one: Mapping[str, Any]) -> Iterator[str]:
             yield (
                 f"{name} jumped by {_signed(jump['size'])} ± {number(jump['std_error'])} {unit}"
                 f" between {between}: look for a repair, a collision or another instrument"
+            )
+
+
+def possible_lines(one: Mapping[str, Any]) -> Iterator[str]:
+    """Yield as text the rates that remain possible where no growth is clear: of the parameters that
+    show wear first, or of the first parameter if ``one`` axis or plane has none of these.
+    """
+    trends = one["trends"]
+    for parameter in [name for name in _WEAR if name in trends] or list(trends)[:1]:
+        trend = trends[parameter]
+        if not trend["clear"]:
+            rate, half = trend["rate_per_year"], _HALF_95 * trend["std_error"]
+            yield (
+                f"{parameter_name(parameter)}: growth is not clear, {_signed(rate - half)} to"
+                f" {_signed(rate + half)} {unit_text(trend['unit'])} per year is possible (95 %)"
             )
 
 
