@@ -964,3 +964,31 @@ def test_a_folder_of_an_older_version_is_read_as_far_as_it_goes(
     assert "has no record (an older version): the files in it are not checked" in said
     (old / "evaluation.json").write_text('{"results": [{"kind": 1}]}', encoding="utf-8")
     assert compwright(["history", str(tmp_path)]) == 3
+
+
+def test_values_of_a_record_that_its_means_do_not_give_are_told(tmp_path: Path, ask: Ask) -> None:
+    """B = 3 and a mean of -2, E = 6 and M = 4 µm by hand from the means; a typed B is none."""
+    means: dict[str, Any] = {
+        "mean_positive": [0.0, 1.0, 2.0, 3.0, 4.0],
+        "mean_negative": [2.0, 4.0, 4.0, 4.0, 6.0],
+    }
+    right = {"A": 12.0, "E": 6.0, "M": 4.0, "R": 4.0, "B": 3.0, "B_mean": -2.0}
+    record(tmp_path / "1", axis_test(date="2024-01-01", parameters=right, **means))
+    typed = {**right, "B": 1.0}
+    record(tmp_path / "2", axis_test(date="2025-01-01", parameters=typed, **means))
+    first, second = ask(tmp_path)["folders"]
+    assert first["notes"] == []
+    (note,) = second["notes"]
+    assert "record.json was changed: x has B = 1, by its mean deviations 3" in note
+
+
+@pytest.mark.parametrize("name", ["../../secret.txt", "/etc/passwd", "C:\\secret.txt", "a\\..\\.."])
+def test_a_record_names_no_file_outside_of_its_folder(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], name: str
+) -> None:
+    entry = {"role": "test", "of": "X x", "file": "x.csv", "sha256": "0", "copy": name}
+    record(tmp_path / "1", axis_test(date="2024-01-01"), inputs=[entry])
+    assert compwright(["history", str(tmp_path)]) == 3
+    said = " ".join(capsys.readouterr().err.split())
+    assert "expected a name inside the result folder" in said
+    assert "Next: give the file as compwright wrote it" in said

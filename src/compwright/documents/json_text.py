@@ -17,6 +17,9 @@ _UNSEEN: Final = re.compile(
     "[\x7f-\x9f\u00ad\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb]"
 )
 
+#: The next step after a file that compwright wrote and that was changed.
+AS_WRITTEN: Final = "give the file as compwright wrote it, or make it again with the same command"
+
 
 def to_json(document: Mapping[str, Any]) -> str:
     """Return ``document`` as JSON text with an indentation of two blanks and a final newline.
@@ -89,9 +92,7 @@ def read_json(content: bytes, file: str, schema: str, name: str, expected: str) 
                 file=file,
                 expected=expected,
                 found=str(error),
-                hint=(
-                    "give the file as compwright wrote it, or make it again with the same command"
-                ),
+                hint=AS_WRITTEN,
             )
         ) from error
     found = data.get("schema") if isinstance(data, dict) else None

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any
 
-from compwright.documents.json_text import read_json
+from compwright.documents.json_text import AS_WRITTEN, read_json
 from compwright.documents.record_reading import faults_of_record
 from compwright.documents.recorded_test import PARAMETERS, Errors, measured_test
 from compwright.foundations.errors import InputError, raise_all
@@ -265,7 +265,8 @@ def _read_back(findings: Iterable[Mapping[str, str]]) -> str:
 def read_record(content: bytes, file: str) -> dict[str, Any]:
     """Return the record in a file. Raises InputError with every invalid key."""
     data = read_json(content, file, SCHEMA, "record", f"{RECORD} of a run")
-    raise_all(InputError, [fault.in_file(file) for fault in faults_of_record(data)])
+    faults = [replace(fault.in_file(file), hint=AS_WRITTEN) for fault in faults_of_record(data)]
+    raise_all(InputError, faults)
     return data
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
+from pathlib import PureWindowsPath
 from typing import Any, Final, Literal
 
 import numpy as np
@@ -143,6 +144,12 @@ def _error(error: _Error) -> Iterator[str]:
         yield "a standard error of 0 or more, with degrees of freedom above 0"
 
 
+def _inside(name: str | None) -> Iterator[str]:
+    """Yield what is expected of a file's ``name`` that leads out of the result folder."""
+    if name is not None and (PureWindowsPath(name).anchor or ".." in PureWindowsPath(name).parts):
+        yield "a name inside the result folder"
+
+
 def _uncertainty(stated: _Uncertainty) -> Iterator[str]:
     if not ((stated.U is None or stated.U >= 0) and stated.coverage > 0):
         yield "an uncertainty of 0 or more, with a coverage factor above 0"
@@ -178,6 +185,8 @@ _FORMS: Final[Mapping[type, RecordForm]] = {
 }
 _RULES: Final[Mapping[type, Callable[[Any], Iterator[str]]]] = {
     _Record: _record,
+    _File: lambda entry: _inside(entry.file),
+    _RecordInput: lambda entry: _inside(entry.copy),
     _Error: _error,
     _Uncertainty: _uncertainty,
     _Squareness: _squareness,

@@ -103,7 +103,12 @@ def _put_right(session: Session, folder: Path) -> None:
             message="the unfinished files of a stopped command cannot be removed",
             file=str(folder / UNFINISHED),
             found=reason(error) if isinstance(error, OSError) else str(error),
-            hint="check the permissions of the folder, then run the command again",
+            hint=(
+                "check the permissions of the folder, then run the command again"
+                if isinstance(error, OSError)
+                else "see `Stopped while writing` in docs/commands.md: put the files `0.old` and on"
+                " of this folder back by hand, then remove it"
+            ),
         )
         session.unrestored[str(folder)] = (fault,)
 

@@ -13,6 +13,7 @@ from compwright.documents.json_text import no_number
 from compwright.documents.older_record import older_record
 from compwright.documents.record import RECORD, read_record
 from compwright.documents.record_reading import faults_of_record
+from compwright.documents.recorded_test import changed_parameters
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.foundations.input_sizes import JSON
@@ -89,7 +90,12 @@ def read_folder(session: Session, path: Path) -> ResultFolder:
     return ResultFolder(
         path=path,
         record=record,
-        notes=(),
+        notes=tuple(
+            f"{RECORD} was changed: {test['name']} has {', '.join(changed)}."
+            " Make the results again with `compwright run`"
+            for test in record["tests"]
+            if (changed := changed_parameters(test))
+        ),
         files=tuple(_not_as_written(session, path, expected)),
         names=(RECORD, *expected),
     )
