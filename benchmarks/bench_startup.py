@@ -1,5 +1,5 @@
-"""Start-up: ``--help`` and ``evaluate`` of one test, in turn with ``python -c "import numpy"``.
-Prints ratios, judges nothing.
+"""Start-up: ``--help`` and ``evaluate`` of one test or circle, in turn with ``python -c "import
+numpy"``. Prints ratios, judges nothing.
 """
 
 from __future__ import annotations
@@ -7,6 +7,7 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
+from large_files import circular_csv
 from measure import COMPWRIGHT, NUMPY, in_turn, spread, two_processors
 
 RUNS = 11
@@ -36,10 +37,17 @@ def main() -> None:
     print(f"whole processes on {two_processors()}, {RUNS} pairs, min / median / max")
     with tempfile.TemporaryDirectory() as folder:
         test = str(a_test(Path(folder) / "x.csv"))
+        circles = {rows: str(Path(folder) / f"{rows}.csv") for rows in (1_500, 100_000)}
+        for rows, circle in circles.items():
+            circular_csv(Path(circle), rows)
         for name, words, wanted in (
             ("--help", ["--help"], 0.5),
             ("evaluate, table", ["evaluate", test], 1.5),
             ("evaluate, --json -", ["evaluate", test, "--json", "-"], 1.5),
+            *(
+                (f"circle of {rows}", ["evaluate", circle, "--json", "-"], 15.0)
+                for rows, circle in circles.items()
+            ),
         ):
             pairs = in_turn([*COMPWRIGHT, *words], NUMPY, RUNS)
             ratios = [one.wall / other.wall for one, other in pairs]

@@ -77,7 +77,7 @@ def synthetic(test: CircularTest, found: Diagnosis) -> Diagnosis:
     """Return the diagnosis of the circle without noise that our fit of a test is the mean of."""
     runs = tuple(
         replace(run, angles=each.angles, deviations=np.mean(each.paths, axis=0))
-        for run, each in zip(test.runs, found.fresh, strict=True)
+        for run, each in zip(test.runs, found.fresh(), strict=True)
     )
     return diagnose(replace(test, runs=runs))
 

@@ -66,15 +66,16 @@ def foreign_csv(path: Path, rows: int, shape: str = TALL) -> None:
 
 
 def circular_csv(path: Path, rows: int) -> None:
-    """Write a circle: half of the samples in each sense."""
+    """Write a circle: half of the samples in each sense, a spike after each reversal."""
     each = rows // 2
     with path.open("w", encoding="utf-8", newline="\n") as out:
         out.write("# plane: XY\n# nominal_radius_mm: 150\n# feed_mm_min: 1000\n# calibrated: yes\n")
         out.write("direction,angle_deg,deviation_um\n")
-        for sense in ("ccw", "cw"):
+        for sense, turn in (("ccw", 1.0), ("cw", -1.0)):
             for index in range(each):
                 angle = 360.0 * (index + 0.5) / each
                 value = 3.0 * math.cos(math.radians(2 * angle)) + (index * 7919 % 1009) / 1009.0
+                value += 4.0 * math.exp(-0.5 * (turn * angle % 90.0))
                 out.write(f"{sense},{angle:.6f},{value:.3f}\n")
 
 

@@ -4,6 +4,7 @@ tabulated or differentiated numerically.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -31,7 +32,7 @@ from compwright.estimation.circle_model import (
     fixed_columns,
     lag_column,
     since_reversal,
-    spike_columns,
+    spike_curves,
 )
 from compwright.estimation.circle_noise import angle_grid
 from compwright.estimation.circle_reversal import of_the_spike
@@ -116,11 +117,11 @@ def test_a_spike_is_that_of_the_exact_machine(axis: str, sense: float) -> None:
     causes: dict[str, Any] = {f"reversal_spike_{axis}": 5.0, f"decay_{axis}": 6.0}
     machine = Machine(**causes)
     parts = [
-        spike_columns(of, axis, end, [SpikeShape(6.0, False)])[0]
-        for end in ("positive", "negative")
+        spike_curves(of, axis, end, [SpikeShape(6.0, False)])[0] for end in ("positive", "negative")
     ]
     exact = distance(machine, Setup(), of.theta, sense) - R
-    spike = sum(radial(of, part.x, part.y) for part in parts)
+    moved = np.outer([axis == "first", axis == "second"], np.sum(parts, axis=0))
+    spike = radial(of, *moved)
     assert 5.0 * spike == pytest.approx(exact, abs=1e-6)
 
 
@@ -204,6 +205,15 @@ def test_runs_are_laid_on_one_grid_from_the_start_of_the_arc(start: float, exten
         assert np.all(of.sense[index] == sense)
         travelled = np.mod(np.degrees(of.theta[index[0]]) - start, 360.0)
         assert travelled == pytest.approx((np.arange(88) + 0.5) * extent / 88.0, abs=1e-6)
+
+
+def test_means_are_laid_on_a_grid_whose_transform_is_fast() -> None:
+    """2² · 17 · 23 means: a transform is slow where its size has large factors (Cooley and Tukey,
+    Mathematics of Computation 19, 1965). The next number below without one: 1540 = 2² · 5 · 7 · 11.
+    """
+    of = circle_samples(measured(Machine(), Setup(samples=1564)))
+    assert angle_grid(of).size == 1564
+    assert angle_grid(replace(of, averaged=2)).size == 1540
 
 
 def test_pitches_that_the_samples_can_show() -> None:

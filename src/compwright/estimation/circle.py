@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Final
 
 import numpy as np
@@ -29,6 +30,7 @@ from compwright.estimation.circle_fit import (
     fit_causes,
     fit_evidence,
     fitted_path,
+    fitted_paths,
     residual_spectra,
     weighted_problem,
     white_problems,
@@ -120,7 +122,7 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
         findings=(*findings, *noticed),
         undetermined=undetermined,
         fitted=tuple(_fitted_runs(test, measured, solution.residual)),
-        fresh=_fresh_runs(test, solution),
+        fresh=partial(_fresh_runs, test, solution),
     )
 
 
@@ -132,7 +134,8 @@ def _fresh_runs(test: CircularTest, solution: Solution) -> tuple[FreshRun, ...]:
     in both directions, the sum and the difference of the directions are drawn separately.
     """
     problem = solution.problem
-    readings = problem.samples.deviations - problem.target + solution.draws.paths
+    readings = fitted_paths(problem, solution.draws.sizes)
+    readings += problem.samples.deviations - problem.target
     theta = problem.samples.commanded
     rng = np.random.default_rng(problem.target.size)
     where = (np.arange(problem.grid.size) + 0.5) * test.arc[1] / problem.grid.size
@@ -369,7 +372,7 @@ def _without_fast_vibration(
     neighbours among ``every`` reading, cannot show; and this vibration.
     """
     problem, fitted = start.problem, start.fitted
-    rest = problem.target - fitted_path(problem, fitted.active, fitted.values)
+    rest = problem.target - fitted_path(problem, fitted)
     found, wave = search_between_means(every, problem, rest)
     if found.frequency is None:
         return start, found
@@ -474,7 +477,7 @@ def _add_vibration(
     problem: CircleProblem, shapes: SpikeShapes, fitted: CircleFit
 ) -> tuple[CircleProblem, CircleFit, Vibration]:
     """Return equations and solution with the strongest vibration added, if one was found."""
-    rest = problem.target - fitted_path(problem, fitted.active, fitted.values)
+    rest = problem.target - fitted_path(problem, fitted)
     found = search_vibration(problem.samples, rest)
     if found.frequency is not None:
         columns = vibration_columns(problem.samples, found)

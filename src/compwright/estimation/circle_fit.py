@@ -13,11 +13,13 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from compwright.estimation.circle_centre import recentre
 from compwright.estimation.circle_model import (
     AXES,
     ENDS,
+    PRIORS,
     REVERSAL_MARGIN,
     UM,
     CauseColumn,
@@ -28,7 +30,7 @@ from compwright.estimation.circle_model import (
     fixed_columns,
     lag_column,
     sample_spacing,
-    spike_columns,
+    spike_curves,
 )
 from compwright.estimation.circle_noise import (
     AngleGrid,
@@ -37,7 +39,7 @@ from compwright.estimation.circle_noise import (
     estimate_spectrum,
     sum_and_difference,
 )
-from compwright.estimation.circle_readings import mean_column, readings_near_reversals
+from compwright.estimation.circle_readings import mean_column, means, readings_near_reversals
 from compwright.records.axis import FloatArray
 
 #: Shortest length of a reversal spike in samples and in seconds, longest as a share of the radius,
@@ -53,6 +55,8 @@ _TAKEN: Final = (0.2, 30.0)
 _TAKEN_RATIO: Final = 1.35
 #: A take-up shorter than this, in samples, is over before it is seen.
 _SEEN: Final = 0.6
+#: A shape of which no sample shows this share is no hypothesis: its size would be its prior.
+_LEAST_SEEN: Final = 1e-3
 #: Share of the squares of all spikes in what is left out when they are made of fewer curves.
 _NEGLIGIBLE: Final = 1e-14
 
@@ -64,7 +68,8 @@ class Reversal:
     ``inside``: the arc contains the point. If not, only the last part of its spike is in the arc.
     ``shapes`` (m,): possible shapes; spikes first, then gradual take-ups of lost motion. ``alike``
     (m,): indices of the columns with equal sign in both directions. ``unlike`` (m,): indices of the
-    columns that change sign with the direction; empty for a test in one direction.
+    columns that change sign with the direction; empty for a test in one direction. ``seen`` (m,):
+    whether a sample shows the shape.
     """
 
     axis: str
@@ -73,6 +78,11 @@ class Reversal:
     shapes: tuple[SpikeShape | TakeUp, ...]
     alike: IndexArray
     unlike: IndexArray
+    seen: NDArray[np.bool_]
+
+    def options(self, kind: type[SpikeShape | TakeUp]) -> IndexArray:
+        """Return the indices of the shapes of this ``kind`` that a sample shows."""
+        return np.flatnonzero(self.seen & [isinstance(shape, kind) for shape in self.shapes])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -126,10 +136,10 @@ class CircleProblem:
                 )
         return found
 
-    def spike_curve(self, sizes: FloatArray) -> FloatArray:
-        """Return the samples' deviation, mm (n,), by spikes of ``sizes`` (reversals, shapes)."""
-        curve: FloatArray = self.spikes @ (sizes @ self.mixture.T).ravel()
-        return curve
+    def spike_curves(self, sizes: FloatArray) -> FloatArray:
+        """Return the deviations, mm (s, n), by spikes of ``sizes`` (s, reversals, shapes)."""
+        curves: FloatArray = (sizes @ self.mixture.T).reshape(len(sizes), -1) @ self.spikes.T
+        return curves
 
     def seen(self, columns: Sequence[CauseColumn]) -> FloatArray:
         """Return the change of the measured distance by one unit of each cause, mm (n, columns)."""
@@ -169,19 +179,23 @@ def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
     fixed += changeover_columns(samples)
     if samples.lag_std > 0.0:
         fixed.append(lag_column(samples, fixed, known))
-    reversals, spikes = _reversals(samples, readings, len(fixed))
-    spikes = [mean_column(column, first) for column in spikes]
     slopes = np.array([c.x * towards[0] + c.y * towards[1] for c in fixed]).T
-    shapes = np.array([c.x * towards[0] + c.y * towards[1] for c in spikes])
-    each = len(spikes) // max(len(reversals), 1)
-    curves, mixture = _common_curves(shapes.reshape(len(reversals), each, samples.theta.size))
+    reversals, shapes = _reversals(samples, len(fixed)), np.zeros((0, 0, samples.theta.size))
+    if reversals:
+        spikes = [spike_curves(readings, r.axis, r.end, r.shapes) for r in reversals]
+        moved = zip(reversals, (means(each, first) for each in spikes), strict=True)
+        shapes = np.array([each * towards[AXES.index(r.axis)] for r, each in moved])
+        seen = np.max(np.abs(shapes), axis=2) > _LEAST_SEEN * UM
+        reversals = tuple(replace(r, seen=s) for r, s in zip(reversals, seen, strict=True))
+    curves, mixture = _common_curves(shapes)
     seen = np.column_stack([slopes, curves])
     rows = sum_and_difference(grid, seen)
     if len(rows) == 2:
         # A column that changes sign with the direction has its halves exchanged.
         turned = [half[:, len(fixed) :] for half in rows[::-1]]
         rows = tuple(np.column_stack(each) for each in zip(rows, turned, strict=True))
-    widths = np.concatenate([[c.width for c in fixed], *([c.width for c in spikes] for _ in rows)])
+    widths = np.full(len(fixed) + shapes[..., 0].size * len(rows), PRIORS["_spike"])
+    widths[: len(fixed)] = [c.width for c in fixed]
     return CircleProblem(
         samples=samples,
         grid=grid,
@@ -240,14 +254,15 @@ def _linear(
     return towards, target, dict(zip(names, (float(value) for value in values), strict=True))
 
 
-def _reversals(
-    samples: CircleSamples, readings: CircleSamples, first: int
-) -> tuple[tuple[Reversal, ...], list[CauseColumn]]:
+def _reversals(samples: CircleSamples, first: int) -> tuple[Reversal, ...]:
+    """Return the reversal points whose spikes are in the arc, all with the same possible shapes.
+    ``first``: index of the first column of a spike.
+    """
     spacing = sample_spacing(samples)
     least = max(_SHORTEST * spacing, _QUICKEST * samples.speed)
     most = _LONGEST * samples.radius
     if least >= most:
-        return (), []
+        return ()
     count = int(np.ceil(np.log(most / least) / np.log(_RATIO))) + 1
     spikes = [
         SpikeShape(float(length), rising)
@@ -264,10 +279,9 @@ def _reversals(
         )
         if inside or lasting
     ]
-    columns = [c for axis, end, *_ in places for c in spike_columns(readings, axis, end, shapes)]
-    alike = first + np.arange(len(columns)).reshape(len(places), len(shapes))
-    unlike = alike + len(columns)
-    found = tuple(
+    alike = first + np.arange(len(places) * len(shapes)).reshape(len(places), len(shapes))
+    unlike = alike + alike.size
+    return tuple(
         Reversal(
             axis=axis,
             end=end,
@@ -279,10 +293,10 @@ def _reversals(
                 if samples.both_senses and (inside or lasting == 2)
                 else np.empty(0, dtype=np.intp)
             ),
+            seen=np.ones(len(shapes), dtype=bool),
         )
         for index, (axis, end, inside, lasting) in enumerate(places)
     )
-    return found, columns
 
 
 def _lasting(samples: CircleSamples, axis: str) -> list[int]:
@@ -323,18 +337,6 @@ class WeightedProblem:
     gram: FloatArray
     right: FloatArray
 
-    def without(self, always: IndexArray) -> MarginalEquations:
-        """Return the normal equations after the causes with the indices ``always`` are integrated
-        out under their priors (Schur complement).
-        """
-        prior = self.problem.widths[always] ** -2.0
-        normal = self.gram[np.ix_(always, always)] + np.diag(prior)
-        shared = scaled_inverse(normal) @ np.column_stack([self.gram[always], self.right[always]])
-        return MarginalEquations(
-            self.gram - self.gram[:, always] @ shared[:, :-1],
-            self.right - self.gram[:, always] @ shared[:, -1],
-        )
-
     def posterior(self, active: IndexArray, precision: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return mean (a,) and covariance (a, a) of the sizes of the ``active`` causes, if all
         other causes are 0. ``precision`` (k,): prior precisions of all columns.
@@ -342,16 +344,6 @@ class WeightedProblem:
         normal = self.gram[np.ix_(active, active)] + np.diag(precision[active])
         covariance = scaled_inverse(normal)
         return covariance @ self.right[active], covariance
-
-
-@dataclass(frozen=True, slots=True)
-class MarginalEquations:
-    """Normal equations after some causes were integrated out: matrix ``gram`` (k, k), without the
-    priors of the remaining causes, and right side ``right`` (k,).
-    """
-
-    gram: FloatArray
-    right: FloatArray
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -468,20 +460,25 @@ def residual_spectra(found: CircleFit) -> tuple[ResidualSpectrum, ...]:
     return tuple(spectra)
 
 
-def fitted_path(problem: CircleProblem, active: IndexArray, values: FloatArray) -> FloatArray:
-    """Return the deviation of each sample that the ``active`` causes of sizes ``values`` (a,)
-    explain, mm (n,).
-    """
-    every = np.zeros(problem.widths.size)
-    every[active] = values
-    count = len(problem.names)
-    path: FloatArray = problem.slopes @ every[:count]
-    shape = len(problem.reversals), problem.mixture.shape[1]
-    signs: tuple[float | FloatArray, ...] = (1.0, problem.samples.sense)
-    for sign, sizes in zip(signs, every[count:].reshape(-1, *shape), strict=False):
-        if sizes.any():
-            path = path + sign * problem.spike_curve(sizes)
+def fitted_path(problem: CircleProblem, fitted: CircleFit) -> FloatArray:
+    """Return the deviation of each sample that the causes of a fit explain, mm (n,)."""
+    sizes = np.zeros((1, problem.widths.size))
+    sizes[0, fitted.active] = fitted.values
+    path: FloatArray = fitted_paths(problem, sizes)[0]
     return path
+
+
+def fitted_paths(problem: CircleProblem, sizes: FloatArray) -> FloatArray:
+    """Return the deviations, mm (s, n), that causes of ``sizes`` (s, k) explain."""
+    count = len(problem.names)
+    paths: FloatArray = sizes[:, :count] @ problem.slopes.T
+    shape = len(sizes), -1, len(problem.reversals), problem.mixture.shape[1]
+    signs: tuple[float | FloatArray, ...] = (1.0, problem.samples.sense)
+    if problem.mixture.size:
+        halves = np.swapaxes(sizes[:, count:].reshape(shape), 0, 1)
+        for sign, half in zip(signs, halves, strict=False):
+            paths += sign * problem.spike_curves(half)
+    return paths
 
 
 def scaled_inverse(normal: FloatArray) -> FloatArray:

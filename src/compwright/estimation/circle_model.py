@@ -403,25 +403,20 @@ class TakeUp:
         return left
 
 
-def spike_columns(
+def spike_curves(
     samples: CircleSamples, axis: str, end: str, shapes: Sequence[SpikeShape | TakeUp]
-) -> list[CauseColumn]:
-    """Return model columns, one for each of the ``shapes``: an outward spike of 1 um in both
-    directions after the reversals of an axis at one ``end`` (ISO 230-4:1996, B.3.1).
+) -> FloatArray:
+    """Return the displacement along an axis, mm (m, n), of m ``shapes``: an outward spike of 1 um
+    in both directions after the reversals of this axis at one ``end`` (ISO 230-4:1996, B.3.1).
     """
     arc = since_reversal(samples, axis)
-    zero = np.zeros_like(arc)
     start = 0.0 if axis == "first" else 0.5 * np.pi
     turns = np.floor(samples.sense * (samples.theta - start) / np.pi)
     side = 0.0 if end == "positive" else 1.0
     after = np.flatnonzero(np.mod(turns, 2.0) == side)
-    found = []
-    for shape in shapes:
-        moved = np.zeros_like(arc)
-        moved[after] = UM * (1.0 - 2.0 * side) * shape(arc[after])
-        x, y = (moved, zero) if axis == "first" else (zero, moved)
-        found.append(CauseColumn("_spike", x, y, PRIORS["_spike"]))
-    return found
+    moved = np.zeros((len(shapes), arc.size))
+    moved[:, after] = UM * (1.0 - 2.0 * side) * np.array([shape(arc[after]) for shape in shapes])
+    return moved
 
 
 def lag_column(

@@ -15,6 +15,7 @@ import numpy as np
 
 from compwright.estimation.circle_model import CauseColumn, CircleSamples, sample_spacing
 from compwright.estimation.circle_noise import IndexArray
+from compwright.records.axis import FloatArray
 
 #: Samples, from one before a reversal on, that are resolved into readings.
 _RESOLVED: Final = 6.0
@@ -40,6 +41,13 @@ def readings_near_reversals(samples: CircleSamples) -> tuple[CircleSamples, Inde
 
 def mean_column(column: CauseColumn, first: IndexArray) -> CauseColumn:
     """Return a column of readings as one of samples, means of the readings from ``first`` (n,)."""
-    counts = np.diff(first, append=column.x.size)
-    x, y = (np.add.reduceat(values, first) / counts for values in (column.x, column.y))
-    return replace(column, x=x, y=y)
+    return replace(column, x=means(column.x, first), y=means(column.y, first))
+
+
+def means(values: FloatArray, first: IndexArray) -> FloatArray:
+    """Return the means (..., n) of the readings ``values`` (..., m) from ``first`` (n,) on."""
+    count = values.shape[-1]
+    if count == first.size:
+        return values
+    found: FloatArray = np.add.reduceat(values, first, axis=-1) / np.diff(first, append=count)
+    return found

@@ -272,7 +272,8 @@ def _spike(
         "raw_peak": raw_peak(solution, axis, end, None if index is None else (1.0, -1.0)[index]),
     }
     here = [float(each is spike) for each in solution.draws.spikes]
-    curve = solution.problem.spike_curve(np.outer(here, np.mean(spike.curve[pick], axis=0)))
+    sizes = np.outer(here, np.mean(spike.curve[pick], axis=0))
+    curve = solution.problem.spike_curves(sizes[np.newaxis])[0]
     # The part of the shape that takes up lost motion gradually is no effect of the spike.
     curve = curve * min(1.0, abs(value) * UM / max(float(np.ptp(curve)), 1e-12))
     return ReportedCause(

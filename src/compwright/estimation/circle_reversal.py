@@ -13,24 +13,22 @@ George and McCulloch, Statistica Sinica 7, 1997).
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Final
 
 import numpy as np
 
 from compwright.estimation.circle_fit import (
     CircleProblem,
-    MarginalEquations,
     Reversal,
     WeightedProblem,
-    fitted_path,
+    scaled_inverse,
 )
 from compwright.estimation.circle_model import RARE, UM, SpikeShape, sample_spacing
 from compwright.estimation.circle_noise import IndexArray
 from compwright.estimation.circle_shapes import (
-    DECAYS,
     PRIOR,
-    SLOTS,
+    SIZES,
     THERE,
     UNLIKE,
     SpikeShapes,
@@ -60,7 +58,7 @@ _PAIRS: Final = 6
 
 def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
     """Change the spike shapes one at a time until no change makes the fit more probable."""
-    marginal = weighted.without(shapes.always)
+    marginal = _marginal(weighted, shapes.always)
     every = {place: _Options(marginal, shapes, *place) for place in shapes.slots()}
     places: list[tuple[int, int] | str] = [*every, *shapes.rare]
     changes, compared = 0, dict.fromkeys(places, -1)
@@ -80,11 +78,51 @@ def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
             break
 
 
+@dataclass(frozen=True, slots=True)
+class MarginalEquations:
+    """Normal equations after some causes were integrated out: matrix ``gram`` (k, k), without the
+    priors of the remaining causes, and right side ``right`` (k,). ``roots``: what `root` found.
+    """
+
+    gram: FloatArray
+    right: FloatArray
+    roots: dict[bytes, tuple[FloatArray, FloatArray]] = field(default_factory=dict)
+
+    def root(self, chosen: IndexArray, precision: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return a matrix (c, c) that gives the inverse of the normal equations of the ``chosen``
+        columns (c,), with prior ``precision`` (c,): its transpose times itself. The second result
+        (c,) is its product with their right side.
+        """
+        key = chosen.tobytes() + precision.tobytes()
+        if key not in self.roots:
+            normal = self.gram[chosen[:, np.newaxis], chosen]
+            diagonal = slice(None, None, chosen.size + 1)
+            normal.flat[diagonal] += precision
+            unit = 1.0 / np.sqrt(normal.diagonal())
+            normal *= unit * unit[:, np.newaxis]
+            normal.flat[diagonal] += _ROUNDING
+            root = np.linalg.inv(np.linalg.cholesky(normal)) * unit
+            self.roots[key] = root, root @ self.right[chosen]
+        return self.roots[key]
+
+
+def _marginal(weighted: WeightedProblem, always: IndexArray) -> MarginalEquations:
+    """Return the normal equations after the causes with the indices ``always`` are integrated out
+    under their priors (Schur complement).
+    """
+    gram, prior = weighted.gram, weighted.problem.widths[always] ** -2.0
+    inverse = scaled_inverse(gram[np.ix_(always, always)] + np.diag(prior))
+    shared = inverse @ np.column_stack([gram[always], weighted.right[always]])
+    return MarginalEquations(
+        gram - gram[:, always] @ shared[:, :-1], weighted.right - gram[:, always] @ shared[:, -1]
+    )
+
+
 class _Tried:
     """Columns (t,) that are tried as additions to a fit, with their normal equations."""
 
     def __init__(self, marginal: MarginalEquations, columns: IndexArray) -> None:
-        self.rows = marginal.gram[columns].T  # symmetric: rows are quicker to take
+        self.columns = columns
         self.weight = np.maximum(marginal.gram[columns, columns], 0.0)
         self.right = marginal.right[columns]
 
@@ -99,16 +137,10 @@ class _Tried:
         """
         if not chosen.size:
             return self.right, self.weight, np.zeros((0, self.right.size))
-        normal = marginal.gram[chosen[:, np.newaxis], chosen]
-        diagonal = slice(None, None, chosen.size + 1)
-        normal.flat[diagonal] += shapes.precision[chosen]
-        unit = 1.0 / np.sqrt(normal.diagonal())
-        normal *= unit * unit[:, np.newaxis]
-        normal.flat[diagonal] += _ROUNDING
-        root = np.linalg.inv(np.linalg.cholesky(normal)) * unit
-        known = root @ self.rows[chosen]
-        weight = np.maximum(self.weight - np.einsum("ct,ct->t", known, known), 0.0)
-        return self.right - known.T @ (root @ marginal.right[chosen]), weight, known
+        root, right = marginal.root(chosen, shapes.precision[chosen])
+        known = root @ marginal.gram[chosen[:, np.newaxis], self.columns]
+        weight = np.maximum(self.weight - np.add.reduce(known * known), 0.0)
+        return self.right - right @ known, weight, known
 
 
 def _odds(
@@ -146,6 +178,10 @@ class _Options:
         alike, unlike = here.alike[self.options], here.unlike[self.options if self.both else []]
         self.tried = _Tried(marginal, np.concatenate([alike, unlike]))
         self.cross = marginal.gram[alike, unlike] if self.both else np.empty(0)
+        count = self.options.size * SIZES.size
+        share = [1.0 - UNLIKE, UNLIKE] if self.both else [1.0]
+        each = np.log(np.array(share)[:, np.newaxis, np.newaxis] * THERE / max(count, 1))
+        self.log_prior = each + 0.5 * np.log([PRIOR, PRIOR**2][: len(share)])
 
     def evidence(self, marginal: MarginalEquations, shapes: SpikeShapes) -> FloatArray:
         """Return the log probability of each possibility: no shape, a shape that is equal in both
@@ -159,27 +195,22 @@ class _Options:
         if not count:
             return np.zeros(1)
         rest, found, known = self.tried.added(marginal, shapes, shapes.chosen(self.place))
-        weight = found[:count] + PRIOR
-        alike = 0.5 * rest[:count] ** 2 / weight - 0.5 * np.log(weight / PRIOR)
+        volume, gain = np.empty((2, len(self.log_prior), SIZES.size, count))
+        weight = np.add(found[:count], PRIOR, out=volume[0])
+        np.divide(rest[:count] ** 2, weight, out=gain[0])
+        if self.both:
+            cross = self.cross - np.add.reduce(known[:, :count] * known[:, count:])
+            share = cross / weight
+            left = np.maximum(found[count:] - cross * share, 0.0) + PRIOR
+            gain[1] = gain[0] + (rest[count:] - share * rest[:count]) ** 2 / left
+            np.multiply(weight, left, out=volume[1])
+        score = self.log_prior + 0.5 * (gain - np.log(volume))
         # Two slots with one shape are one decay of another size.
         reversal, slot = self.place
-        for each in range(SLOTS):
-            if each != slot:
-                alike[:, self.options == shapes.place[reversal, each]] = -np.inf
-        there = np.log(THERE / alike.size)
-        if not self.both:
-            return np.concatenate([[np.log(1.0 - THERE)], there + alike.ravel()])
-        cross = self.cross - np.einsum("ct,ct->t", known[:, :count], known[:, count:])
-        left = np.maximum(found[count:] - cross**2 / weight, 0.0) + PRIOR
-        more = rest[count:] - cross / weight * rest[:count]
-        unlike = alike + 0.5 * more**2 / left - 0.5 * np.log(left / PRIOR)
-        return np.concatenate(
-            [
-                [np.log(1.0 - THERE)],
-                there + np.log(1.0 - UNLIKE) + alike.ravel(),
-                there + np.log(UNLIKE) + unlike.ravel(),
-            ]
-        )
+        for each, place in enumerate(shapes.place[reversal].tolist()):
+            if each != slot and place >= 0:
+                score[..., self.options == place] = -np.inf
+        return np.concatenate([[math.log(1.0 - THERE)], score.ravel()])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -187,13 +218,13 @@ class CircleDraws:
     """Random draws of the causes and the spikes of a circular test from their posterior.
 
     ``values`` (d, p): sizes of the causes other than spikes. ``spikes``: one for each reversal
-    point. ``paths`` (s, n): fitted deviations, mm, for each drawn choice of spike shapes.
+    point. ``sizes`` (s, k): a draw of all columns for each drawn choice of spike shapes.
     ``least_error``: standard error of each rare cause by name, if the cause exists.
     """
 
     values: FloatArray
     spikes: tuple[SpikeDraws, ...]
-    paths: FloatArray
+    sizes: FloatArray
     least_error: dict[str, float]
 
 
@@ -234,11 +265,9 @@ def draw_shapes(
     ``shapes``. The draws of the causes are pairs, symmetric about their mean (antithetic variates:
     Hammersley and Morton, 1956).
     """
-    marginal = weighted.without(shapes.always)
+    marginal = _marginal(weighted, shapes.always)
     every = {place: _Options(marginal, shapes, *place) for place in shapes.slots()}
-    paths: list[FloatArray] = []
-    values, errors = [], dict.fromkeys(shapes.rare, 0.0)
-    recorded = [_Recorder(weighted.problem, reversal) for reversal in shapes.reversals]
+    drawn, errors = [], dict.fromkeys(shapes.rare, 0.0)
     for sweep in range(_FORGOTTEN + _SWEEPS):
         for place, options in every.items():
             set_shape(shapes, *place, _drawn(options.evidence(marginal, shapes), rng))
@@ -251,21 +280,18 @@ def draw_shapes(
         if sweep < _FORGOTTEN:
             continue
         active = shapes.active()
-        drew = _coefficients(weighted, active, shapes.precision, rng)
-        paths.append(fitted_path(weighted.problem, active, drew[0]))
-        row = np.zeros((drew.shape[0], shapes.count))
-        plain = active < shapes.count
-        row[:, active[plain]] = drew[:, plain]
-        values.append(row)
-        of = {int(column): drew[:, index] for index, column in enumerate(active)}
-        for reversal, recorder in enumerate(recorded):
-            recorder.add(shapes, reversal, of)
-    floors = [_least_error(weighted, marginal, reversal) for reversal in shapes.reversals]
+        drew = np.zeros((2 * _PAIRS, shapes.precision.size))
+        drew[:, active] = _coefficients(weighted, active, shapes.precision, rng)
+        drawn.append(drew)
+    sizes = np.array(drawn)
     return CircleDraws(
-        values=np.concatenate(values),
-        paths=np.array(paths),
+        values=sizes[..., : shapes.count].reshape(-1, shapes.count),
+        sizes=sizes[:, 0],
         spikes=tuple(
-            recorder.result(floor) for recorder, floor in zip(recorded, floors, strict=True)
+            _spike_draws(
+                weighted.problem, reversal, sizes, _least_error(weighted, marginal, reversal)
+            )
+            for reversal in shapes.reversals
         ),
         least_error=errors,
     )
@@ -319,103 +345,79 @@ def of_the_spike(taken: FloatArray, spike: FloatArray, lost: FloatArray) -> Floa
     return np.where((taken > 0.0) | friction, taken, 0.0)
 
 
-class _Recorder:
-    """Collector of the random draws of the spike at one reversal point."""
+def _spike_draws(
+    problem: CircleProblem, reversal: Reversal, drawn: FloatArray, least_error: float
+) -> SpikeDraws:
+    """Return the spikes at one reversal point from the ``drawn`` sizes of all columns, (s, d, k):
+    d draws for each of s choices of shapes.
+    """
+    spacing, lengths = sample_spacing(problem.samples), [s.length for s in reversal.shapes]
+    arcs = np.geomspace(0.2 * min(lengths), 5.0 * max(lengths), 48)
+    arcs = np.concatenate([[0.0], arcs])
+    shapes = np.array([shape(arcs) for shape in reversal.shapes])
+    decays = np.array([isinstance(shape, SpikeShape) for shape in reversal.shapes])
+    own = f"backlash_{reversal.axis}_at_{reversal.end}"
+    lost = problem.names.index(own if own in problem.names else f"backlash_{reversal.axis}")
+    senses = np.array([1.0, -1.0] if reversal.unlike.size else [1.0])[:, np.newaxis]
+    sizes = drawn[..., np.newaxis, reversal.alike]
+    unlike = drawn[..., np.newaxis, reversal.unlike] if reversal.unlike.size else 0.0 * sizes
+    sizes = sizes + senses * unlike
+    curve = sizes[..., decays] @ shapes[decays]
+    taken, moved = sizes[..., ~decays], drawn[..., lost]
+    curve += (
+        of_the_spike(taken, curve[..., :1], moved[..., np.newaxis, np.newaxis]) @ shapes[~decays]
+    )
+    heights = np.max(curve, axis=-1, initial=0.0)
+    visible = arcs >= 0.5 * spacing
+    first = np.max(curve[..., visible], axis=-1, initial=0.0)
+    deepest = -np.min(curve[..., visible], axis=-1, initial=0.0)
+    # Inside while the lost motion is taken up, the axis stands still.
+    passed = np.sqrt(2.0 * UM * np.abs(np.mean(moved, axis=1)) * problem.samples.radius)
+    seen = arcs >= 0.5 * spacing + passed[:, np.newaxis]
+    depths = -np.min(np.where(seen[:, np.newaxis, np.newaxis], curve, 0.0), axis=-1, initial=0.0)
+    inward = np.mean(depths, axis=(1, 2)) > INWARD * np.mean(heights, axis=(1, 2))
+    whole = np.mean(curve, axis=(1, 2))
+    whole = np.where(inward[:, np.newaxis], np.where(seen, -whole, 0.0), whole)
+    there = np.any(sizes != 0.0, axis=(1, 2)) & decays
+    decay, rise, slow = np.zeros(len(drawn)), np.zeros(len(drawn)), heights.copy()
+    for index in np.flatnonzero(np.any(there, axis=1)):
+        peak = int(np.argmax(whole[index]))
+        rise[index] = arcs[peak]
+        decay[index] = _died(arcs, whole[index], peak) or lengths[0]
+        # A rise is over before a decay of the same length.
+        fast, *fall = sorted(np.flatnonzero(there[index]), key=lambda p: (lengths[p], -p))
+        rising = any(shapes[place, 0] == 0.0 for place in fall)
+        if fall and not rising and np.mean(sizes[index, ..., fast]) < 0.0:
+            slow[index] = np.sum(sizes[index][..., fall], axis=-1)
+    # Of a decay shorter than the distance of two samples its height at the reversal is a guess.
+    unseen = (heights - first) / (1.0 + (decay / spacing) ** 2)[:, np.newaxis, np.newaxis]
+    each = (heights - 0.5 * unseen, depths, slow - 0.5 * unseen, unseen, deepest - depths)
+    heights, depths, slow, unseen, deeper = (part.reshape(-1, len(senses)) for part in each)
+    return SpikeDraws(
+        reversal=reversal,
+        lost=lost,
+        heights=heights,
+        depths=depths,
+        extrapolated=slow,
+        unseen=unseen,
+        deeper=deeper,
+        decay=np.repeat(decay, drawn.shape[1]),
+        rise=np.repeat(rise, drawn.shape[1]),
+        there=float(np.mean(np.any(there, axis=1))),
+        unlike=float(np.mean(np.any(unlike[..., decays] != 0.0, axis=(1, 2, 3)))),
+        curve=np.mean(sizes, axis=(0, 1)),
+        least_error=least_error,
+    )
 
-    def __init__(self, problem: CircleProblem, reversal: Reversal) -> None:
-        self.reversal = reversal
-        self.radius, self.spacing = problem.samples.radius, sample_spacing(problem.samples)
-        own = f"backlash_{reversal.axis}_at_{reversal.end}"
-        self.lost = problem.names.index(
-            own if own in problem.names else f"backlash_{reversal.axis}"
-        )
-        self.senses = np.array([1.0, -1.0]) if reversal.unlike.size else np.array([1.0])
-        lengths = [shape.length for shape in reversal.shapes]
-        arcs = np.geomspace(0.2 * min(lengths), 5.0 * max(lengths), 48)
-        self.arcs = np.concatenate([[0.0], arcs])
-        self.shapes = np.array([shape(self.arcs) for shape in reversal.shapes])
-        self.parts: list[tuple[FloatArray, ...]] = []
-        self.there = self.unlike = 0
-        self.curve = np.zeros((self.senses.size, len(reversal.shapes)))
 
-    def add(self, shapes: SpikeShapes, index: int, of: dict[int, FloatArray]) -> None:
-        count = next(iter(of.values())).size
-        curve = np.zeros((count, self.senses.size, self.arcs.size))
-        sizes: dict[int, FloatArray] = {}
-        for slot in range(SLOTS):
-            columns = shapes.columns(index, slot)
-            if not columns:
-                continue
-            place = int(shapes.place[index, slot])
-            size = np.repeat(of[columns[0]][:, np.newaxis], self.senses.size, axis=1)
-            if len(columns) > 1:
-                size = size + of[columns[1]][:, np.newaxis] * self.senses
-            self.curve[:, place] += np.mean(size, axis=0)
-            if slot >= DECAYS:
-                size = of_the_spike(size, curve[:, :, 0], of[self.lost][:, np.newaxis])
-            else:
-                sizes[place] = size
-            curve += size[:, :, np.newaxis] * self.shapes[place]
-        heights = np.maximum(np.max(curve, axis=2), 0.0)
-        first = np.maximum(np.max(curve[:, :, self.arcs >= 0.5 * self.spacing], axis=2), 0.0)
-        # Inside while the lost motion is taken up, the axis stands still.
-        lost = UM * abs(float(np.mean(of[self.lost])))
-        seen = self.arcs >= 0.5 * self.spacing + np.sqrt(2.0 * lost * self.radius)
-        depths = -np.min(curve[:, :, seen], axis=2, initial=0.0)
-        deepest = -np.min(curve[:, :, self.arcs >= 0.5 * self.spacing], axis=2, initial=0.0)
-        decay, rise = np.zeros(count), np.zeros(count)
-        slow = heights
-        if sizes:
-            places = sorted(sizes, key=lambda place: self.reversal.shapes[place].length)
-            whole = np.mean(curve, axis=(0, 1))
-            if np.mean(depths) > INWARD * np.mean(heights):
-                whole = np.where(seen, -whole, 0.0)
-            peak = int(np.argmax(whole))
-            rise += self.arcs[peak]
-            decay += self._died(whole, peak)
-            fast, *fall = places
-            rising = any(self.shapes[place][0] == 0.0 for place in fall)
-            if fall and not rising and np.mean(sizes[fast]) < 0.0:
-                slow = np.sum([sizes[place] for place in fall], axis=0)
-        # Of a decay shorter than the distance of two samples its height at the reversal is a guess.
-        guessed = 1.0 / (1.0 + (decay / self.spacing) ** 2)[:, np.newaxis]
-        unseen = guessed * (heights - first)
-        heights = heights - 0.5 * unseen
-        slow = slow - 0.5 * unseen
-        self.parts.append((heights, depths, slow, unseen, deepest - depths, decay, rise))
-        self.there += bool(sizes)
-        decays = slice(DECAYS)
-        turned = shapes.unlike[index, decays] & (shapes.place[index, decays] >= 0)
-        self.unlike += bool(np.any(turned))
-
-    def _died(self, curve: FloatArray, peak: int) -> float:
-        """Return the arc length, mm, in which a spike falls from its peak to 1/e of the peak."""
-        level = curve[peak] / np.e
-        below = np.flatnonzero(curve[peak:] <= level)
-        if not below.size or level <= 0.0:
-            return float(self.reversal.shapes[0].length)
-        last = peak + max(int(below[0]), 1)
-        share = (curve[last - 1] - level) / max(curve[last - 1] - curve[last], 1e-12)
-        died = self.arcs[last - 1] + share * (self.arcs[last] - self.arcs[last - 1])
-        return float(died - self.arcs[peak])
-
-    def result(self, least_error: float) -> SpikeDraws:
-        count = len(self.parts)
-        heights, depths, slow, unseen, deeper, decay, rise = (
-            np.concatenate(part) for part in zip(*self.parts, strict=True)
-        )
-        return SpikeDraws(
-            reversal=self.reversal,
-            lost=self.lost,
-            heights=heights,
-            depths=depths,
-            extrapolated=slow,
-            unseen=unseen,
-            deeper=deeper,
-            decay=decay,
-            rise=rise,
-            there=self.there / count,
-            unlike=self.unlike / count,
-            curve=self.curve / count,
-            least_error=least_error,
-        )
+def _died(arcs: FloatArray, curve: FloatArray, peak: int) -> float:
+    """Return the arc length, mm, in which a spike falls from its peak to 1/e of the peak, or 0 if
+    the ``curve`` at the ``arcs`` does not fall so far.
+    """
+    level = curve[peak] / np.e
+    below = np.flatnonzero(curve[peak:] <= level)
+    if not below.size or level <= 0.0:
+        return 0.0
+    last = peak + max(int(below[0]), 1)
+    share = (curve[last - 1] - level) / max(curve[last - 1] - curve[last], 1e-12)
+    return float(arcs[last - 1] + share * (arcs[last] - arcs[last - 1]) - arcs[peak])

@@ -12,10 +12,9 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_fit import CircleProblem, Reversal
-from compwright.estimation.circle_model import RARE, UM, TakeUp, rare_cause
+from compwright.estimation.circle_fit import CircleProblem
+from compwright.estimation.circle_model import RARE, SpikeShape, TakeUp, rare_cause
 from compwright.estimation.circle_noise import IndexArray
-from compwright.records.axis import FloatArray
 
 #: Most decays of one spike, and slots of a reversal point (one for the take-up of lost motion).
 #: One decay is the rise. The other two add up to a fall that is not exponential, or that lies
@@ -29,8 +28,6 @@ PRIOR: Final = (SIZES**-2.0)[:, np.newaxis]
 #: Prior probability that a decay is there, and that the two directions differ in it.
 THERE: Final = 0.5
 UNLIKE: Final = 0.1
-#: A shape of which no sample shows this share is no hypothesis: its size would be its prior.
-_LEAST_SEEN: Final = 1e-3
 
 
 class SpikeShapes:
@@ -51,14 +48,7 @@ class SpikeShapes:
     def adopt(self, problem: CircleProblem) -> None:
         """Use these shapes in the equations ``problem``, whose columns have other numbers."""
         self.reversals = problem.reversals
-        self._kinds = [
-            _kinds_of(reversal, curves @ problem.mixture)
-            for reversal, curves in zip(
-                problem.reversals,
-                np.split(problem.spikes, max(len(problem.reversals), 1), axis=1),
-                strict=False,
-            )
-        ]
+        self._kinds = [(r.options(SpikeShape), r.options(TakeUp)) for r in problem.reversals]
         self.precision = problem.widths**-2.0
         self._columns: dict[tuple[int, int], list[int]] = {}
         for slot in self.slots():
@@ -153,16 +143,6 @@ class SpikeShapes:
         for slot in range(SLOTS):
             for reversal in range(len(self.reversals)):
                 yield reversal, slot
-
-
-def _kinds_of(reversal: Reversal, columns: FloatArray) -> tuple[IndexArray, IndexArray]:
-    """Return the indices of the decaying spikes, and of the gradual take-ups of lost motion, among
-    the shapes of a reversal point. ``columns`` (n, m): deviation of every sample by 1 um of each
-    shape, mm.
-    """
-    take_up = np.array([isinstance(shape, TakeUp) for shape in reversal.shapes], dtype=bool)
-    seen = np.max(np.abs(columns), axis=0) > _LEAST_SEEN * UM
-    return np.flatnonzero(~take_up & seen), np.flatnonzero(take_up & seen)
 
 
 def set_shape(shapes: SpikeShapes, reversal: int, slot: int, option: int) -> None:

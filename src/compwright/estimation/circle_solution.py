@@ -40,11 +40,13 @@ class Solution:
     @property
     def spikes(self) -> FloatArray:
         """The part of each sample's deviation that the mean reversal spikes explain, mm (n,)."""
-        senses, total = self.problem.samples.sense, np.zeros(self.problem.target.size)
-        for turn, sense in enumerate((1.0, -1.0)) if self.draws.spikes else ():
-            sizes = np.array([spike.curve[turn % len(spike.curve)] for spike in self.draws.spikes])
-            total += np.where(senses == sense, self.problem.spike_curve(sizes), 0.0)
-        return total
+        every = self.draws.spikes
+        if not every:
+            return np.zeros(self.problem.target.size)
+        sizes = [[spike.curve[turn % len(spike.curve)] for spike in every] for turn in (0, 1)]
+        ccw, cw = self.problem.spike_curves(np.array(sizes))
+        found: FloatArray = np.where(self.problem.samples.sense > 0.0, ccw, cw)
+        return found
 
     @property
     def smooth(self) -> FloatArray:

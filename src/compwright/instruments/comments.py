@@ -49,7 +49,7 @@ KEYS: Final = by_key(
 FREE_TEXT = "comment"
 
 _KEY_VALUE = re.compile(r"(?P<key>[^\W\d_][\w .()/-]*?)\s*:(?!//)\s*(?P<value>.*)")
-_SEPARATOR_START = ("s", "S", '"')
+SEPARATOR_START = ("s", "S", '"')
 _SEPARATOR_LINE = re.compile(r'"?sep=.?"?', re.IGNORECASE)
 _SIGNS = {"measured minus target": 1.0, "target minus measured": -1.0}
 
@@ -73,7 +73,7 @@ def comment_text(line: str) -> str | None:
     both are removed here. A line ``sep=;``, which sets the delimiter for a spreadsheet, is a
     comment too.
     """
-    if line[:1] in _SEPARATOR_START and _SEPARATOR_LINE.fullmatch(line.strip()):
+    if line[:1] in SEPARATOR_START and _SEPARATOR_LINE.fullmatch(line.strip()):
         return ""
     if "#" not in line:  # nearly every line of a file
         return None

@@ -14,7 +14,7 @@ import numpy as np
 
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.key_faults import nearest
-from compwright.instruments.comments import comment_text
+from compwright.instruments.comments import SEPARATOR_START, comment_text
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.numbers import parse_number
 from compwright.instruments.readings import IntArray
@@ -62,6 +62,7 @@ _INCH = re.compile(
     r"(?:target|deviation|measured|radius|unit)["
     r" _]?\(?(?:in|inch|inches|\"|mil|mils|thou|uin|u?inch|microinch(?:es)?)\)?"
 )
+_BLANK = " \t,;"  # what a line without cells consists of
 _AT_ONCE = 5000  # rows that are turned into columns at once
 #: What to do with inches, which no form of measurement files takes.
 INCHES = (
@@ -197,10 +198,12 @@ def split_lines(lines: Sequence[str]) -> tuple[list[tuple[int, str]], list[tuple
     comments: list[tuple[int, str]] = []
     others: list[tuple[int, str]] = []
     for number, line in enumerate(lines, start=1):
-        text = comment_text(line)
+        # A file may have a million lines: no calls for those that are clearly rows.
+        may_be = "#" in line or line[:1] in SEPARATOR_START
+        text = comment_text(line) if may_be else None
         if text is not None:
             comments.append((number, text))
-        elif line.strip(" \t,;"):
+        elif line[:1] not in _BLANK or line.strip(_BLANK):
             others.append((number, line))
     return comments, others
 
@@ -231,7 +234,7 @@ def first_row(lines: Sequence[str]) -> tuple[int, str] | None:
         (
             (number, line)
             for number, line in enumerate(lines, start=1)
-            if line.strip(" \t,;") and comment_text(line) is None
+            if line.strip(_BLANK) and comment_text(line) is None
         ),
         None,
     )
@@ -345,8 +348,10 @@ class GatheredRows:
         self._turn()
         self.lines.extend(numbers)
         cells = joined.split(delimiter)
+        if joined.split(maxsplit=1) != [joined]:  # blanks anywhere
+            cells = list(map(str.strip, cells))
         for index, column in enumerate(self._columns):
-            column.extend(map(str.strip, cells[index :: others + 1]))
+            column.extend(cells[index :: others + 1])
         return True
 
     def columns(self) -> tuple[Sequence[str], ...]:

@@ -26,9 +26,10 @@ _NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity|1\.?#\w+|#num!?|∞)", re.IG
 #: How the names of columns with positions begin, which may all be 1000 or more.
 _POSITIONS = ("target", "position")
 _INTEGER = re.compile(r"[0-9]{1,9}")
-#: Numbers that need no second look: short, and with one decimal mark if any.
+#: Lines of numbers that need no second look: short, and with one decimal mark if any.
 _PLAIN = {
-    mark: re.compile(rf"[+-]?[0-9]{{1,9}}(?:{re.escape(mark)}[0-9]{{1,12}})?") for mark in ".,"
+    mark: re.compile(rf"(?:[+-]?[0-9]{{1,9}}(?:{re.escape(mark)}[0-9]{{1,12}})?\n)*+")
+    for mark in ".,"
 }
 
 
@@ -66,10 +67,11 @@ def plain_numbers(cells: Sequence[str], mark: str) -> FloatArray | None:
     """Return the numbers (n,) in the cells if each is a plain number with no decimal mark other
     than ``mark``, else None.
     """
-    if not all(map(_PLAIN[mark].fullmatch, cells)):
+    joined = "\n".join([*cells, ""])
+    if joined.count("\n") != len(cells) or not _PLAIN[mark].fullmatch(joined):
         return None
-    texts = cells if mark == "." else [text.replace(mark, ".") for text in cells]
-    return np.fromiter(map(float, texts), np.float64, len(texts))
+    texts = cells if mark == "." else joined.replace(mark, ".").split("\n")
+    return np.fromiter(map(float, texts), np.float64, len(cells))
 
 
 def counts_of(

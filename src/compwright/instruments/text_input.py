@@ -148,7 +148,7 @@ def _lines(text: str, file: str) -> list[str]:
                 hint=_GIVE_TEXT,
             )
         )
-    return _LINE_END.split(text.lstrip("\ufeff"))
+    return text.lstrip("\ufeff").replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
 
 def unfinished_number(lines: Sequence[str]) -> str:

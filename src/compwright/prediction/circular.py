@@ -179,7 +179,7 @@ def _fresh_tests(
     simulated path is the path fitted by the ``diagnosis``; without one it is the smoothed measured
     path.
     """
-    fresh = () if diagnosis is None else diagnosis.fresh
+    fresh = () if diagnosis is None else diagnosis.fresh()
     paths = [
         _along(run, each.angles, each.paths)
         for run, each in zip(test.runs, fresh, strict=bool(fresh))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Final, Literal
 
@@ -155,7 +155,8 @@ class Diagnosis:
     - ``undetermined``: the causes that the path of the test cannot separate at all, each with the
       reason. Their numbers in ``effects`` belong to the fit and are no result.
     - ``fitted``: the runs as the causes make them.
-    - ``fresh``: simulated new tests, by run; empty if the diagnosis was not made from samples.
+    - ``fresh``: a function that returns simulated new tests, by run; it returns none if the
+      diagnosis was not made from samples.
     """
 
     effects: Mapping[str, CircularEffect]
@@ -167,7 +168,7 @@ class Diagnosis:
     findings: tuple[Finding, ...] = ()
     undetermined: Mapping[str, Sentence] = field(default_factory=dict)
     fitted: tuple[FittedRun, ...] = ()
-    fresh: tuple[FreshRun, ...] = ()
+    fresh: Callable[[], tuple[FreshRun, ...]] = tuple
 
     @property
     def not_given(self) -> Mapping[str, Sentence]:

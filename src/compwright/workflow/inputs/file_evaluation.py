@@ -170,7 +170,7 @@ class CirclesEvaluator:
         bare = replace(
             result,
             test=replace(result.test, runs=(), vendor={}),
-            diagnosis=None if causes is None else replace(causes, fitted=(), fresh=()),
+            diagnosis=None if causes is None else replace(causes, fitted=(), fresh=tuple),
         )
         return FileTests((Evaluated(_kept(entry, self.request), circle=bare),))
 
