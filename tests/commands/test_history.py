@@ -992,3 +992,22 @@ def test_a_record_names_no_file_outside_of_its_folder(
     said = " ".join(capsys.readouterr().err.split())
     assert "expected a name inside the result folder" in said
     assert "Next: give the file as compwright wrote it" in said
+
+
+@pytest.mark.parametrize(("added", "copies"), [(0.0, 1), (3.25, 1), (0.001, 0)])
+def test_readings_that_were_saved_again_with_another_date_are_told(
+    tmp_path: Path, ask: Ask, added: float, copies: int
+) -> None:
+    """A copy, also from another zero of the instrument; one mean that differs is no copy."""
+    forward = [0.12, 1.37, 2.05, 2.96, 4.21]
+    backward = [2.03, 3.95, 4.08, 4.11, 6.4]
+    for year in (2024, 2025):
+        shift = added * (year - 2024)
+        means = [value + shift for value in forward], [value + shift for value in backward]
+        test = axis_test(date=f"{year}-01-01", mean_positive=means[0], mean_negative=means[1])
+        record(tmp_path / str(year), test)
+        if not copies:
+            backward[2] += 0.02
+    notes = [note for note in ask(tmp_path)["notes"] if "has the readings of" in note]
+    assert len(notes) == copies
+    assert all("2025: x has the readings of x in" in note for note in notes)

@@ -35,6 +35,9 @@ JUDGED = ("A", "B", "B_mean", "s", "squareness")
 _OF_TARGETS = frozenset({"A", "E", "M", "R", "B"})
 #: Targets are the same within this share of the measured length.
 _SAME_TARGET = 1e-3
+#: Two tests are copies from this many means on, equal to the last digits of a record, µm or arcsec.
+_ENOUGH_MEANS: Final = 10
+_SAME_VALUE: Final = 1e-6
 #: Comparisons from which the scatter from test to test is taken.
 _LEAST_COMPARISONS: Final = 4
 #: Share of each measured length that has to be common to both.
@@ -402,6 +405,18 @@ def same_table(one: HistoryEntry, other: HistoryEntry) -> SameTable:
     if one.folder == other.folder or "none" in (one.acting, other.acting):
         return "changed"
     return "unknown"  # a backup saved later is another file with the same table
+
+
+def same_readings(one: HistoryEntry, other: HistoryEntry) -> bool:
+    """Return whether two positioning tests with scatter agree in scatter and in the mean deviations
+    at all targets, except for a constant (the instrument's zero).
+    """
+    means = [np.concatenate(entry.means) for entry in (one, other)]
+    if one.targets != other.targets or not means[0].size == means[1].size >= _ENOUGH_MEANS:
+        return False
+    scatter = [entry.values.get("s", 0.0) for entry in (one, other)]
+    differs = max(abs(scatter[0] - scatter[1]), float(np.ptp(means[0] - means[1])))
+    return min(scatter) > _SAME_VALUE and differs <= _SAME_VALUE
 
 
 def without_repeats(entries: Sequence[HistoryEntry]) -> Iterator[HistoryEntry]:

@@ -11,7 +11,12 @@ from typing import Any
 
 from compwright.documents.history import TestSeries, history_csv, history_document
 from compwright.documents.json_text import to_json
-from compwright.evaluation.series_changes import noted_changes, noted_trends, without_repeats
+from compwright.evaluation.series_changes import (
+    noted_changes,
+    noted_trends,
+    same_readings,
+    without_repeats,
+)
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, collect
 from compwright.foundations.session import Session
@@ -231,6 +236,7 @@ def _notes(series: Sequence[TestSeries]) -> list[str]:
             " add `# date: 2026-11-30` to its file"
         )
     found += [*_turned_dates(entries), *_names_of_one_number(entries)]
+    found += [note for one in series for note in _copies(one.entries)]
     if simulated:
         found.append(f"{simulated} of {len(entries)} tests were simulated")
     return found
@@ -248,6 +254,18 @@ def _turned_dates(entries: Sequence[HistoryEntry]) -> Iterator[str]:
             yield (
                 f"{folder}: a test after loading is dated {min(days['after'])}, one before loading"
                 f" {max(days['before'])}: the order here follows the dates, look at them"
+            )
+
+
+def _copies(entries: Sequence[HistoryEntry]) -> Iterator[str]:
+    """Yield a note for each test of an axis that has the readings of an earlier one."""
+    for place, later in enumerate(entries):
+        earlier = next((one for one in entries[:place] if same_readings(one, later)), None)
+        if earlier is not None:
+            yield (
+                f"{later.folder}: {later.test} has the readings of {earlier.test} in"
+                f" {earlier.folder}. A copy with another date shows a change or a rest that the"
+                " machine does not have. Leave the folder of the copy out"
             )
 
 
