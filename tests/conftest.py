@@ -43,6 +43,7 @@ from compwright.planning import (
     circle_diagnosis,
     circles,
     point_count_tradeoff,
+    reading_interpretations,
     sign_and_unit_doubts,
     simulated_repeat_tests,
     tables,
@@ -91,6 +92,7 @@ _BRIEF_ESTIMATES, _WHOLE_ESTIMATES = (
         (after_tests, "infer_noise", infer_noise),
         (wanted_correction, "estimate_axis", cached(axis.estimate_axis)),
         (sign_and_unit_doubts, "log_likelihood", cached(likelihood.log_likelihood)),
+        (reading_interpretations, "smooth_part", cached(likelihood.smooth_part)),
         (circle_diagnosis, "diagnose", cached(circle.diagnose)),
         (tables, "fit_table", cached(fit.fit_table)),
     )

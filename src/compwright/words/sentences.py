@@ -242,9 +242,13 @@ def number_text(value: float, form: str, language: Language = "en") -> str:
     return text.replace(".", _DECIMAL_MARK[language])
 
 
+#: What has a text of its own in each language.
+_WORDED: Final = (Amount, Sentence, NumberText, DateText, SentenceText, ControlText)
+
+
 def in_language(value: object, language: Language) -> str:
     """Return a sentence, number, unit or symbol as text in a language."""
-    if isinstance(value, Amount | Sentence | NumberText | DateText | SentenceText | ControlText):
+    if isinstance(value, _WORDED):
         return value.text(language)
     text = str(value)
     return _OWN_NAMES[language].get(text, text)
