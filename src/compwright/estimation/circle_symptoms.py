@@ -122,65 +122,73 @@ def positional_tolerance(solution: Solution) -> tuple[float, float]:
     this project, because the formula of instrument makers is not published.
     """
     every, mismatches = solution.draws.values, scale_mismatch(solution, 0.0).drawn
-    mean = np.mean(every, axis=0), (float(np.mean(mismatches)), 0.0)
-    value = float(np.mean([_spread(solution, *mean, first=first) for first in (True, False)]))
+    mean = np.mean(every, axis=0, keepdims=True), np.mean(mismatches, keepdims=True)
+    value = float(np.mean(_spreads(solution, *mean, np.zeros(1))))
     each = slice(None, None, max(mismatches.size // _MOST_DRAWS, 1))
-    drawn = list(zip(every[each], mismatches[each], strict=True))
+    drawn = every[each], mismatches[each]
     rng = np.random.default_rng(solution.problem.target.size)
     most = np.sqrt(3.0) * shrink_uncertainty(solution.problem.samples)
-    shrinks = rng.permutation(np.linspace(-most, most, len(drawn)))
-    spread = [
-        _spread(solution, draw, (mismatch, shrink), first=first)
-        for (draw, mismatch), shrink in zip(drawn, shrinks, strict=True)
-        for first in (True, False)
-    ]
+    shrinks = rng.permutation(np.linspace(-most, most, len(drawn[1])))
+    spreads = _spreads(solution, *drawn, shrinks)
     hidden = [solution.hidden.get(axis, 0.0) for axis in AXES if axis not in solution.frequencies]
-    return value, math.hypot(float(np.sqrt(np.mean(np.subtract(spread, value) ** 2))), *hidden)
+    return value, math.hypot(float(np.sqrt(np.mean((spreads - value) ** 2))), *hidden)
 
 
-def _spread(
-    solution: Solution, draw: FloatArray, scale: tuple[float, float], *, first: bool
-) -> float:
-    """Return the positional tolerance, um, of one ``draw`` of the causes. ``scale``: scale
-    mismatch, um, and how much equal lags make the radius smaller, mm. ``first``: the straightness
-    of third order is that of the first axis.
+def _spreads(
+    solution: Solution, draws: FloatArray, mismatches: FloatArray, shrinks: FloatArray
+) -> FloatArray:
+    """Return the positional tolerance, um (2, d), of d ``draws`` (d, p) of the causes, with the
+    straightness of third order on the first or the second axis. ``mismatches`` (d,): scale
+    mismatch, um. ``shrinks`` (d,): how much equal lags make the radius smaller, mm.
     """
-    values = dict(zip(solution.problem.names, (float(value) for value in draw), strict=True))
+    values = dict(zip(solution.problem.names, draws.T[..., np.newaxis], strict=True))
     radius = solution.problem.samples.radius
     grid = np.meshgrid(*(np.linspace(-1.0, 1.0, _GRID),) * 2, [-1.0, 1.0], [-1.0, 1.0])
     x, y, toward_x, toward_y = (each.ravel() for each in grid)
-    mean, part = (values["_radius"] + scale[1]) / UM, 0.25 * scale[0]
-    turned = values["_s_shape"]
+    mean, part = (values["_radius"] + shrinks[:, np.newaxis]) / UM, 0.25 * mismatches[:, np.newaxis]
     error_x = (
         (mean + part) * x
         - 1e-3 * values["squareness"] * radius * y
         + values["straightness_second"] * y**2
-        - turned * (not first) * (2.0 * y**3 - y)
         - 0.5 * _along(values, "backlash_first", x) * toward_x
         + 0.5 * _along(values, "lateral_play_second", y) * toward_y
     )
     error_y = (
         (mean - part) * y
         + values["straightness_first"] * x**2
-        + turned * first * (2.0 * x**3 - x)
         - 0.5 * _along(values, "backlash_second", y) * toward_y
         + 0.5 * _along(values, "lateral_play_first", x) * toward_x
     )
-    cyclic = [
-        math.hypot(*(values.get(f"_cyclic_{part}_{axis}", 0.0) for part in ("cos", "sin")))
+    zero = np.zeros((1, 1))
+    sizes = [
+        np.hypot(*(values.get(f"_cyclic_{part}_{axis}", zero) for part in ("cos", "sin")))
         for axis in AXES
     ]
-    wide = np.abs(error_x[:, np.newaxis] - error_x) + 2.0 * cyclic[0]
-    high = np.abs(error_y[:, np.newaxis] - error_y) + 2.0 * cyclic[1]
-    return float(np.max(np.hypot(wide, high)))
+
+    def largest(*errors: FloatArray) -> FloatArray:
+        wide, high = (
+            np.abs(error[:, :, np.newaxis] - error[:, np.newaxis]) + 2.0 * size[..., np.newaxis]
+            for error, size in zip(errors, sizes, strict=True)
+        )
+        found: FloatArray = np.sqrt(np.max(wide**2 + high**2, axis=(1, 2)))
+        return found
+
+    turned = values["_s_shape"]
+    return np.array(
+        [
+            largest(error_x, error_y + turned * (2.0 * x**3 - x)),
+            largest(error_x - turned * (2.0 * y**3 - y), error_y),
+        ]
+    )
 
 
-def _along(values: Mapping[str, float], name: str, place: FloatArray) -> FloatArray:
+def _along(values: Mapping[str, FloatArray], name: str, place: FloatArray) -> FloatArray:
     """Return the lost motion or lateral play ``name`` at each ``place`` (-1 to 1) of its axis: it
     changes in proportion to the position.
     """
     if name in values:
-        return values[name] + values.get(f"_{name.replace('play', 'change')}", 0.0) * place
+        change = values.get(f"_{name.replace('play', 'change')}", np.zeros(1))
+        return values[name] + change * place
     ends = [values[f"{name}_at_{end}"] for end in ENDS]
     along: FloatArray = 0.5 * (ends[0] + ends[1]) + 0.5 * (ends[0] - ends[1]) * place
     return along

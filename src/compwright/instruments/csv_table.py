@@ -340,13 +340,13 @@ class GatheredRows:
         """Add several rows of text at once, and return True. Return False and add none if a row
         contains a quote or has too few or too many cells.
         """
-        numbers, texts = zip(*rows, strict=True)
+        texts = [text for _, text in rows]
         others = len(self._columns) - 1
         joined = delimiter.join(texts)
         if '"' in joined or set(map(str.count, texts, repeat(delimiter))) != {others}:
             return False
         self._turn()
-        self.lines.extend(numbers)
+        self.lines.extend([number for number, _ in rows])
         cells = joined.split(delimiter)
         if joined.split(maxsplit=1) != [joined]:  # blanks anywhere
             cells = list(map(str.strip, cells))
