@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -53,21 +53,25 @@ def _samples() -> Iterator[Sample]:
 
 
 SAMPLES = tuple(_samples())
+#: What decides nothing that a control does.
+WORDS = {"id", "title", "aliases", "sources", "evidence", "help", "expect", "look_at"}
 #: What does not decide how files are read: words for people, and what is written at most.
-_NOT_READ = {"id", "title", "aliases", "sources", "evidence", "help", "expect", "look_at", "limits"}
+_NOT_READ = WORDS | {"limits"}
 
 
-def _facts(value: Any) -> Any:
+def facts(value: Any, left_out: Collection[str] = WORDS) -> Any:
+    """Return a definition's data without some of its keys."""
     if isinstance(value, dict):
-        return {key: _facts(one) for key, one in value.items() if key not in _NOT_READ}
-    return [_facts(one) for one in value] if isinstance(value, list) else value
+        return {key: facts(one, left_out) for key, one in value.items() if key not in left_out}
+    return [facts(one, left_out) for one in value] if isinstance(value, list) else value
 
 
 def _read_differently() -> Iterator[Sample]:
     """Yield one of the samples with the same files that relatives read by the same facts."""
     seen: set[str] = set()
     for sample in SAMPLES:
-        key = repr((sample.files, sample.options, _facts(DEFINITIONS[sample.format_id].text.data)))
+        data = DEFINITIONS[sample.format_id].text.data
+        key = repr((sample.files, sample.options, facts(data, _NOT_READ)))
         if key not in seen:
             seen.add(key)
             yield sample

@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 from test_every_control import (
     ADDRESS,
-    FORMATS,
+    DISTINCT,
     MET_OTHERWISE,
     OPTIONS,
     format_of,
@@ -39,11 +39,7 @@ NOW, LATER = Machine(), Machine(bow=0.009)
 TARGETS = NOW.targets()
 #: One control of each form of files; the others differ from it in facts that the first test and
 #: `test_every_control` go through.
-FORMS = [
-    name
-    for name in FORMATS
-    if name not in ("siemens-828d", "siemens-840d-pl", "siemens-one", "fanuc-0i-d", "fanuc-0i-f")
-]
+FORMS = [name for name in DISTINCT if name not in ("siemens-828d", "fanuc-0i-d", "fanuc-0i-f")]
 #: Values by maker: what stands before them, and what a value of nothing is.
 VALUES = {
     "siemens": [(r"^(\$AA_ENC_COMP\[\d+,\d+,\w+\]=|\$AN_CEC\[\d+,\d+\]=|\$MA_BACKLASH\[.*\]=).*", r"\g<1>0.0")],
@@ -144,7 +140,7 @@ def visit(
 Start = Callable[..., Visit]
 
 
-@pytest.mark.parametrize("name", FORMATS + MET_OTHERWISE)
+@pytest.mark.parametrize("name", DISTINCT + MET_OTHERWISE)
 def test_no_node_moves_and_no_byte_but_values(name: str, visit: Start) -> None:
     there = visit(name)
     assert there.run() == 0

@@ -14,6 +14,7 @@ from compwright.formats.families.shapes import control_format
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import AxisKind
 from compwright.records.correction import CrossCompensation, Evidence
+from damage import facts
 from format_samples import DEFINITIONS, axis_of, codes, files
 from sinumerik_archive import cec_lines
 
@@ -80,6 +81,12 @@ def test_what_no_page_says_of_a_relative_is_not_confirmed(name: str) -> None:
     assert definition.options["cec_sign"].evidence.state == "inferred"
     assert definition.layout.evidence.state in get_args(Evidence)[1:]
     assert not definition.proven
+
+
+@pytest.mark.parametrize("name", RELATIVES)
+def test_a_relative_differs_in_words_alone(name: str) -> None:
+    """Tests that run a whole job for each control leave it out (``DISTINCT``)."""
+    assert facts(DEFINITIONS[name].text.data) == facts(DEFINITIONS["siemens-840d-sl"].text.data)
 
 
 @pytest.mark.parametrize("name", ["siemens-828d", *RELATIVES])
