@@ -156,3 +156,20 @@ def test_odds_of_the_sign() -> None:
     turned = [(np.zeros(15), -table, -2.0 * table + 40.0)]
     assert sign_odds(turned, scatter) < -SURE
     assert sign_odds([], scatter) == 0.0
+
+
+def test_a_neighbour_that_was_changed_while_loading_is_no_good_verification(
+    machine: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Point 102 belongs to the second axis, which is not in the job: 4 increments of 2 µm more."""
+    folder = tmp_path / "job"
+    shutil.copytree(machine, folder)
+    file = folder / "read back" / "PITCH.TXT"
+    lines = file.read_text(encoding="ascii").splitlines(keepends=True)
+    (place,) = [number for number, line in enumerate(lines) if line.startswith("N10102Q0P")]
+    lines[place] = f"N10102Q0P{int(lines[place].strip()[9:]) + 4}\n"
+    file.write_text("".join(lines), encoding="ascii")
+    assert verify(folder) == 1
+    said = " ".join(capsys.readouterr().out.split())
+    assert "differs from the plan outside of its axes: N10102Q0 (2)" in said
+    assert "Verdict: bad" in said

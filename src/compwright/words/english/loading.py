@@ -14,6 +14,10 @@ SENTENCES: Final[dict[str, str]] = {
         "Axis {axis}: the table that was read back from the control differs from the plan by up"
         " to {difference:.2f} {unit}. Run compwright compare to see where."
     ),
+    "CW-V011.others": (
+        "What was read back from the control differs from the plan outside of its axes:"
+        " {entries}. Run compwright compare to see where."
+    ),
     "CW-V012": (
         "Axis {axis}: this test would not show whether its table was exchanged with that of"
         " {others:join| or }. To exclude this, read the control's files back and give them with"

@@ -11,6 +11,10 @@ SENTENCES: Final[dict[str, str]] = {
         "Axe {axis} : la table relue de la commande diffère du plan de {difference:.2f} {unit} au"
         " plus. compwright compare montre où."
     ),
+    "CW-V011.others": (
+        "Ce qui a été relu de la commande diffère du plan en dehors de ses axes : {entries}."
+        " compwright compare montre où."
+    ),
     "CW-V012": (
         "Axe {axis} : cet essai ne montrerait pas si sa table a été échangée avec celle de"
         " {others:join| ou }. Pour l'exclure, relire les fichiers de la commande et les donner avec"

@@ -14,6 +14,10 @@ SENTENCES: Final[dict[str, str]] = {
         "Achse {axis}: Die aus der Steuerung zurückgelesene Tabelle weicht um bis zu"
         " {difference:.2f} {unit} vom Plan ab. Wo, zeigt compwright compare."
     ),
+    "CW-V011.others": (
+        "Das aus der Steuerung Ausgelesene weicht außerhalb der Achsen des Plans vom Plan ab:"
+        " {entries}. compwright compare zeigt, wo."
+    ),
     "CW-V012": (
         "Achse {axis}: Diese Prüfung würde nicht zeigen, ob ihre Tabelle mit der von {others:join|"
         " oder } vertauscht ist. Um das auszuschließen, die Dateien der Steuerung zurücklesen und"

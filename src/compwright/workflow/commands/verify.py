@@ -241,6 +241,7 @@ def _verified(
         ),
         *repeated_circles(plan, measured),
         *_between(control, plan, as_found, read_back),
+        *(_of_others(_compared(session, plan_file, loaded)) if loaded else ()),
     ]
     found = Verified(
         job=job,
@@ -295,6 +296,18 @@ def _between(
         found = differs_from_plan(entry.output, off, largest, entry.added.output_kind)
         if found is not None or entry.addresses in missing:
             yield found or missing[entry.addresses]
+
+
+def _of_others(document: Mapping[str, Any] | str) -> Iterator[Finding]:
+    """Yield the finding CW-V011 if the ``document`` of ``compare`` has differences that belong to
+    no axis of the plan: what was loaded changed another axis.
+    """
+    if isinstance(document, str):  # why nothing was compared: the axes of the plan are judged alone
+        return
+    entries = [one for one in document["differences"] if one["axis"] not in document["axes"]]
+    if entries:
+        found = list(dict.fromkeys(f"{one['quantity']} ({one['axis']})" for one in entries))
+        yield Finding.of("CW-V011.others", "error", entries=found[:3])
 
 
 def _compared(session: Session, plan_file: Path, loaded: Sequence[Path]) -> Mapping[str, Any] | str:
