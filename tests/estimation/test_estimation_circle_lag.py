@@ -8,7 +8,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from circle_machine import Machine, Setup, measured
+from compwright.estimation import circle as circle_module
 from compwright.estimation.circle import diagnose
+from compwright.estimation.circle_lag import Lag
 from compwright.records.circular import CircularRun, CircularTest, Sense
 
 RADIUS = 150.0  # mm
@@ -81,3 +84,54 @@ def test_a_lag_is_told_from_lost_motion_that_is_taken_up(feed: float, lag: float
         for name, value in true.items():
             effect = found.effects[name]
             assert abs(effect.value - value) < 3.0 * effect.std_error, (name, effect)
+
+
+def test_a_reading_between_the_reversal_and_its_estimated_angle(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The runs begin at a reversal point. The axes reverse 0.9 samples later, and the lag says 1.1
+    ± 0.3: the only reading before the reversal of the model is in fact after it. A spiral of
+    -12.7 ± 0.2 µm and a lost motion of -4.9 µm were stated, where 0 and 8 µm are true.
+    """
+    count = 1885
+    setup = Setup(radius=50.0, feed=1000.0, samples=count, start=90.0 - 180.0 / count, noise=0.1)
+    step = 2.0 * np.pi / count
+    machine = Machine(
+        backlash_first_at_positive=3.0,
+        backlash_first_at_negative=3.0,
+        backlash_second_at_positive=8.0,
+        backlash_second_at_negative=8.0,
+        reversal_spike_first=3.0,
+        reversal_spike_second=5.0,
+        decay_first=1.0,
+        decay_second=1.6,
+        lag=1e3 * 0.9 * step * setup.radius / (setup.feed / 60.0),
+    )
+    monkeypatch.setattr(
+        circle_module, "common_lag", lambda _: Lag(1.1 * step, 0.3 * step, clear=True)
+    )
+    found = diagnose(measured(machine, setup, np.random.default_rng(0)))
+    for name, value in (
+        ("spiral", 0.0),
+        ("offset_change_first", 0.0),
+        ("backlash_second_at_positive", 8.0),
+        ("backlash_first_at_positive", 3.0),
+    ):
+        effect = found.effects[name]
+        assert abs(effect.value - value) < 3.0 * effect.std_error, (name, effect)
+        assert effect.std_error < 0.2
+
+
+@pytest.mark.parametrize("lag", [23.0, 46.0])
+def test_a_lag_that_no_reversal_shows_shifts_a_straightness_of_third_order(lag: float) -> None:
+    """Without lost motion and spikes nothing shows the lag. It turns the fourth harmonic of the
+    straightness, in opposite senses by direction: radius change (0.13 ± 0.01 µm at 23 ms) and
+    lateral play of 0.2 µm were stated, where 0 is true.
+    """
+    setup = Setup(noise=0.07, feed=2300.0)
+    machine = Machine(s_shape_first=-1.6, s_shape_second=1.6, servo_mismatch=0.5, lag=lag)
+    for seed in range(2):
+        found = diagnose(measured(machine, setup, np.random.default_rng(seed)))
+        for name in ("radius_change", "lateral_play_first", "lateral_play_second"):
+            effect = found.effects[name]
+            assert abs(effect.value) < 3.0 * effect.std_error, (name, effect)

@@ -39,7 +39,12 @@ from compwright.estimation.circle_noise import (
     estimate_spectrum,
     sum_and_difference,
 )
-from compwright.estimation.circle_readings import mean_column, means, readings_near_reversals
+from compwright.estimation.circle_readings import (
+    early_columns,
+    mean_column,
+    means,
+    readings_near_reversals,
+)
 from compwright.records.axis import FloatArray
 
 #: Shortest length of a reversal spike in samples and in seconds, longest as a share of the radius,
@@ -176,7 +181,7 @@ def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
     readings, first = readings_near_reversals(samples)
     fixed = [mean_column(column, first) for column in fixed_columns(readings)]
     towards, target, known = _linear(samples, fixed)
-    fixed += changeover_columns(samples)
+    fixed += (*changeover_columns(samples), *early_columns(samples))
     if samples.lag_std > 0.0:
         fixed.append(lag_column(samples, fixed, known))
     slopes = np.array([c.x * towards[0] + c.y * towards[1] for c in fixed]).T

@@ -428,10 +428,10 @@ def lag_column(
     The effect is the slope of the ``known`` causes along the motion (derivatives by θ of the table
     in the module docstring; ISO 230-4:1996, annex B). The part that shifts the centre is left out.
     Of straightness, k cos²θ sinθ = k/4 (sinθ + sin3θ), only the third harmonic counts, because the
-    first harmonic is an offset of the centre. A servo mismatch τ, large at a high feed, changes the
-    scale mismatch by 4 v τ per radian. Under centre, lost motion and lateral play the tool is
-    displaced by the same (x, y) along a quarter of the circle, so that the slope is y cosθ - x
-    sinθ.
+    first harmonic is an offset of the centre. Straightness of third order has a fourth harmonic. A
+    servo mismatch τ, large at a high feed, changes the scale mismatch by 4 v τ per radian. Under
+    centre, lost motion and lateral play the tool is displaced by the same (x, y) along a quarter of
+    the circle, so that the slope is y cosθ - x sinθ.
     """
     cos, sin = np.cos(samples.theta), np.sin(samples.theta)
     double, triple = 2.0 * samples.theta, 3.0 * samples.theta
@@ -440,6 +440,7 @@ def lag_column(
         - 1e-6 * samples.radius * known.get("squareness", 0.0) * np.cos(double)
         + 0.75 * UM * known.get("straightness_first", 0.0) * np.cos(triple)
         + 0.75 * UM * known.get("straightness_second", 0.0) * np.sin(triple)
+        + UM * known.get("_s_shape", 0.0) * np.cos(4.0 * samples.theta)
         + samples.sense * (UM * samples.speed * known.get("servo_mismatch", 0.0)) * np.cos(double)
     )
     for column in fixed:

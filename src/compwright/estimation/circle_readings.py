@@ -8,12 +8,19 @@ there.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_model import CauseColumn, CircleSamples, sample_spacing
+from compwright.estimation.circle_model import (
+    PRIORS,
+    UM,
+    CauseColumn,
+    CircleSamples,
+    sample_spacing,
+)
 from compwright.estimation.circle_noise import IndexArray
 from compwright.records.axis import FloatArray
 
@@ -51,3 +58,24 @@ def means(values: FloatArray, first: IndexArray) -> FloatArray:
         return values
     found: FloatArray = np.add.reduceat(values, first, axis=-1) / np.diff(first, append=count)
     return found
+
+
+def early_columns(samples: CircleSamples) -> Iterator[CauseColumn]:
+    """Yield model columns of what readings just before a reversal may show of lost motion and
+    spike: one for each reversal point and direction, 1 um at the reversal.
+
+    The model reverses at the angle of the common lag, if one was found. The axes may reverse
+    sooner, by ``lag_std`` (standard deviation). Without these columns one reading on the wrong side
+    of the reversal where a run begins decided about spiral and lost motion.
+    """
+    if samples.lag == 0.0 or samples.lag_std == 0.0:
+        return
+    zero = np.zeros_like(samples.theta)
+    for point in range(4):
+        since = samples.sense * (samples.theta - 0.5 * np.pi * point)
+        since = np.mod(since + np.pi, 2.0 * np.pi) - np.pi
+        near = np.where(since < 0.0, np.exp(-0.5 * (since / samples.lag_std) ** 2), 0.0)
+        for sense in np.unique(samples.sense):
+            moved = UM * np.where(samples.sense == sense, near, 0.0)
+            x, y = (zero, moved) if point % 2 else (moved, zero)
+            yield CauseColumn(f"_early_{point}_{sense:+.0f}", x, y, PRIORS["_spike"])
