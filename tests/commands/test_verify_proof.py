@@ -293,6 +293,29 @@ def test_the_noise_must_be_believable(folder: Path, factor: float) -> None:
     assert (code, "CW-V021" in codes(document)) == (1, True)
 
 
+@pytest.mark.parametrize(
+    ("first", "second", "older"),
+    [
+        ("2026-03-02", "2026-03-01", True),
+        ("02.03.2026 10:00", "Mar 2, 2026 9:59", True),
+        ("2026-03-02 10:00", "2026-03-02", False),
+        ("2026-03-02", "03/01/2026", False),  # may be January 3 or March 1
+        ("", "2026-03-01", False),
+    ],
+)
+def test_a_test_that_is_older_than_the_first_one_proves_nothing(
+    tmp_path: Path, first: str, second: str, older: bool
+) -> None:
+    rows = csv_of(TARGETS, MACHINE.measure(TARGETS, 1))
+    (tmp_path / "x.csv").write_text(f"# date: {first}\n{rows}" if first else rows)
+    (tmp_path / "job.yaml").write_text(JOB)
+    assert compwright(["run", str(tmp_path / "job.yaml")]) == 0
+    rows = csv_of(TARGETS, honest(tmp_path))
+    (tmp_path / "after.csv").write_text(f"# date: {second}\n{rows}")
+    code, document = verify(tmp_path, "after.csv")
+    assert (code, "CW-V029" in codes(document)) == ((1, True) if older else (0, False))
+
+
 def test_a_warning_about_the_readings_counts(folder: Path) -> None:
     now = honest(folder)
     now[1][3, 2] = np.nan

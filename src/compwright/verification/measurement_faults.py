@@ -23,6 +23,7 @@ from compwright.evaluation.plausibility import (
 from compwright.evaluation.pooled_scatter import pooled_scatter, reading_range
 from compwright.evaluation.reading_checks import position_text, text_of
 from compwright.evaluation.statistics import mean_deviation
+from compwright.foundations.dates import day_of
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.positioning import SAME_READING, PositioningTest
@@ -223,10 +224,10 @@ def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
 
 def proof_findings(after: PositioningTest, first: PositioningTest) -> list[Finding]:
     """Return the findings that a test after loading is only weak evidence: targets of the ``first``
-    test are missing (CW-V020), or the noise is implausible compared with the ``first`` test
-    (CW-V021).
+    test are missing (CW-V020), the noise is implausible compared with the ``first`` test (CW-V021),
+    or a file is older than one of the ``first`` test (CW-V029).
     """
-    return [*_coverage(after, first), *_noise(after, first)]
+    return [*_coverage(after, first), *_noise(after, first), *_order(after, first)]
 
 
 def _coverage(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
@@ -285,6 +286,19 @@ def _noise(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
         first=text_of(s_first, first),
         factor=_BELIEVED,
     )
+
+
+def _order(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
+    earliest, latest = min(_days(after), default=""), max(_days(first), default="")
+    both = min(len(earliest), len(latest))  # a day without a time of day is compared as a day
+    if both and earliest[:both] < latest[:both]:
+        yield Finding.of("CW-V029", "warning", date=earliest, first=latest)
+
+
+def _days(test: PositioningTest) -> list[str]:
+    """Return the dates of the files of a test that are not ambiguous."""
+    dates = next((text for key, text in test.header.items() if key.lower() == "date"), "")
+    return [day for day in map(day_of, dates.split("\n")) if day]
 
 
 def file_disagreement(parts: Sequence[PositioningTest]) -> tuple[PositioningTest, str] | None:

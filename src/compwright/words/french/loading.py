@@ -117,6 +117,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V027": "{verdict}",
     "CW-V028": "{verdict}",
+    "CW-V029": (
+        "L'essai après chargement est daté du {date}, le premier essai du {first}. Un essai plus"
+        " ancien ne montre pas ce qui a été chargé. Vérifier le fichier et sa date, ou mesurer"
+        " l'axe de nouveau."
+    ),
     "CW-V030": (
         "Les essais {off} (sans la table) et {on} (avec elle) montrent que la table existante"
         " (states.{state} dans le dossier de travail) était active comme le disent ses fichiers"

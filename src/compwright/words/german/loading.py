@@ -120,6 +120,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V027": "{verdict}",
     "CW-V028": "{verdict}",
+    "CW-V029": (
+        "Die Prüfung nach dem Laden ist vom {date}, die erste Prüfung vom {first}. Eine ältere"
+        " Prüfung zeigt nicht, was geladen wurde. Datei und Datum prüfen oder die Achse neu messen."
+    ),
     "CW-V030": (
         "Die Prüfungen {off} (ohne die Tabelle) und {on} (mit ihr) zeigen, dass die vorhandene"
         " Tabelle (states.{state} im Auftrag) aktiv war, wie ihre Dateien sagen (zu {percent:.1f}"

@@ -51,7 +51,7 @@ from compwright.workflow.verify.next_files import JOB, Looped, next_files
 #: The folder of the next round, in that of the results.
 FOLDER: Final = "next"
 #: Findings, in addition to doubts, that name a proof that the test of an axis lacks.
-LACKING: Final = frozenset({"CW-V020", "CW-V021", "CW-V024"})
+LACKING: Final = frozenset({"CW-V020", "CW-V021", "CW-V024", "CW-V029"})
 _NOT_FROM_HERE: Final = frozenset({"CW-V011", "CW-S087", "CW-V022"})
 
 

@@ -295,11 +295,9 @@ class IncrementReader:
             )
             return None
         creep = float(np.sum(counts[skipped:]))
-        unit = float(self._unit(kind)) * sections.magnification
         if creep != 0:
             message = (
-                "the increments of one turn do not add up to zero: the correction creeps by"
-                f" {creep * unit:g} deg each turn"
+                "the increments of one turn do not add up to zero: the correction grows each turn"
             )
             values.notes.refuse(
                 values.label,
@@ -320,6 +318,7 @@ class IncrementReader:
                 value=counts[-1],
             )
         sums = np.concatenate([[0.0], np.cumsum(counts[skipped:])])
+        unit = float(self._unit(kind)) * sections.magnification
         curve = sums * unit * self._sign("pitch_sign")
         positions = sections.points(self._reference(), round_turn=True)
         return self._compensation(kind, (positions, curve, curve), backlash, turn)
