@@ -26,6 +26,8 @@ from compwright.records.axis import FloatArray
 
 #: Samples, from one before a reversal on, that are resolved into readings.
 _RESOLVED: Final = 6.0
+#: Standard uncertainties of the lag before a reversal within which a run begins at the reversal.
+_AT_START: Final = 3.0
 
 
 def readings_near_reversals(samples: CircleSamples) -> tuple[CircleSamples, IndexArray]:
@@ -62,20 +64,25 @@ def means(values: FloatArray, first: IndexArray) -> FloatArray:
 
 def early_columns(samples: CircleSamples) -> Iterator[CauseColumn]:
     """Yield model columns of what readings just before a reversal may show of lost motion and
-    spike: one for each reversal point and direction, 1 um at the reversal.
+    spike: 1 um at the reversal, for each direction whose run begins at a reversal point.
 
     The model reverses at the angle of the common lag, if one was found. The axes may reverse
-    sooner, by ``lag_std`` (standard deviation). Without these columns one reading on the wrong side
-    of the reversal where a run begins decided about spiral and lost motion.
+    sooner, by ``lag_std`` (standard deviation). Where a run begins, few readings are before the
+    reversal. Without these columns one of them that is in fact after it decided about spiral and
+    lost motion.
     """
     if samples.lag == 0.0 or samples.lag_std == 0.0:
         return
     zero = np.zeros_like(samples.theta)
-    for point in range(4):
+    for sense in np.unique(samples.sense):
+        start = samples.arc[0] if sense > 0.0 else sum(samples.arc)
+        point = round(start / (0.5 * np.pi))
+        ahead = sense * (0.5 * np.pi * point - start)
+        if not -samples.lag <= ahead <= _AT_START * samples.lag_std:
+            continue
         since = samples.sense * (samples.theta - 0.5 * np.pi * point)
         since = np.mod(since + np.pi, 2.0 * np.pi) - np.pi
         near = np.where(since < 0.0, np.exp(-0.5 * (since / samples.lag_std) ** 2), 0.0)
-        for sense in np.unique(samples.sense):
-            moved = UM * np.where(samples.sense == sense, near, 0.0)
-            x, y = (zero, moved) if point % 2 else (moved, zero)
-            yield CauseColumn(f"_early_{point}_{sense:+.0f}", x, y, PRIORS["_spike"])
+        moved = UM * np.where(samples.sense == sense, near, 0.0)
+        x, y = (zero, moved) if point % 2 else (moved, zero)
+        yield CauseColumn(f"_early_{sense:+.0f}", x, y, PRIORS["_spike"])

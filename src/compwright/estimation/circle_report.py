@@ -24,6 +24,7 @@ from compwright.estimation.circle_lag import shrink_uncertainty
 from compwright.estimation.circle_model import (
     AXES,
     ENDS,
+    PRIORS,
     UM,
     CircleSamples,
     prior_width,
@@ -251,6 +252,8 @@ def _spike(
     decay = np.where(spike.decay > 0.0, spike.decay, np.inf)
     response = max(_RESPONSE * samples.speed, _FILTER * sample_spacing(samples))
     late = np.hypot(samples.lag_std * samples.radius, response) / decay
+    # Of a spike that is gone before the first sample, the prior alone says how high it may be.
+    before = np.minimum(np.abs(heights) * late, PRIORS["_spike"])
     edge = np.where(spike.rise > 0.0, _EDGE, 0.0)  # a decay without a rise has its edge
     of_shape = (
         float(np.mean((heights * edge) ** 2)) / 3.0
@@ -258,9 +261,7 @@ def _spike(
         + float(np.mean(unseen**2)) / 12.0
     )
     variance = (
-        of_shape
-        + float(np.mean((heights * late) ** 2)) / 3.0
-        + (1.0 - spike.there) * spike.least_error**2
+        of_shape + float(np.mean(before**2)) / 3.0 + (1.0 - spike.there) * spike.least_error**2
     )
     error = float(np.sqrt(np.var(heights) + variance))
     axis, end = spike.reversal.axis, spike.reversal.end
