@@ -171,5 +171,5 @@ def test_a_neighbour_that_was_changed_while_loading_is_no_good_verification(
     file.write_text("".join(lines), encoding="ascii")
     assert verify(folder) == 1
     said = " ".join(capsys.readouterr().out.split())
-    assert "differs from the plan outside of its axes: N10102Q0 (2)" in said
+    assert "differs from the plan outside of its axis tables: N10102Q0 (2)" in said
     assert "Verdict: bad" in said

@@ -140,7 +140,7 @@ def refusal(faults: Iterable[Fault]) -> SentenceText:
     every = [
         say(
             "between.fault",
-            where=": ".join((fault.file, fault.place)) if fault.file else "",
+            where=": ".join(filter(None, (fault.file, fault.place))) if fault.file else "",
             message=fault.message,
             expected=fault.expected,
             found=fault.found,

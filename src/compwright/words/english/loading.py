@@ -15,7 +15,7 @@ SENTENCES: Final[dict[str, str]] = {
         " to {difference:.2f} {unit}. Run compwright compare to see where."
     ),
     "CW-V011.others": (
-        "What was read back from the control differs from the plan outside of its axes:"
+        "What was read back from the control differs from the plan outside of its axis tables:"
         " {entries}. Run compwright compare to see where."
     ),
     "CW-V012": (

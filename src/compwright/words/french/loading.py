@@ -12,8 +12,8 @@ SENTENCES: Final[dict[str, str]] = {
         " plus. compwright compare montre où."
     ),
     "CW-V011.others": (
-        "Ce qui a été relu de la commande diffère du plan en dehors de ses axes : {entries}."
-        " compwright compare montre où."
+        "Ce qui a été relu de la commande diffère du plan en dehors de ses tables d'axe :"
+        " {entries}. compwright compare montre où."
     ),
     "CW-V012": (
         "Axe {axis} : cet essai ne montrerait pas si sa table a été échangée avec celle de"

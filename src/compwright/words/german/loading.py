@@ -15,8 +15,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {difference:.2f} {unit} vom Plan ab. Wo, zeigt compwright compare."
     ),
     "CW-V011.others": (
-        "Das aus der Steuerung Ausgelesene weicht außerhalb der Achsen des Plans vom Plan ab:"
-        " {entries}. compwright compare zeigt, wo."
+        "Das aus der Steuerung Zurückgelesene weicht außerhalb der Achstabellen des Plans vom Plan"
+        " ab: {entries}. Wo, zeigt compwright compare."
     ),
     "CW-V012": (
         "Achse {axis}: Diese Prüfung würde nicht zeigen, ob ihre Tabelle mit der von {others:join|"

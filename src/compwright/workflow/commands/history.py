@@ -264,8 +264,8 @@ def _copies(entries: Sequence[HistoryEntry]) -> Iterator[str]:
         if earlier is not None:
             yield (
                 f"{later.folder}: {later.test} has the readings of {earlier.test} in"
-                f" {earlier.folder}. A copy with another date shows a change or a rest that the"
-                " machine does not have. Leave the folder of the copy out"
+                f" {earlier.folder}. A copy counts as a test of its own, although nothing was"
+                " measured again. Leave the folder of the copy out"
             )
 
 

@@ -300,7 +300,7 @@ def _between(
 
 def _of_others(document: Mapping[str, Any] | str) -> Iterator[Finding]:
     """Yield the finding CW-V011 if the ``document`` of ``compare`` has differences that belong to
-    no axis of the plan: what was loaded changed another axis.
+    no axis table of the plan: another axis, or a table between axes, was changed while loading.
     """
     if isinstance(document, str):  # why nothing was compared: the axes of the plan are judged alone
         return

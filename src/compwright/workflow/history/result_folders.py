@@ -92,7 +92,7 @@ def read_folder(session: Session, path: Path) -> ResultFolder:
         record=record,
         notes=tuple(
             f"{RECORD} was changed: {test['name']} has {', '.join(changed)}."
-            " Make the results again with `compwright run`"
+            " Make the results again with the same command (`compwright run` or `verify`)"
             for test in record["tests"]
             if (changed := changed_parameters(test))
         ),

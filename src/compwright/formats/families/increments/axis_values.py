@@ -126,7 +126,7 @@ class IncrementAxisValues(Values):
                     found=word,
                     hint=f"set `kind: {word}` for the axis in the job, if the control is right",
                 )
-                return AxisKind(word)  # its table is in order in this kind only
+                return AxisKind(word)  # as another kind its table would have faults too
             return self.axis.kind
         if word is None and self.known_kind is not None:
             return self.known_kind

@@ -221,9 +221,8 @@ class CecWriter:
                 )
             return
         promised, listed = self.control.options.get("points"), self.tables.reserved
-        if 0 in listed.values() and index > max(
-            listed
-        ):  # 0: all tables are listed, not those in use
+        # A table of 0 points in the list: all tables are listed, not only those in use.
+        if 0 in listed.values() and index > max(listed):
             faults.append(
                 Fault(
                     message=control_text(
