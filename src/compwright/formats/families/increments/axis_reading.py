@@ -297,7 +297,7 @@ class IncrementReader:
         creep = float(np.sum(counts[skipped:]))
         if creep != 0:
             message = (
-                "the increments of one turn do not add up to zero: the correction grows each turn"
+                "the increments of one turn do not add up to zero: the correction creeps each turn"
             )
             values.notes.refuse(
                 values.label,
