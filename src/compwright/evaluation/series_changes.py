@@ -411,12 +411,13 @@ def same_readings(one: HistoryEntry, other: HistoryEntry) -> bool:
     """Return whether two positioning tests with scatter agree in scatter and in the mean deviations
     at all targets, except for a constant (the instrument's zero).
     """
+    scatter = [entry.values.get("s", 0.0) for entry in (one, other)]
+    if min(scatter) <= _SAME_VALUE or abs(scatter[0] - scatter[1]) > _SAME_VALUE:
+        return False
     means = [np.concatenate(entry.means) for entry in (one, other)]
     if one.targets != other.targets or not means[0].size == means[1].size >= _ENOUGH_MEANS:
         return False
-    scatter = [entry.values.get("s", 0.0) for entry in (one, other)]
-    differs = max(abs(scatter[0] - scatter[1]), float(np.ptp(means[0] - means[1])))
-    return min(scatter) > _SAME_VALUE and differs <= _SAME_VALUE
+    return float(np.ptp(means[0] - means[1])) <= _SAME_VALUE
 
 
 def without_repeats(entries: Sequence[HistoryEntry]) -> Iterator[HistoryEntry]:
