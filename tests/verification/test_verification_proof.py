@@ -194,9 +194,17 @@ def test_the_circle_from_before_is_no_circle_after() -> None:
     same = replace(old.test, sources=(Source("again.b5r", "aa"),))
     (finding,) = repeated_circles(planned, {"xy": same})
     assert finding.code == "CW-V025"
-    assert (
-        list(repeated_circles(planned, {"xy": replace(same, sources=(Source("n", "bb"),))})) == []
-    )
+    other = replace(same, sources=(Source("n", "bb"),))
+    assert list(repeated_circles(planned, {"xy": other})) == []
+    for first, second, found in (
+        ("2026-03-02", "2026-03-01", ["CW-V029"]),
+        ("2026-03-01", "2026-03-02", []),
+    ):
+        dated = replace(was, test=replace(was.test, header={"Date": first}))
+        findings = repeated_circles(
+            plan({}, circles={"xy": dated}), {"xy": replace(other, header={"Date": second})}
+        )
+        assert [finding.code for finding in findings] == found
 
 
 def test_a_circle_with_limits_has_to_be_measured_again_by_the_limits_of_the_run() -> None:

@@ -26,6 +26,7 @@ from compwright.evaluation.statistics import mean_deviation
 from compwright.foundations.dates import day_of
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.circular import CircularTest
 from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.records.verification import MeasurementFault
 from compwright.words.sentences import Sentence, say
@@ -227,7 +228,7 @@ def proof_findings(after: PositioningTest, first: PositioningTest) -> list[Findi
     test are missing (CW-V020), the noise is implausible compared with the ``first`` test (CW-V021),
     or a file is older than one of the ``first`` test (CW-V029).
     """
-    return [*_coverage(after, first), *_noise(after, first), *_order(after, first)]
+    return [*_coverage(after, first), *_noise(after, first), *order_findings(after, first)]
 
 
 def _coverage(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
@@ -288,14 +289,19 @@ def _noise(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
     )
 
 
-def _order(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
+def order_findings(
+    after: PositioningTest | CircularTest, first: PositioningTest | CircularTest, circle: str = ""
+) -> Iterable[Finding]:
+    """Yield the finding CW-V029 if a file of the test ``after`` loading has an older date than one
+    of the ``first`` test. ``circle``: name of a circle.
+    """
     earliest, latest = min(_days(after), default=""), max(_days(first), default="")
     both = min(len(earliest), len(latest))  # a day without a time of day is compared as a day
     if both and earliest[:both] < latest[:both]:
-        yield Finding.of("CW-V029", "warning", date=earliest, first=latest)
+        yield Finding.of("CW-V029", "warning", date=earliest, first=latest, circle=circle)
 
 
-def _days(test: PositioningTest) -> list[str]:
+def _days(test: PositioningTest | CircularTest) -> list[str]:
     """Return the dates of the files of a test that are not ambiguous."""
     dates = next((text for key, text in test.header.items() if key.lower() == "date"), "")
     return [day for day in map(day_of, dates.split("\n")) if day]

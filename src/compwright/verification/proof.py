@@ -28,7 +28,7 @@ from compwright.records.job import Job
 from compwright.records.plan import Plan
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult
-from compwright.verification.measurement_faults import NamedFault, copied_scatter
+from compwright.verification.measurement_faults import NamedFault, copied_scatter, order_findings
 from compwright.words.sentences import say
 
 #: Warnings that only say that values are larger than those of a quiet machine, or that an
@@ -250,9 +250,11 @@ def copied_tests(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
 
 
 def repeated_circles(plan: Plan, circles: Mapping[str, CircularTest]) -> Iterator[Finding]:
-    """Yield the finding CW-V025 for each circle whose test after loading has the same file as the
-    test before loading.
+    """Yield a finding for each circle whose test after loading has the same file as the test before
+    loading (CW-V025), or is older (CW-V029).
     """
     for name, test in circles.items():
-        if share_a_file(plan.circles[name].test.sources, test.sources):
+        first = plan.circles[name].test
+        if share_a_file(first.sources, test.sources):
             yield Finding.of("CW-V025", "warning", circle=name)
+        yield from order_findings(test, first, name)

@@ -116,8 +116,9 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V027": "{verdict}",
     "CW-V028": "{verdict}",
     "CW-V029": (
-        "The test after loading is dated {date}, and the first test {first}. An older test does not"
-        " show what was loaded. Check the file and its date, or measure the axis again."
+        "The test{circle:if| of circle {circle}|} after loading is dated {date}, and the first test"
+        " {first}. An older test does not show what was loaded. Check the file and its date, or"
+        " measure again."
     ),
     "CW-V030": (
         "The tests {off} (without the table) and {on} (with it) show that the existing table"

@@ -118,9 +118,9 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V027": "{verdict}",
     "CW-V028": "{verdict}",
     "CW-V029": (
-        "L'essai après chargement est daté du {date}, le premier essai du {first}. Un essai plus"
-        " ancien ne montre pas ce qui a été chargé. Vérifier le fichier et sa date, ou mesurer"
-        " l'axe de nouveau."
+        "L'essai{circle:if| du cercle {circle}|} après chargement est daté du {date}, le premier"
+        " essai du {first}. Un essai plus ancien ne montre pas ce qui a été chargé. Vérifier le"
+        " fichier et sa date, ou mesurer de nouveau."
     ),
     "CW-V030": (
         "Les essais {off} (sans la table) et {on} (avec elle) montrent que la table existante"

@@ -121,8 +121,9 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V027": "{verdict}",
     "CW-V028": "{verdict}",
     "CW-V029": (
-        "Die Prüfung nach dem Laden ist vom {date}, die erste Prüfung vom {first}. Eine ältere"
-        " Prüfung zeigt nicht, was geladen wurde. Datei und Datum prüfen oder die Achse neu messen."
+        "Die Prüfung{circle:if| des Kreises {circle}|} nach dem Laden ist vom {date}, die erste"
+        " Prüfung vom {first}. Eine ältere Prüfung zeigt nicht, was geladen wurde. Datei und Datum"
+        " prüfen oder neu messen."
     ),
     "CW-V030": (
         "Die Prüfungen {off} (ohne die Tabelle) und {on} (mit ihr) zeigen, dass die vorhandene"
