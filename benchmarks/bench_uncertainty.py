@@ -5,6 +5,13 @@ without instrument and environment: simulated axes with known truth, by geometry
 
 k = 2 of the normal law is 95.45 %. With TESTS tests the standard error of a share is
 sqrt(0.0455 * 0.9545 / TESTS): 1.0 % for 400.
+
+Measured over 93 kinds of axes, in % (docs/evaluation.md has the range):
+
+    scatter of the axis over that of the environment     A     E     M     R     B   mean B
+    0.35                                               97.5  94.9  95.5  99.1  95.4   95.3
+    1.4                                                93.7  94.8  94.9  94.5  95.2   95.5
+    7                                                  95.5  95.0  95.3  95.2  95.8   95.8
 """
 
 from __future__ import annotations
