@@ -38,6 +38,7 @@ from compwright.workflow.inputs.jobs import read_job_file
 from compwright.workflow.verify.next_round import (
     Round,
     Verified,
+    _measured,
     known_with_rounds,
     next_round,
     refuse_later_rounds,
@@ -282,7 +283,7 @@ def pair(tmp_path_factory: pytest.TempPathFactory) -> Pair:
     plan = folder / "job" / "plan.json"
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(verify, "verified_axis", _all_loaded(verified_axis))
-        found, _ = verify._verified(
+        found, _, _ = verify._verified(
             Session(), read_job_file(Session(), job), after, plan, [control]
         )
     return Pair(folder, found, compare_plan(Session(), plan, [control]).document)
@@ -367,6 +368,14 @@ def test_squareness_alone_is_answered_in_words(pair: Pair) -> None:
         then = next_round(Session(), found, pair.compared, pair.folder / "job")
         assert not then.files
         assert said in then.document["reason"]
+
+
+def test_a_circle_that_was_not_measured_after_loading_is_not_built_upon(pair: Pair) -> None:
+    files = {name: [pair.folder / f"{name}.csv"] for name in ("xy", "yz")}
+    for code in ("CW-V025", "CW-V029", "CW-V032"):
+        finding = Finding(code, "warning", say("CW-V025", circle="xy"))
+        found = replace(pair.found, circle_files=files, findings=(finding,))
+        assert list(_measured(found)) == ["yz"]
 
 
 def test_a_definition_that_lies_in_the_folder_is_not_kept_twice(pair: Pair, tmp_path: Path) -> None:

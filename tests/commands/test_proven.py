@@ -173,3 +173,23 @@ def test_a_neighbour_that_was_changed_while_loading_is_no_good_verification(
     said = " ".join(capsys.readouterr().out.split())
     assert "differs from the plan outside of its axis tables: N10102Q0 (2)" in said
     assert "Verdict: bad" in said
+
+
+def test_a_neighbour_that_cannot_be_read_any_more_is_no_good_verification(
+    machine: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Parameter 3624 of the second axis, which is not in the job, was not read back: `compare` is
+    undecided.
+    """
+    folder = tmp_path / "job"
+    shutil.copytree(machine, folder)
+    real(folder / "after" / "x.csv", "2026-03-02")
+    file = folder / "read back" / "CNC-PARA.TXT"
+    text = file.read_text(encoding="ascii")
+    assert "A2M100.0" in text
+    file.write_text(text.replace("A2M100.0", ""), encoding="ascii")
+    assert verify(folder) == 1
+    said = " ".join(capsys.readouterr().out.split())
+    assert "CW-V033" in said
+    assert "Verdict: undecided" in said
+    assert not (folder / "job" / "proven").exists()

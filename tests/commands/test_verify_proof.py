@@ -316,6 +316,31 @@ def test_a_test_that_is_older_than_the_first_one_proves_nothing(
     assert (code, "CW-V029" in codes(document)) == ((1, True) if older else (0, False))
 
 
+@pytest.mark.parametrize(
+    ("job", "first", "second", "other"),
+    [
+        ("1111111", "", "2222222", True),
+        ("", "1111111", "2222222", True),
+        ("1111111", "", "111 1111", False),
+        ("not given", "", "2222222", False),  # as `new` writes it
+        ("1111111", "", "", False),
+    ],
+)
+def test_a_test_of_another_machine_proves_nothing(
+    tmp_path: Path, job: str, first: str, second: str, other: bool
+) -> None:
+    def write(file: str, readings: Readings, serial: str) -> None:
+        (tmp_path / file).write_text(f"# serial: {serial}\n{csv_of(TARGETS, readings)}")
+
+    write("x.csv", MACHINE.measure(TARGETS, 1), first)
+    machine = f'machine: {{serial: "{job}"}}\n' if job else ""
+    (tmp_path / "job.yaml").write_text(JOB + machine)
+    assert compwright(["run", str(tmp_path / "job.yaml")]) == 0
+    write("after.csv", honest(tmp_path), second)
+    code, document = verify(tmp_path, "after.csv")
+    assert (code, "CW-V032" in codes(document)) == ((1, True) if other else (0, False))
+
+
 def test_a_warning_about_the_readings_counts(folder: Path) -> None:
     now = honest(folder)
     now[1][3, 2] = np.nan

@@ -25,7 +25,8 @@ from compwright.verification.proof import (
     copied_tests,
     doubt_warnings,
     not_measured,
-    repeated_circles,
+    read_back_findings,
+    unproven_circles,
 )
 from compwright.words.sentences import say
 from compwright.workflow.verify.verified_axis import _without_explained_doubt
@@ -192,19 +193,28 @@ def test_the_circle_from_before_is_no_circle_after() -> None:
     was = replace(old, test=replace(old.test, sources=(Source("xy.b5r", "aa"),)))
     planned = plan({}, circles={"xy": was})
     same = replace(old.test, sources=(Source("again.b5r", "aa"),))
-    (finding,) = repeated_circles(planned, {"xy": same})
+    (finding,) = unproven_circles(planned, {"xy": same}, "")
     assert finding.code == "CW-V025"
     other = replace(same, sources=(Source("n", "bb"),))
-    assert list(repeated_circles(planned, {"xy": other})) == []
+    assert list(unproven_circles(planned, {"xy": other}, "")) == []
     for first, second, found in (
         ("2026-03-02", "2026-03-01", ["CW-V029"]),
         ("2026-03-01", "2026-03-02", []),
     ):
         dated = replace(was, test=replace(was.test, header={"Date": first}))
-        findings = repeated_circles(
-            plan({}, circles={"xy": dated}), {"xy": replace(other, header={"Date": second})}
+        findings = unproven_circles(
+            plan({}, circles={"xy": dated}), {"xy": replace(other, header={"Date": second})}, ""
         )
         assert [finding.code for finding in findings] == found
+
+
+def test_a_circle_of_another_machine_is_none_of_this_one() -> None:
+    old = circle_of({}).planned
+    planned = plan({}, circles={"xy": replace(old, test=replace(old.test, sources=()))})
+    again = replace(old.test, sources=(Source("n", "bb"),), header={"serial_no": "SN 12"})
+    assert list(unproven_circles(planned, {"xy": again}, "sn-12")) == []
+    (finding,) = unproven_circles(planned, {"xy": again}, "13")
+    assert (finding.code, finding.values["circle"]) == ("CW-V032", "xy")
 
 
 def test_a_circle_with_limits_has_to_be_measured_again_by_the_limits_of_the_run() -> None:
@@ -222,6 +232,18 @@ def test_a_circle_with_limits_has_to_be_measured_again_by_the_limits_of_the_run(
     assert "circular tests was U 0.7, now it is U 3" in declared.message
     of = plan({}, circles={"xy": replace(circle_of({}).planned, budget=budget)})
     assert missing(job, of, {}) == []
+
+
+def test_changed_values_of_others_are_counted_and_doubts_are_kept() -> None:
+    entries = [{"axis": "2", "quantity": f"N1010{number}"} for number in range(5)]
+    compared = {"axes": {"X": {}}, "differences": [{"axis": "X", "quantity": "own"}, *entries]}
+    (found,) = read_back_findings(job_of(), compared, (), ())
+    assert (found.code, found.severity) == ("CW-V011", "error")
+    assert "N10100 (2), N10101 (2), N10102 (2) and 2 more. Run" in found.message
+    compared["differences"] = []
+    lost = Finding.of("CW-S080", "warning", files="a", axis="Y", faults=["no end"], more=0)
+    assert [one.code for one in read_back_findings(job_of(), compared, [lost], ())] == ["CW-V033"]
+    assert list(read_back_findings(job_of(), compared, [lost], [lost])) == []
 
 
 def test_what_was_edited_after_the_run_is_said() -> None:

@@ -20,6 +20,7 @@ def step(verdicts: dict[str, str], *codes: str) -> str:
         },
         "circles": {},
         "findings": [{"code": code} for code in codes],
+        "doubts": [{"code": code} for code in codes],
     }
     outcome = SimpleNamespace(document=document, files=())
     job, out = Path("job.yaml"), Path("job")
@@ -50,6 +51,12 @@ def test_a_coupling_that_is_new_is_nothing_to_load() -> None:
     coupled = step({"X": "loaded"}, "CW-S088")
     assert coupled.startswith("Next: check on the control the coupling that CW-S088 names")
     assert coupled.endswith("compwright run job.yaml --out job --force")
+
+
+def test_a_doubt_is_no_reason_for_another_round() -> None:
+    assert step({"X": "loaded"}).endswith("--loaded READ_BACK --update --force")
+    assert step({"X": "loaded"}, "CW-V029").startswith("Next: correct what is named above, measure")
+    assert step({"X": "loaded"}, "CW-V033").endswith("compwright compare job --loaded READ_BACK")
 
 
 @pytest.mark.parametrize("sheet", ["entry_X.csv", "cross_X_Y.csv", "straightness_X_Y.csv"])

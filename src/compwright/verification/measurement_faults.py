@@ -8,6 +8,7 @@ give it. All lengths are in mm or deg.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Final, Literal
@@ -49,6 +50,8 @@ _GAP: Final = 2.0
 _THOUSAND: Final = 1000.0
 #: Degrees of freedom from which repeated readings say what is usual between them.
 _FEW_REPEATS: Final = 5
+#: Keys of a file under which the serial number of the machine is.
+_SERIAL: Final = ("serial", "serial_no")
 
 
 @dataclass(frozen=True, slots=True)
@@ -223,12 +226,16 @@ def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
     return ((1.0 - b) * root - (1.0 - a)) / math.sqrt(b * root**2 + a)
 
 
-def proof_findings(after: PositioningTest, first: PositioningTest) -> list[Finding]:
+def proof_findings(
+    after: PositioningTest, first: PositioningTest, serial: str = ""
+) -> list[Finding]:
     """Return the findings that a test after loading is only weak evidence: targets of the ``first``
     test are missing (CW-V020), the noise is implausible compared with the ``first`` test (CW-V021),
-    or a file is older than one of the ``first`` test (CW-V029).
+    a file is older than one of the ``first`` test (CW-V029), or it is of another machine than that
+    with the ``serial`` number of the job (CW-V032).
     """
-    return [*_coverage(after, first), *_noise(after, first), *order_findings(after, first)]
+    origin = origin_findings(after, first, serial)
+    return [*_coverage(after, first), *_noise(after, first), *origin]
 
 
 def _coverage(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
@@ -289,22 +296,44 @@ def _noise(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
     )
 
 
-def order_findings(
-    after: PositioningTest | CircularTest, first: PositioningTest | CircularTest, circle: str = ""
+def origin_findings(
+    after: PositioningTest | CircularTest,
+    first: PositioningTest | CircularTest,
+    serial: str,
+    circle: str = "",
 ) -> Iterable[Finding]:
     """Yield the finding CW-V029 if a file of the test ``after`` loading has an older date than one
-    of the ``first`` test. ``circle``: name of a circle.
+    of the ``first`` test, and CW-V032 if it has another serial number of the machine than the job
+    (``serial``) and the ``first`` test. ``circle``: name of a circle.
     """
     earliest, latest = min(_days(after), default=""), max(_days(first), default="")
     both = min(len(earliest), len(latest))  # a day without a time of day is compared as a day
     if both and earliest[:both] < latest[:both]:
         yield Finding.of("CW-V029", "warning", date=earliest, first=latest, circle=circle)
+    known = {_plain(one): one for one in (serial, *_stated(first, *_SERIAL)) if _plain(one)}
+    for found in _stated(after, *_SERIAL):
+        if known and _plain(found) not in {"", *known}:
+            numbers = list(known.values())
+            yield Finding.of("CW-V032", "warning", found=found, known=numbers, circle=circle)
 
 
 def _days(test: PositioningTest | CircularTest) -> list[str]:
     """Return the dates of the files of a test that are not ambiguous."""
-    dates = next((text for key, text in test.header.items() if key.lower() == "date"), "")
-    return [day for day in map(day_of, dates.split("\n")) if day]
+    return [day for day in map(day_of, _stated(test, "date")) if day]
+
+
+def _stated(test: PositioningTest | CircularTest, *keys: str) -> list[str]:
+    """Return what the files of a test state under the ``keys``, each text once."""
+    texts = (text for name, text in test.header.items() if name.lower() in keys)
+    return next(texts, "").split("\n")
+
+
+def _plain(serial: str) -> str:
+    """Return a serial number without blanks and signs, in lower case; "" for `not given`, which
+    `compwright new` writes.
+    """
+    text = re.sub(r"[\W_]+", "", serial).casefold()
+    return "" if text == "notgiven" else text
 
 
 def file_disagreement(parts: Sequence[PositioningTest]) -> tuple[PositioningTest, str] | None:

@@ -28,7 +28,7 @@ from compwright.records.job import Job
 from compwright.records.plan import Plan
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult
-from compwright.verification.measurement_faults import NamedFault, copied_scatter, order_findings
+from compwright.verification.measurement_faults import NamedFault, copied_scatter, origin_findings
 from compwright.words.sentences import say
 
 #: Warnings that only say that values are larger than those of a quiet machine, or that an
@@ -42,6 +42,8 @@ _COMPARED_WITH_FIRST: Final = frozenset({"CW-T030"})
 _OF_READINGS: Final = frozenset({"CW-R006", "CW-T010", "CW-T015", "CW-T016"})
 #: Warnings about the uncertainty count only where it decides.
 _OF_UNCERTAINTY: Final = frozenset({"CW-T023"})
+#: Changed values outside of the plan that are named; of the others the number is given.
+_MOST_NAMED: Final = 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -249,12 +251,44 @@ def copied_tests(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
     return found
 
 
-def repeated_circles(plan: Plan, circles: Mapping[str, CircularTest]) -> Iterator[Finding]:
+def unproven_circles(
+    plan: Plan, circles: Mapping[str, CircularTest], serial: str
+) -> Iterator[Finding]:
     """Yield a finding for each circle whose test after loading has the same file as the test before
-    loading (CW-V025), or is older (CW-V029).
+    loading (CW-V025), is older (CW-V029), or is of another machine than that with the ``serial``
+    number of the job (CW-V032).
     """
     for name, test in circles.items():
         first = plan.circles[name].test
         if share_a_file(first.sources, test.sources):
             yield Finding.of("CW-V025", "warning", circle=name)
-        yield from order_findings(test, first, name)
+        yield from origin_findings(test, first, serial, name)
+
+
+# ---------------------------------------------------------------- what was read back
+
+
+def read_back_findings(
+    job: Job,
+    compared: Mapping[str, Any],
+    doubts: Iterable[Finding],
+    known: Collection[Finding],
+) -> Iterator[Finding]:
+    """Yield what the document ``compared`` of `compare` shows beyond the axis tables of the plan:
+    another axis, or a table between axes, was changed while loading (CW-V011), or the files read
+    back leave ``doubts`` (CW-V033) that are not ``known`` and not those of each axis.
+    """
+    entries = [one for one in compared["differences"] if one["axis"] not in compared["axes"]]
+    if entries:
+        found = list(dict.fromkeys(f"{one['quantity']} ({one['axis']})" for one in entries))
+        more = max(len(found) - _MOST_NAMED, 0)
+        yield Finding.of("CW-V011.others", "error", entries=found[:_MOST_NAMED], more=more)
+    left = [
+        one.sentence
+        for one in doubts
+        if one not in known
+        and not (one.is_doubt and not one.axes)
+        and not any(job.acknowledgement(one.code, axis) for axis in one.axes)
+    ]
+    if left:
+        yield Finding.of("CW-V033", "warning", doubts=left)

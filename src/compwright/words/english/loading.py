@@ -16,7 +16,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V011.others": (
         "What was read back from the control differs from the plan outside of its axis tables:"
-        " {entries}. Run compwright compare to see where."
+        " {entries}{more:if| and {more} more|}. Run compwright compare to see where."
     ),
     "CW-V012": (
         "Axis {axis}: this test would not show whether its table was exchanged with that of"
@@ -128,6 +128,16 @@ SENTENCES: Final[dict[str, str]] = {
         "The tests {off} (without the table) and {on} (with it) do not show whether the existing"
         " table (states.{state} in the job) was active as its files say: {likely:if|{likely}|no"
         " known cause fits}. The two tests are used only as far as they agree."
+    ),
+    "CW-V032": (
+        "The test{circle:if| of circle {circle}|} after loading is of the machine with the serial"
+        " number {found}, but this machine has {known:join| or }. A test of another machine does"
+        " not show what was loaded. Give the file of this machine, or correct the number in the"
+        " job or the file."
+    ),
+    "CW-V033": (
+        "What was read back from the control leaves a doubt: {doubts:join|; }. Read back all files"
+        " of the control again, and give all of them with --loaded."
     ),
     "headline.active": "Table{tables:plural||s} active. No limits given.",
     "headline.bad": "Bad: see the {circles:if|circles|axes} below",

@@ -13,7 +13,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V011.others": (
         "Ce qui a été relu de la commande diffère du plan en dehors de ses tables d'axe :"
-        " {entries}. compwright compare montre où."
+        " {entries}{more:if| et {more} de plus|}. compwright compare montre où."
     ),
     "CW-V012": (
         "Axe {axis} : cet essai ne montrerait pas si sa table a été échangée avec celle de"
@@ -132,6 +132,16 @@ SENTENCES: Final[dict[str, str]] = {
         " existante (states.{state} dans le dossier de travail) était active comme le disent ses"
         " fichiers : {likely:if|{likely}|aucune cause connue ne convient}. Les deux essais ne"
         " sont utilisés que dans la mesure où ils s'accordent."
+    ),
+    "CW-V032": (
+        "L'essai{circle:if| du cercle {circle}|} après chargement est de la machine au numéro de"
+        " série {found}, mais cette machine a {known:join| ou }. L'essai d'une autre machine ne"
+        " montre pas ce qui a été chargé. Donner le fichier de cette machine, ou corriger le numéro"
+        " dans le dossier de travail ou dans le fichier."
+    ),
+    "CW-V033": (
+        "Ce qui a été relu de la commande laisse un doute : {doubts:join| ; }. Relire tous les"
+        " fichiers de la commande, et les donner tous avec --loaded."
     ),
     "headline.active": "{tables:plural|Table active|Tables actives}. Aucune limite donnée.",
     "headline.bad": "Mauvais : voir les {circles:if|cercles|axes} ci-dessous",

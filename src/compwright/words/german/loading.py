@@ -16,7 +16,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V011.others": (
         "Das aus der Steuerung Zurückgelesene weicht außerhalb der Achstabellen des Plans vom Plan"
-        " ab: {entries}. Wo, zeigt compwright compare."
+        " ab: {entries}{more:if| und {more} weitere|}. Wo, zeigt compwright compare."
     ),
     "CW-V012": (
         "Achse {axis}: Diese Prüfung würde nicht zeigen, ob ihre Tabelle mit der von {others:join|"
@@ -135,6 +135,16 @@ SENTENCES: Final[dict[str, str]] = {
         " vorhandene Tabelle (states.{state} im Auftrag) aktiv war, wie ihre Dateien sagen:"
         " {likely:if|{likely}|keine bekannte Ursache passt}. Die beiden Prüfungen werden nur"
         " verwendet, so weit sie übereinstimmen."
+    ),
+    "CW-V032": (
+        "Die Prüfung{circle:if| des Kreises {circle}|} nach dem Laden ist von der Maschine mit der"
+        " Seriennummer {found}, diese Maschine hat aber {known:join| oder }. Eine Prüfung einer"
+        " anderen Maschine zeigt nicht, was geladen wurde. Die Datei dieser Maschine angeben oder"
+        " die Nummer im Auftrag oder in der Datei berichtigen."
+    ),
+    "CW-V033": (
+        "Das aus der Steuerung Zurückgelesene lässt einen Zweifel: {doubts:join|; }. Alle Dateien"
+        " der Steuerung noch einmal zurücklesen und alle mit --loaded angeben."
     ),
     "headline.active": "{tables:plural|Tabelle|Tabellen} aktiv. Keine Grenzwerte angegeben.",
     "headline.bad": "Nicht gut: siehe die {circles:if|Kreise|Achsen} unten",

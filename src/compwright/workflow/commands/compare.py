@@ -43,10 +43,13 @@ _Refused = InputError | UsageError
 
 @dataclass(frozen=True, slots=True)
 class CompareOutcome:
-    """The result of ``compare``; exit code 0 if the control's values equal the plan's, else 1."""
+    """The result of ``compare``; exit code 0 if the control's values equal the plan's, else 1.
+    ``doubts``: why equal values do not show that the control is as planned.
+    """
 
     exit_code: int
     document: Mapping[str, Any]
+    doubts: tuple[Finding, ...]
 
 
 def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
@@ -118,7 +121,7 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
     )
     rest = [finding for finding in findings if finding not in doubts]
     document = compare_document(plan.format, compared, read_back.others, assumed, rest, doubts)
-    return CompareOutcome(0 if document["verdict"] == "same" else 1, document)
+    return CompareOutcome(0 if document["verdict"] == "same" else 1, document, doubts)
 
 
 #: No doubts of a job, but of a control that was read back: a table that no axis names any more,

@@ -46,10 +46,11 @@ from compwright.verification.proof import (
     changed_limits,
     copied_tests,
     not_measured,
-    repeated_circles,
+    read_back_findings,
+    unproven_circles,
 )
 from compwright.verification.stale_plan import stale_fault, stale_plan
-from compwright.workflow.commands.compare import compare_plan, planned_files
+from compwright.workflow.commands.compare import CompareOutcome, compare_plan, planned_files
 from compwright.workflow.inputs.after_tests import after_tests, read_again
 from compwright.workflow.inputs.input_copies import BY_VERIFY, INPUTS, files_of_verify
 from compwright.workflow.results.folder_record import (
@@ -142,13 +143,10 @@ def verify_job(
         raise UsageError(NOT_READ_BACK)
     if update:
         refuse_later_rounds(session, out)
-    found, verdict = _verified(session, job, after, plan_file, loaded, profile)
+    found, verdict, compared = _verified(session, job, after, plan_file, loaded, profile)
     document = _document(found, verdict)
-    then = (
-        next_round(session, found, _compared(session, plan_file, loaded), out, each)
-        if update
-        else None
-    )
+    values = compared if isinstance(compared, str) else compared.document
+    then = next_round(session, found, values, out, each) if update else None
     if then is not None:
         document = {**document, "next": then.document}
     evaluated = _evaluated(found.axes, found.circles)
@@ -185,7 +183,8 @@ def verification_of(
     """Return the verification document without writing it. ``after``: the tests after loading, as
     files or in memory; ``loaded``: the control's files that were read back.
     """
-    return _document(*_verified(session, job, after, plan_file, loaded))
+    found, verdict, _ = _verified(session, job, after, plan_file, loaded)
+    return _document(found, verdict)
 
 
 def _document(found: Verified, verdict: OverallVerdict) -> dict[str, Any]:
@@ -201,8 +200,9 @@ def _verified(
     plan_file: Path,
     loaded: Sequence[Path],
     profile: Path | None = None,
-) -> tuple[Verified, OverallVerdict]:
-    """Return the results of the tests after loading, and the verdict on the whole job. ``profile``:
+) -> tuple[Verified, OverallVerdict, CompareOutcome | str]:
+    """Return the results of the tests after loading, the verdict on the whole job, and the
+    comparison of the files read back (``loaded``) with the plan, or why there is none. ``profile``:
     the mapping profile of these tests, None for that of the job.
     """
     plan, control, job, states = _planned(session, job, plan_file)
@@ -239,10 +239,12 @@ def _verified(
         *not_measured(
             job, plan, {name: axis.before.test.name for name, axis in axes.items()}, measured
         ),
-        *repeated_circles(plan, measured),
+        *unproven_circles(plan, measured, job.machine.get("serial", "")),
         *_between(control, plan, as_found, read_back),
-        *(_of_others(_compared(session, plan_file, loaded)) if loaded else ()),
     ]
+    compared = _compared(session, plan_file, loaded) if loaded else ""
+    if isinstance(compared, CompareOutcome):
+        general += read_back_findings(job, compared.document, compared.doubts, general)
     found = Verified(
         job=job,
         plan=plan,
@@ -258,7 +260,7 @@ def _verified(
         findings=(*control.findings, *ours, *general),
         read_back=() if read_back is None else read_back.files,
     )
-    return found, _verdict(axes, circles, general)
+    return found, _verdict(axes, circles, general), compared
 
 
 def _between(
@@ -298,22 +300,10 @@ def _between(
             yield found or missing[entry.addresses]
 
 
-def _of_others(document: Mapping[str, Any] | str) -> Iterator[Finding]:
-    """Yield the finding CW-V011 if the ``document`` of ``compare`` has differences that belong to
-    no axis table of the plan: another axis, or a table between axes, was changed while loading.
-    """
-    if isinstance(document, str):  # why nothing was compared: the axes of the plan are judged alone
-        return
-    entries = [one for one in document["differences"] if one["axis"] not in document["axes"]]
-    if entries:
-        found = list(dict.fromkeys(f"{one['quantity']} ({one['axis']})" for one in entries))
-        yield Finding.of("CW-V011.others", "error", entries=found[:3])
-
-
-def _compared(session: Session, plan_file: Path, loaded: Sequence[Path]) -> Mapping[str, Any] | str:
-    """Return the document of ``compare``, or the reason why the comparison failed."""
+def _compared(session: Session, plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome | str:
+    """Return the result of ``compare``, or the reason why the comparison failed."""
     try:
-        return compare_plan(session, plan_file, loaded).document
+        return compare_plan(session, plan_file, loaded)
     except (InputError, UsageError) as error:
         return "; ".join(str(fault) for fault in error.faults)
 

@@ -91,6 +91,11 @@ def after_verify(
             "Next: load what differs from the plan or is missing, save the control's files to"
             f" {READ_BACK}, then type: " + _command("compare", plan, "--loaded", READ_BACK)
         )
+    if "CW-V033" in codes:
+        return (
+            f"Next: save all of the control's files to {READ_BACK} again, then type: "
+            + _command("compare", plan, "--loaded", READ_BACK)
+        )
     again_run = _command(
         "run", job, "--out", plan.parent if plan.suffix == ".json" else plan, "--force"
     )
@@ -109,7 +114,7 @@ def after_verify(
             f"Next: {first}state what was active in the first test of {', '.join(idle)} (states),"
             f" then type: {again_run}"
         )
-    if not then and active:
+    if not then and active and not document["doubts"]:
         return "Next: the table is active, but not enough. To correct again, type: " + _command(
             "verify", job, *again, *given, "--loaded", READ_BACK, "--update", "--force"
         )

@@ -29,7 +29,7 @@ from compwright.foundations.errors import (
 )
 from compwright.foundations.findings import Finding
 from compwright.foundations.parallel_work import Each, in_turn
-from compwright.foundations.provenance import fingerprint, share_a_file
+from compwright.foundations.provenance import fingerprint
 from compwright.foundations.session import Session
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.foundations.utf8 import encoded
@@ -51,8 +51,10 @@ from compwright.workflow.verify.next_files import JOB, Looped, next_files
 #: The folder of the next round, in that of the results.
 FOLDER: Final = "next"
 #: Findings, in addition to doubts, that name a proof that the test of an axis lacks.
-LACKING: Final = frozenset({"CW-V020", "CW-V021", "CW-V024", "CW-V029"})
-_NOT_FROM_HERE: Final = frozenset({"CW-V011", "CW-S087", "CW-V022"})
+LACKING: Final = frozenset({"CW-V020", "CW-V021", "CW-V024", "CW-V029", "CW-V032"})
+#: Findings that name a circle which was not measured after loading.
+_UNPROVEN: Final = frozenset({"CW-V025", "CW-V029", "CW-V032"})
+_NOT_FROM_HERE: Final = frozenset({"CW-V011", "CW-S087", "CW-V022", "CW-V033"})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -266,16 +268,11 @@ def _looped(found: Verified, well: Sequence[AfterTest], planes: Sequence[str]) -
 
 
 def _measured(found: Verified) -> dict[str, Sequence[Path]]:
-    """Return, by name, the files of the circular tests that were made after loading. Files that are
-    only copies of those from before loading are left out.
+    """Return, by name, the files of the circular tests that were made after loading. Copies of
+    those from before loading, older files and files of another machine are left out.
     """
-    return {
-        name: files
-        for name, files in found.circle_files.items()
-        if not share_a_file(
-            found.plan.circles[name].test.sources, found.circles[name].after.test.sources
-        )
-    }
+    unproven = {one.values.get("circle") for one in found.findings if one.code in _UNPROVEN}
+    return {name: files for name, files in found.circle_files.items() if name not in unproven}
 
 
 def _pair(job: Job, plane: str) -> frozenset[str]:

@@ -169,7 +169,7 @@ def _judged(
     acknowledged = {each: given for each, given in by.items() if given is not None}
     still = tuple(each for each in (*waves, *files) if each not in acknowledged)
     lacking = (
-        *(() if fault else proof_findings(result.test, before.test)),
+        *(() if fault else proof_findings(result.test, before.test, job.machine.get("serial", ""))),
         *(() if fault else doubt_warnings(result, before, acknowledged, guarded=guarded)),
         *still,
     )
