@@ -1,4 +1,4 @@
-"""E_VE from a drift test: its range, what is said of it, and its faults."""
+"""E_VE from a stand-still test: its range, what is said of it, and its faults."""
 
 from __future__ import annotations
 
@@ -101,12 +101,12 @@ def test_angles_are_read_in_arcsec() -> None:
         ("# axis: X\n", "contains no readings", ""),
         (
             "target_mm,+1,-1\n0,1,2\n",
-            "is not a drift test (axis at rest) of a linear axis",
+            "is not a stand-still test (axis at rest) of a linear axis",
             "line 1",
         ),
         (
             "time_min,deviation_arcsec\n0,1\n",
-            "is not a drift test (axis at rest) of a linear",
+            "is not a stand-still test (axis at rest) of a linear",
             "line 1",
         ),
         ("time_min,deviation_um\n0,1\n1,none\n2,3\n", "is not a number", "line 3"),

@@ -44,7 +44,7 @@ def fault(content: bytes) -> str:
         (b"0.000,+,1,-2.6\n", "a row of numbers where the header row should be"),
         (b"target_mm direction run deviation_um\n0 + 1 2\n", "without comma, semicolon or tab"),
         (b"time,reading_um\n08:00,0.1\n", "rename the columns to time_min and deviation_um"),
-        (b"Elapsed time (min);Value\n0;0.1\n", "drift test (axis at rest) have other names"),
+        (b"Elapsed time (min);Value\n0;0.1\n", "stand-still test (axis at rest) have other names"),
         (b"Messwert;Soll\n1;2\n", "found 'Messwert;Soll' as the first row"),
         (b'"target_mm,direction\n', "line 1: the header row"),
         (b"direction,angle_deg,radius_mm\nccw,0,100\n", "contains a circular test"),

@@ -64,7 +64,7 @@ def read_drift(content: bytes, file: str, kind: AxisKind | None = None) -> Drift
     if kind is None:
         angles = _VALUE[AxisKind.ROTARY] in table.columns
         kind = AxisKind.ROTARY if angles else AxisKind.LINEAR
-    what = f"is not a drift test (axis at rest) of a {kind.value} axis"
+    what = f"is not a stand-still test (axis at rest) of a {kind.value} axis"
     rows = _pairs(table, (TIME, _VALUE[kind]), what, faults)
     _refuse_too_few(rows, faults)
     sign = sign_of(comments, faults) or 1.0

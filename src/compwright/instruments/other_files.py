@@ -114,13 +114,13 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
     if names and not count and re.match(r"(elapsed|date)?[ _]?time|minutes?\b", names[0]):
         raise InputError(
             Fault(
-                message="the columns of a drift test (axis at rest) have other names",
+                message="the columns of a stand-still test (axis at rest) have other names",
                 file=file,
                 place=f"line {number}",
                 expected="time_min (minutes from the first reading) and deviation_um",
                 found=f"columns {', '.join(names[:8])}",
                 hint=(
-                    "for a drift test, rename the columns to time_min and deviation_um (of a "
+                    "for a stand-still test, rename the columns to time_min and deviation_um (of a "
                     "rotary axis: deviation_arcsec); describe any other table with "
                     f"{by_profile(file)}"
                 ),

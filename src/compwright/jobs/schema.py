@@ -352,13 +352,13 @@ class DeviceSection(JobMapping):
 
 
 class DriftSection(JobMapping):
-    """The file of a drift test, and how long a positioning test takes (min)."""
+    """The file of a stand-still test, and how long a positioning test takes (min)."""
 
     file: Text
     duration_min: Positive | None = None
 
 
-#: A range, or the drift test that shows it.
+#: A range, or the stand-still test that shows it.
 Variation = Annotated[
     Annotated[NotNegative, Tag("number")]
     | Annotated[DriftSection, BeforeValidator(drift_file), Tag("drift")],
@@ -397,7 +397,7 @@ class UncertaintySection(JobMapping):
     """Set-up, over the travel of the test. Unit: µm."""
     E_VE: Variation = 0.0
     """Environmental variation: the range of the readings of an axis at rest over the time of a
-    positioning test, or the file of such a drift test, see below. Unit: µm.
+    positioning test, or the file of such a stand-still test, see below. Unit: µm.
     """
     rotary: RotaryUncertaintySection | None = None
     """`{U, setup, E_VE}` of rotary axes; without it no uncertainty of a rotary axis is stated, and

@@ -260,7 +260,7 @@ SENTENCES: Final[dict[str, str]] = {
         " within any {minutes:g} min."
     ),
     "CW-T027": (
-        "The drift test {file} (axis at rest) cannot show the whole environmental variation"
+        "The stand-still test {file} (axis at rest) cannot show the whole environmental variation"
         " E_VE: {reasons:join|; }. Record the reading of the axis at rest, at least ten times,"
         " for as long as a positioning test takes."
     ),

@@ -300,8 +300,8 @@ def _with_pages(document: Mapping[str, Any]) -> Mapping[str, Any]:
         raise UsageError(
             Fault(
                 message=(
-                    "--plot and --report show neither a drift test (axis at rest) nor a table of"
-                    " lost motion"
+                    "--plot and --report show neither a stand-still test (axis at rest) nor a table"
+                    " of lost motion"
                 ),
                 hint="give a positioning or circular test too, or leave these two options out",
             )
