@@ -319,6 +319,7 @@ def write_test(path: Path, made: Machine, i: int, readings: Floats) -> None:
 def write_folders(source: Path, out: Path, made: Machine, seed: int, limit: float) -> None:
     """Write a result folder for each test: the run's, with the files of the test in their place."""
     record = json.loads((source / "record.json").read_text(encoding="utf-8"))
+    del record["sha256"]  # of the entries as `run` wrote them
     record["machine"] = {"name": made.name, "serial": made.name}
     accept = {made.limit: {"limit": round(limit, 3), "decision": "undecided"}}
     record["decisions"]["axes"]["X"]["accept"] = accept

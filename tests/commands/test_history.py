@@ -809,6 +809,15 @@ def test_a_change_between_two_tests_is_on_the_page(tmp_path: Path) -> None:
     assert "verdict good" not in text
 
 
+def test_the_page_calls_no_axis_unchanged_that_nobody_can_judge(tmp_path: Path) -> None:
+    over_years(tmp_path / "years", [-5.0, -5.0])
+    page = tmp_path / "page.html"
+    assert compwright(["history", str(tmp_path / "years"), "--page", str(page)]) == 0
+    text = page.read_text(encoding="utf-8")
+    assert "None of 1 axes and planes has enough tests for a rate" in text
+    assert "beyond the uncertainty" not in text
+
+
 def test_the_page_shows_each_axis_with_its_course(tmp_path: Path) -> None:
     values = [-3.0 - 0.25 * place + e for place, e in enumerate(scattered(9, 5))]
     over_years(tmp_path / "years", values, limit=9.0)
@@ -821,7 +830,7 @@ def test_the_page_shows_each_axis_with_its_course(tmp_path: Path) -> None:
 
 
 def test_growth_that_is_not_clear_does_not_read_as_none(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, ask: Ask, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Six tests, scattered by 0.1 um, of a reversal error that grows by 0.08 um a year."""
     values = [-3.0 - 0.08 * 91 * place / YEAR + e for place, e in enumerate(scattered(6, 8))]
@@ -833,6 +842,7 @@ def test_growth_that_is_not_clear_does_not_read_as_none(
         [ends] = re.findall(rates, text)
         low, high = (float(end.replace("−", "-")) for end in ends)
         assert low < -0.08 < high
+        assert trend(ask(tmp_path))["interval"] == pytest.approx([low, high], abs=0.005)
     assert not re.findall(r'class="(?:badge|verdict) good"', text)
 
 
@@ -964,22 +974,6 @@ def test_a_folder_of_an_older_version_is_read_as_far_as_it_goes(
     assert "has no record (an older version): the files in it are not checked" in said
     (old / "evaluation.json").write_text('{"results": [{"kind": 1}]}', encoding="utf-8")
     assert compwright(["history", str(tmp_path)]) == 3
-
-
-def test_values_of_a_record_that_its_means_do_not_give_are_told(tmp_path: Path, ask: Ask) -> None:
-    """B = 3 and a mean of -2, E = 6 and M = 4 µm by hand from the means; a typed B is none."""
-    means: dict[str, Any] = {
-        "mean_positive": [0.0, 1.0, 2.0, 3.0, 4.0],
-        "mean_negative": [2.0, 4.0, 4.0, 4.0, 6.0],
-    }
-    right = {"A": 12.0, "E": 6.0, "M": 4.0, "R": 4.0, "B": 3.0, "B_mean": -2.0}
-    record(tmp_path / "1", axis_test(date="2024-01-01", parameters=right, **means))
-    typed = {**right, "B": 1.0}
-    record(tmp_path / "2", axis_test(date="2025-01-01", parameters=typed, **means))
-    first, second = ask(tmp_path)["folders"]
-    assert first["notes"] == []
-    (note,) = second["notes"]
-    assert "record.json was changed: x has B = 1, by its mean deviations 3" in note
 
 
 @pytest.mark.parametrize("name", ["../../secret.txt", "/etc/passwd", "C:\\secret.txt", "a\\..\\.."])

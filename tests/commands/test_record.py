@@ -91,6 +91,25 @@ def test_every_file_is_listed_with_its_hash(run: Path) -> None:
     assert record["plan"] == {"file": "plan.json", "sha256": found["plan.json"]}
 
 
+@pytest.mark.parametrize(
+    ("key", "value"), [("date", "2019-01-01"), ("instrument", "XL-80"), ("s", 0.01), ("", "")]
+)
+def test_a_record_that_was_edited_is_named(
+    done: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], key: str, value: object
+) -> None:
+    """By `history`, after `run` and after `verify`; a record that was only saved again is not."""
+    folder = tmp_path / "job"
+    shutil.copytree(done / "job", folder)
+    record = record_of(folder)
+    if key:
+        record["tests"][1][key] = value
+    (folder / "record.json").write_text(json.dumps(record, indent=1), encoding="utf-8")
+    assert compwright(["history", str(folder), "--json", "-"]) == 0
+    (found,) = json.loads(capsys.readouterr().out)["folders"]
+    assert ["record.json was changed" in note for note in found["notes"]] == [True] * bool(key)
+    assert found["files"] == []
+
+
 def test_the_record_of_a_run_says_with_what_and_what_was_decided(run: Path) -> None:
     record = record_of(run / "job")
     assert record["machine"]["serial"] == "SIM-3"

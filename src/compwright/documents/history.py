@@ -112,6 +112,7 @@ def _trend(trend: NotedTrend, entries: Sequence[HistoryEntry]) -> dict[str, Any]
     return {
         "rate_per_year": round(trend.rate, 6),
         "std_error": round(trend.std_error, 6),
+        "interval": [round(end, 6) for end in trend.interval],
         "unit": _unit(trend.parameter, last),
         "clear": trend.clear,
         "first": first.values[trend.parameter],

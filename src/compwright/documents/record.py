@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, replace
 from typing import Any
 
-from compwright.documents.json_text import AS_WRITTEN, read_json
+from compwright.documents.json_text import AS_WRITTEN, read_json, to_json
 from compwright.documents.record_reading import faults_of_record
 from compwright.documents.recorded_test import PARAMETERS, Errors, measured_test
 from compwright.foundations.errors import InputError, raise_all
@@ -23,6 +23,8 @@ SCHEMA = "compwright/record/1"
 RECORD = "record.json"
 #: Where the copies of what ``verify`` was given lie.
 COPIES_OF_VERIFY = "inputs/verify/"
+#: The last entry of a record: the SHA-256 of all others.
+_SEAL = "sha256"
 
 
 def definition_entry(definition_id: str, data: Any, files: Iterable[str], *, own: bool) -> Any:
@@ -211,7 +213,7 @@ def _planned(record: Mapping[str, Any]) -> dict[str, Any]:
     """Return the entries of a result folder's record that follow from the plan; leave out those
     that depend on where and when the files were written.
     """
-    apart = ("version", "plan", "files", "inputs", "tests", "verification")
+    apart = ("version", "plan", "files", "inputs", "tests", "verification", _SEAL)
     return {
         **{key: value for key, value in record.items() if key not in apart},
         "tests": [entry for entry in record["tests"] if entry["taken"] == "before"],
@@ -260,6 +262,28 @@ def _read_back(findings: Iterable[Mapping[str, str]]) -> str:
     """
     codes = {finding["code"] for finding in findings}
     return "other" if "CW-V011" in codes else "equal" if "CW-V010" in codes else "none"
+
+
+def record_bytes(record: Mapping[str, Any]) -> bytes:
+    """Return the content of ``record.json``: the record, with the SHA-256 of its entries as the
+    last one.
+    """
+    return to_json({**_unsealed(record), _SEAL: _seal(record)}).encode()
+
+
+def is_as_written(record: Mapping[str, Any]) -> bool:
+    """Return whether no entry of a record was changed after it was written. A record without a
+    SHA-256 is of an older version, and counts as unchanged.
+    """
+    return record.get(_SEAL) in (None, _seal(record))
+
+
+def _seal(record: Mapping[str, Any]) -> str:
+    return fingerprint(to_json(_unsealed(record)).encode())
+
+
+def _unsealed(record: Mapping[str, Any]) -> dict[str, Any]:
+    return {key: value for key, value in record.items() if key != _SEAL}
 
 
 def read_record(content: bytes, file: str) -> dict[str, Any]:

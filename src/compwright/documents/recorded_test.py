@@ -12,8 +12,6 @@ import numpy as np
 _BALLBAR = "virtual ballbar"
 #: Parameters of a test that a record contains; the others are in the evaluation.
 PARAMETERS = ("A", "E", "M", "R", "B", "B_mean")
-#: Means and parameters are written with nine decimals, µm or arcsec.
-_ROUNDED = 1e-6
 CIRCLE_PARAMETERS = ("G_bidirectional", "G_ccw", "G_cw")
 
 #: From the document of a positioning result to standard errors by parameter: value in its unit,
@@ -77,28 +75,6 @@ def _axis(result: Mapping[str, Any], errors: Errors) -> dict[str, Any]:
             for name, (error, dof) in errors(result).items()
         },
     }
-
-
-def changed_parameters(test: Mapping[str, Any]) -> list[str]:
-    """Return the parameters of a positioning test in a record that its mean deviations do not give,
-    as text: one of both was changed. B, its mean, E and M follow from the means alone (ISO 230-2).
-    """
-    forward, backward = (np.array(test.get(key, ())) for key in ("mean_positive", "mean_negative"))
-    if not forward.size == backward.size == len(test.get("targets", ())) > 0:
-        return []
-    reversal = forward - backward
-    middle = (forward + backward) / 2
-    values = (
-        np.max(np.abs(reversal)),
-        np.mean(reversal),
-        np.ptp([forward, backward]),
-        np.ptp(middle),
-    )
-    return [
-        f"{name} = {stated:g}, by its mean deviations {value:g}"
-        for name, value in zip(("B", "B_mean", "E", "M"), values, strict=True)
-        if (stated := test["parameters"].get(name)) is not None and abs(stated - value) > _ROUNDED
-    ]
 
 
 def _means(result: Mapping[str, Any], key: str) -> list[float]:

@@ -285,6 +285,7 @@ def _noted(parameter: str, found: Mapping[str, _Course]) -> NotedTrend:
     return NotedTrend(
         parameter=parameter,
         rate=trend.rate,
+        interval=trend.interval,
         std_error=trend.std_error,
         clear=trend.clear,
         tests=tuple(tests.places),

@@ -72,11 +72,12 @@ class TrendJump:
 class Trend:
     """A rate of change per year with its standard error.
 
-    ``std_error``: the half width of the rate's 95 % interval divided by 1.96. ``clear``: whether
-    the rate is significant.
+    ``interval``: the ends of the rate's 95 % interval. ``std_error``: its half width divided by
+    1.96. ``clear``: whether the rate is significant.
     """
 
     rate: float
+    interval: tuple[float, float]
     std_error: float
     clear: bool
     jumps: tuple[TrendJump, ...]
@@ -132,6 +133,7 @@ def trend_of(
     jumps = [_jump(tests, mixture, chosen, place) for place in chosen if place not in set(certain)]
     return Trend(
         rate=rate,
+        interval=(low, high),
         std_error=(high - low) / (2.0 * _NORMAL_95),
         clear=mixture.less_likely_sign() < opposite,
         jumps=tuple(jump for jump in jumps if jump.probability > _CLEAR_JUMP),

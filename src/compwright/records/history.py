@@ -91,14 +91,16 @@ class NotedTrend:
     """The rate at which a parameter changes, in its unit per year, and the day on which the
     parameter will reach its limit.
 
-    ``tests``: the entries from which the rate is estimated, by their places in the series.
-    ``limit``: the limit, or None if none is given. ``reached``: the median of the day on which the
-    limit will be reached. ``earliest``, ``latest``: the ends of the 90 % interval of this day. Days
-    are in ISO 8601, and empty if they are more than 30 years ahead.
+    ``interval``: the ends of the rate's 95 % interval. ``tests``: the entries from which the rate
+    is estimated, by their places in the series. ``limit``: the limit, or None if none is given.
+    ``reached``: the median of the day on which the limit will be reached. ``earliest``, ``latest``:
+    the ends of the 90 % interval of this day. Days are in ISO 8601, and empty if they are more than
+    30 years ahead.
     """
 
     parameter: str
     rate: float
+    interval: tuple[float, float]
     std_error: float
     clear: bool
     tests: tuple[int, ...]

@@ -42,21 +42,27 @@ def history_page(document: Document) -> bytes:
         for machine in document["machines"]
     ]
     rows = [row for machine in machines for row in machine["rows"]]
-    changing = sum(row["changing"] for row in rows)
-    unknown = sum(row["unknown"] for row in rows)
     return render_page(
         "history.html",
         {
             "page_title": "Machines over the years",
             "tone": "undecided",  # growth that is not clear is possible on every axis
-            "verdict": (
-                f"{changing or 'None'} of {len(rows)} axes and planes changed beyond the"
-                " uncertainty" + (f"; {unknown} have too few tests for a rate" if unknown else "")
-            ),
+            "verdict": _headline(rows),
             "machines": machines,
             "notes": document["notes"],
         },
     )
+
+
+def _headline(rows: Sequence[Mapping[str, Any]]) -> str:
+    """Return how many axes and planes changed, and how many have too few tests; "None" changed is
+    stated only if a rate of one of them is known.
+    """
+    changing, unknown = (sum(row[key] for row in rows) for key in ("changing", "unknown"))
+    if unknown == len(rows) and not changing:
+        return f"None of {unknown} axes and planes has enough tests for a rate"
+    found = f"{changing or 'None'} of {len(rows)} axes and planes changed beyond the uncertainty"
+    return f"{found}; {unknown} have too few tests for a rate" if unknown else found
 
 
 def _row(name: str, one: Mapping[str, Any]) -> dict[str, Any]:

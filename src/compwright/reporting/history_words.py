@@ -20,12 +20,8 @@ _NAMES = {
     "s": "Scatter s",
     "G_bidirectional": "G(b)",
 }
-
-
 #: Parameters that show wear first.
 _WEAR: Final = ("B_mean", "slope", "squareness")
-#: Half width of the 95 % interval of a rate, in standard errors.
-_HALF_95: Final = 1.96
 
 
 def parameter_name(parameter: str) -> str:
@@ -62,10 +58,10 @@ def possible_lines(one: Mapping[str, Any]) -> Iterator[str]:
     for parameter in [name for name in _WEAR if name in trends] or list(trends)[:1]:
         trend = trends[parameter]
         if not trend["clear"]:
-            rate, half = trend["rate_per_year"], _HALF_95 * trend["std_error"]
+            low, high = map(_signed, trend["interval"])
             yield (
-                f"{parameter_name(parameter)}: growth is not clear, {_signed(rate - half)} to"
-                f" {_signed(rate + half)} {unit_text(trend['unit'])} per year is possible (95 %)"
+                f"{parameter_name(parameter)}: growth is not clear, {low} to {high}"
+                f" {unit_text(trend['unit'])} per year is possible (95 %)"
             )
 
 

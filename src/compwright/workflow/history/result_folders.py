@@ -11,9 +11,8 @@ from typing import Any
 
 from compwright.documents.json_text import no_number
 from compwright.documents.older_record import older_record
-from compwright.documents.record import RECORD, read_record
+from compwright.documents.record import RECORD, is_as_written, read_record
 from compwright.documents.record_reading import faults_of_record
-from compwright.documents.recorded_test import changed_parameters
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.foundations.input_sizes import JSON
@@ -27,6 +26,10 @@ _DOCUMENTS = ("evaluation.json", "plan.json", "verification.json")
 _MARKS = (RECORD, "plan.json", "verification.json")
 #: Folders of a result folder that hold copies, no results of their own.
 _NO_RESULTS = frozenset({"inputs", "tables", "rollback", "card", "proven"})
+_CHANGED = (
+    f"{RECORD} was changed after it was written, so its values and dates may be wrong. Make the"
+    " results again with the same command (`compwright run` or `verify`)"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,12 +93,7 @@ def read_folder(session: Session, path: Path) -> ResultFolder:
     return ResultFolder(
         path=path,
         record=record,
-        notes=tuple(
-            f"{RECORD} was changed: {test['name']} has {', '.join(changed)}."
-            " Make the results again with the same command (`compwright run` or `verify`)"
-            for test in record["tests"]
-            if (changed := changed_parameters(test))
-        ),
+        notes=() if is_as_written(record) else (_CHANGED,),
         files=tuple(_not_as_written(session, path, expected)),
         names=(RECORD, *expected),
     )

@@ -10,7 +10,6 @@ from typing import Any
 
 from compwright import __version__
 from compwright.controls.control import Control
-from compwright.documents.json_text import to_json
 from compwright.documents.plan import listed_files
 from compwright.documents.record import (
     COPIES_OF_VERIFY,
@@ -23,6 +22,7 @@ from compwright.documents.record import (
     outdated_verification,
     planned_record,
     read_record,
+    record_bytes,
     run_record,
     verified_record,
 )
@@ -99,7 +99,7 @@ def recorded_run(
         for name, digest in outdated.items()
         if fingerprint(storage.earlier_bytes(session, out / name)) == digest
     ]
-    return {**copies, RECORD: to_json(record).encode()}, tuple(stale)
+    return {**copies, RECORD: record_bytes(record)}, tuple(stale)
 
 
 def _own_job(
@@ -192,7 +192,7 @@ def recorded_verification(
         version=__version__,
         errors=errors_of,
     )
-    return {**copies, RECORD: to_json(record).encode()}
+    return {**copies, RECORD: record_bytes(record)}
 
 
 @dataclass(frozen=True, slots=True)
