@@ -51,7 +51,7 @@ $(VENV)/.site: pyproject.toml $(VENV)/.report
 	touch $@
 
 site: $(VENV)/.site  ## the documentation as a folder of pages with search, into site/
-	$(BIN)/python -m sphinx --quiet --fail-on-warning --keep-going -b html docs site
+	$(BIN)/python -m sphinx --quiet --write-all --fail-on-warning --keep-going -b html docs site
 	@echo 'Open site/index.html'
 
 pages: $(VENV)/.report  ## the pages of docs/ that are made from the code and the definitions, anew
