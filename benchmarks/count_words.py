@@ -151,14 +151,24 @@ def pages_at(commit: str) -> Iterator[tuple[str, str]]:
         yield place, text.stdout
 
 
+def words_of(text: str) -> tuple[int, int]:
+    """Return how many words (with a letter or digit) a page has, and how many outside of blocks of
+    code.
+    """
+    whole, prose = (
+        sum(bool(re.search(r"\w", word)) for word in part.split())
+        for part in (text, _SAMPLES.sub("", text))
+    )
+    return whole, prose
+
+
 def count_pages(commit: str) -> None:
-    """Print how many words (with a letter or digit) each kind of hand-written page has, outside and
-    inside of blocks of code.
+    """Print how many words each kind of hand-written page has, outside and inside of blocks of
+    code.
     """
     counts: Counter[tuple[str, str]] = Counter()
     for place, text in pages_at(commit):
-        prose = _SAMPLES.sub("", text)
-        whole, outside = (sum(bool(re.search(r"\w", w)) for w in t.split()) for t in (text, prose))
+        whole, outside = words_of(text)
         for kind in (page_kind(place), "all"):
             counts[kind, "prose"] += outside
             counts[kind, "samples"] += whole - outside

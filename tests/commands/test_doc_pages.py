@@ -11,6 +11,9 @@ import sys
 from pathlib import Path
 
 import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
+from count_words import pages_at, words_of
 from test_formats_page import answer, blocks
 from test_tutorial import agrees
 
@@ -83,6 +86,11 @@ def test_generated_pages_are_those_of_the_code(tmp_path: Path) -> None:
     for name, text in made.items():
         assert text == (DOCS / name).read_text(encoding="utf-8"), name
     assert made["job-keys.md"].count("\n| `") > 90
+
+
+def test_hand_written_words_are_few() -> None:
+    """Outside of blocks of code, without the generated pages (`benchmarks/count_words.py`)."""
+    assert sum(words_of(text)[1] for _, text in pages_at("")) <= 30_000
 
 
 def test_every_command_is_on_a_page_in_a_console_or_an_example() -> None:
