@@ -220,7 +220,10 @@ JOBS: dict[str, tuple[str, str, int, list[tuple[str, ...]]]] = {
             "  X: {travel: [0, 800], address: AX1, table: {spacing: 20}, "
         ),
         4,
-        [("too many points", "at most 21", "found 41")],
+        [
+            ("too many points", "at most 21", "found 41", "larger `table: {spacing: ...}`"),
+            ("set MD38000 ($MA_MM_ENC_COMP_MAX_POINTS) to 41 or more", "`points: 41`"),
+        ],
     ),
     "a tolerance on what the test does not have": (
         "before: [x.csv]",

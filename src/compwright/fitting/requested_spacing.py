@@ -110,7 +110,7 @@ def _check_count(count: int, span: Span, capacity: Capacity, unit: str) -> None:
                 place="table.spacing",
                 expected=f"at most {most} points",
                 found=f"{count} points",
-                hint="give a larger `table: {spacing: ...}`, or leave it out",
+                hint=capacity.fewer_points(count),
             )
         )
     if count < capacity.min_points:

@@ -69,7 +69,8 @@ class Capacity:
     - ``position_quantum``: table points are multiples of it and, for ``spacing`` "equidistant",
       also the interval, so that the file contains exact values.
     - ``max_points``: the largest number of points; None if unknown. The plan then states the number
-      that the control must be set to, at most ``most_points``.
+      that the control must be set to, at most ``most_points``. ``reserved_by``: the parameter that
+      reserves the points, empty if none does.
     - ``lattice``: values are whole increments; ``quantum`` is then that of magnification 1.
     - ``anchored``: the points are at the reference plus whole intervals.
     - ``spacings``: the only possible intervals. ``min_spacing``: the least interval, for the reason
@@ -110,6 +111,7 @@ class Capacity:
     backlash_range: tuple[float, float] = (0.0, 0.0)
     min_points: int = 2
     max_points: int | None = None
+    reserved_by: str = ""
     lattice: Lattice | None = None
     interpolation: Interpolation = "linear"
     anchored: bool = False
@@ -141,3 +143,13 @@ class Capacity:
         """The largest possible number of table points, or None if no limit is known."""
         limits = (self.max_points, self.most_points)
         return min((limit for limit in limits if limit is not None), default=None)
+
+    def fewer_points(self, count: int) -> str:
+        """Return the next step where a table would need ``count`` points, which are too many."""
+        step = "give a larger `table: {spacing: ...}`, or leave it out"
+        if not self.reserved_by or count > (self.most_points or count):
+            return step
+        return (
+            f"{step}; or set {self.reserved_by} to {count} or more in the control (save an archive,"
+            f" power on, load the archive back), and `points: {count}` in the options of the axis"
+        )

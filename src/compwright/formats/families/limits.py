@@ -58,7 +58,7 @@ def size(
                 message=f"{label} has too many points",
                 expected=f"at most {most}",
                 found=str(count),
-                hint="give a larger `table: {spacing: ...}`",
+                hint=capacity.fewer_points(count),
             )
         )
     return faults

@@ -12,6 +12,7 @@ from compwright.formats.families.grid.modulo_range import (
     spacings_from,
 )
 from compwright.formats.families.grid.table_shapes import shape_of
+from compwright.formats.text.values import name_of
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity
 from compwright.records.correction import Assumption
@@ -52,6 +53,7 @@ class GridLimits:
             backlash_range=scale.range("backlash") if in_addition else (0.0, 0.0),
             min_points=definition.limit_number("min_points") or 1,
             max_points=max_points,
+            reserved_by=self._reserved_by(),
             below=definition.layout.below,
             above=definition.layout.above,
             most_points=definition.limit_number("max_points"),
@@ -104,6 +106,12 @@ class GridLimits:
             return None
         start = MODULO_START if turn is None else turn.start
         return spacings_from(self.axis.reference, start, period, quantum)
+
+    def _reserved_by(self) -> str:
+        """Return the parameter that reserves the points of a table, "" if the control has none."""
+        if self.definition.limit("points_reserved") is None:
+            return ""
+        return f"MD38000 ({name_of(self.definition, 'max_points')})"
 
     def _max_points(self, assumed: list[Assumption]) -> int | None:
         hard = self.definition.limit_number("max_points")

@@ -17,6 +17,7 @@ from compwright.formats.families.pairs.options import (
     unit_unknown,
 )
 from compwright.formats.text.addresses import normal_text
+from compwright.formats.text.values import name_of
 from compwright.foundations.errors import CapacityError, raise_all
 from compwright.records.capacity import Capacity
 from compwright.records.correction import Assumption
@@ -57,6 +58,11 @@ class PairLimits(GridLimits):
                 *self._assumed(points),
             ),
         )
+
+    def _reserved_by(self) -> str:
+        if self.definition.limit("cross_points") is not None:  # a fixed number
+            return ""
+        return f"MD18342 ({name_of(self.definition, 'cross_max_points')})"
 
     def _assumed(self, points: int | None) -> list[Assumption]:
         assumed = []
