@@ -266,6 +266,12 @@ def test_an_axis_without_a_table_in_the_active_line_gets_the_sheet(
     assert run(folder, NCK.id, states=states(folder, text)) == 1
     said = " ".join(capsys.readouterr().out.split())
     assert "(X.COM has no column Y). Type them into" in said
+    job = folder / "job.yaml"
+    job.write_text(job.read_text() + "report: {language: de}\n")
+    assert compwright(["run", str(job), "--force"]) == 1
+    assert "(X.COM hat keine Spalte Y)" in " ".join(
+        (folder / "job" / "report.html").read_text(encoding="utf-8").split()
+    )
     for name in ("backLash", "linearCompValue"):
         assert f"axis Y: {name} is not in the files; 0 is assumed" in said
     assert (folder / "job" / "card" / "cross_X_Y.csv").exists()

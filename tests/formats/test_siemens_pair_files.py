@@ -7,8 +7,11 @@ from __future__ import annotations
 import pytest
 
 from card_files import named_in_card
+from compwright.formats.families.axis_pairs import refusal
 from compwright.formats.families.shapes import control_format
+from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
+from compwright.words.sentences import in_language
 from format_samples import SIEMENS, axis_of
 
 OPTIONS = {"cec": "available", "cec_tables": (9, 10), "cec_sign": "error"}
@@ -31,3 +34,11 @@ def test_every_file_with_values_of_the_pair_is_loaded_with_the_table(
     own = ControlFile("NC_CEC.INI", row + b"M17\n")
     names = named_in_card(control_format(SIEMENS, OPTIONS), axis_of("AX1"), [SWITCHES, own, NEW])
     assert names.get("file_3", "AX1_CEC.INI") == called
+
+
+def test_the_place_in_a_refusal_is_in_the_language_of_the_page() -> None:
+    fault = Fault(message="a", file="own.ini", place="line 52", hint="b")
+    assert refusal([fault]) == "own.ini: line 52: a. Next: b"
+    assert in_language(refusal([fault]), "de") == "own.ini: Zeile 52: a. Weiter: b"
+    nowhere = Fault(message="a", place="option cec", hint="b")
+    assert refusal([nowhere]) == "a. Next: b"

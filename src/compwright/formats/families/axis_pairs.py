@@ -140,7 +140,7 @@ def refusal(faults: Iterable[Fault]) -> SentenceText:
     every = [
         say(
             "between.fault",
-            where=": ".join(filter(None, (fault.file, fault.place))) if fault.file else "",
+            where=_where(fault),
             message=fault.message,
             expected=fault.expected,
             found=fault.found,
@@ -149,6 +149,14 @@ def refusal(faults: Iterable[Fault]) -> SentenceText:
         for fault in faults
     ]
     return SentenceText(say("between.faults", faults=every))
+
+
+def _where(fault: Fault) -> str:
+    """Return file and place of a fault; "" without a file."""
+    word, _, number = fault.place.partition(" ")
+    if fault.file and word == "line":
+        return control_text("{file}: line {number}", file=fault.file, number=number)
+    return ": ".join(filter(None, (fault.file, fault.place))) if fault.file else ""
 
 
 def alternative_answer(definition: Definition, planned: Iterable[PlannedCross]) -> Between:

@@ -57,7 +57,7 @@ def columns_between(family: Family, request: BetweenRequest) -> Between:
         try:
             filled = filler.fill(entry)
         except NotHeld as error:
-            answers.append(_typed(family, request, entry, str(error)))
+            answers.append(_typed(family, request, entry, error.args[0]))
         else:
             files = filler.patched(range(len(files)))
             held.append(filled.entry)
@@ -148,7 +148,11 @@ def _selected(family: Family, entry: PlannedCross) -> str:
     select = _parameter(family, "enabled")
     if not select:
         return ""
-    return f"It is active on {entry.output} only while the bit of {entry.output} in {select} is 1. "
+    return control_text(
+        "It is active on {output} only while the bit of {output} in {parameter} is 1. ",
+        output=entry.output,
+        parameter=select,
+    )
 
 
 def _by_line(family: Family, request: BetweenRequest, entry: PlannedCross) -> str:

@@ -24,6 +24,7 @@ from compwright.foundations.errors import InputError, raise_all
 from compwright.records.axis import Axis, AxisKind, FloatArray
 from compwright.records.correction import ControlFile, CrossCompensation
 from compwright.records.plan import PlannedCross
+from compwright.words.sentences import control_text
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,21 +83,38 @@ class CrossFiller(Patches):
         """
         table = self.sources.tables.get(added.input)
         if table is None:
-            raise NotHeld(f"no table (.COM) that is active for {added.input} is among the files")
+            raise NotHeld(
+                control_text(
+                    "no table (.COM) that is active for {input} is among the files",
+                    input=added.input,
+                )
+            )
         if any(bit.text == "0" for bit in self.sources.given.get((added.output, "enabled"), [])):
             bits = name_of(self.family.definition, "enabled")
-            raise NotHeld(f"the bit of {added.output} in {bits} is 0: no table is active on it")
+            raise NotHeld(
+                control_text(
+                    "the bit of {output} in {parameter} is 0: no table is active on it",
+                    output=added.output,
+                    parameter=bits,
+                )
+            )
         column = self.sources.column_of(added.output)
         if table.column(column) is None:
-            raise NotHeld(f"{table.file} has no column {column}")
+            raise NotHeld(
+                control_text("{file} has no column {column}", file=table.file, column=column)
+            )
         if added.input_kind is not AxisKind.LINEAR:
-            raise NotHeld(f"{added.input} is a rotary axis")
+            raise NotHeld(control_text("{input} is a rotary axis", input=added.input))
         if table.head["unit"].text.upper() != "MM":
-            raise NotHeld(f"{table.file} is in inch")
+            raise NotHeld(control_text("{file} is in inch", file=table.file))
         moving = [address for address, known in self.sources.tables.items() if known is table]
         if len(moving) > 1:
             raise NotHeld(
-                f"{table.file} is active for the motion of several axes: {', '.join(moving)}"
+                control_text(
+                    "{file} is active for the motion of several axes: {axes}",
+                    file=table.file,
+                    axes=", ".join(moving),
+                )
             )
         return table, column
 
@@ -106,7 +124,12 @@ class CrossFiller(Patches):
         """
         rule = self.family.definition.limit_number("spacing_per_step")
         if rule is not None and np.any(np.abs(np.diff(total)) > np.diff(rows) / rule):
-            raise NotHeld(f"neighbouring values of {table.file} would differ too much")
+            raise NotHeld(
+                control_text(
+                    "neighbouring values of {file} would differ too much",
+                    file=table.file,
+                )
+            )
 
     def _write(self, table: UserTable, column: str, scale: NumberScale, total: FloatArray) -> None:
         quantum = scale.quantum("value")
@@ -130,12 +153,21 @@ def _on_rows(added: CrossCompensation, rows: FloatArray, file: str) -> FloatArra
     """
     if not np.array_equal(added.positive, added.negative):
         raise NotHeld(
-            f"a column of {file} is for both directions, but the correction has two curves"
+            control_text(
+                "a column of {file} is for both directions, but the correction has two curves",
+                file=file,
+            )
         )
     if rows[0] > added.positions[0] + EXACTNESS or rows[-1] < added.positions[-1] - EXACTNESS:
         raise NotHeld(
-            f"{file} reaches from {rows[0]:g} to {rows[-1]:g}, the correction from"
-            f" {added.positions[0]:g} to {added.positions[-1]:g}"
+            control_text(
+                "{file} reaches from {low} to {high}, the correction from {first} to {last}",
+                file=file,
+                low=f"{rows[0]:g}",
+                high=f"{rows[-1]:g}",
+                first=f"{added.positions[0]:g}",
+                last=f"{added.positions[-1]:g}",
+            )
         )
     slopes = np.diff(added.positive) / np.diff(added.positions)
     straight = added.positive[0] + slopes[0] * (rows - added.positions[0])
@@ -143,5 +175,10 @@ def _on_rows(added: CrossCompensation, rows: FloatArray, file: str) -> FloatArra
         return np.asarray(straight, dtype=float)
     apart = [float(np.min(np.abs(rows - position))) for position in added.positions]
     if max(apart) > EXACTNESS:
-        raise NotHeld(f"{file} has no row at a position where the correction bends")
+        raise NotHeld(
+            control_text(
+                "{file} has no row at a position where the correction bends",
+                file=file,
+            )
+        )
     return np.interp(rows, added.positions, added.positive)

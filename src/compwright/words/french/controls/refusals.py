@@ -208,4 +208,32 @@ TEXTS: Final[dict[str, str]] = {
         "{why}, et une colonne n'agit qu'avec des tables, jamais avec {parameter} ; donner à"
         " {name} un test et une table à lui"
     ),
+    "It is active on {output} only while the bit of {output} in {parameter} is 1. ": (
+        "Elle n'agit sur {output} que si le bit de {output} dans {parameter} est à 1. "
+    ),
+    "a column of {file} is for both directions, but the correction has two curves": (
+        "une colonne de {file} vaut pour les deux sens, mais la correction a deux courbes"
+    ),
+    "neighbouring values of {file} would differ too much": (
+        "des valeurs voisines de {file} différeraient trop"
+    ),
+    "no table (.COM) that is active for {input} is among the files": (
+        "aucune table (.COM) active pour {input} n'est parmi les fichiers"
+    ),
+    "the bit of {output} in {parameter} is 0: no table is active on it": (
+        "le bit de {output} dans {parameter} est à 0 : aucune table n'agit sur cet axe"
+    ),
+    "{file} has no column {column}": "{file} n'a pas de colonne {column}",
+    "{file} has no row at a position where the correction bends": (
+        "{file} n'a pas de ligne à une position où la correction a un coude"
+    ),
+    "{file} is active for the motion of several axes: {axes}": (
+        "{file} est active pour le mouvement de plusieurs axes : {axes}"
+    ),
+    "{file} is in inch": "{file} est en pouces",
+    "{file} reaches from {low} to {high}, the correction from {first} to {last}": (
+        "{file} va de {low} à {high}, la correction de {first} à {last}"
+    ),
+    "{file}: line {number}": "{file} : ligne {number}",
+    "{input} is a rotary axis": "{input} est un axe rotatif",
 }

@@ -208,4 +208,32 @@ TEXTS: Final[dict[str, str]] = {
         "{why}, und eine Spalte wirkt nur mit Tabellen, nie mit {parameter}; {name} einen eigenen"
         " Test und eine eigene Tabelle geben"
     ),
+    "It is active on {output} only while the bit of {output} in {parameter} is 1. ": (
+        "Sie wirkt auf {output} nur, solange das Bit von {output} in {parameter} 1 ist. "
+    ),
+    "a column of {file} is for both directions, but the correction has two curves": (
+        "eine Spalte von {file} gilt für beide Richtungen, die Korrektur hat aber zwei Kurven"
+    ),
+    "neighbouring values of {file} would differ too much": (
+        "benachbarte Werte von {file} würden sich zu sehr unterscheiden"
+    ),
+    "no table (.COM) that is active for {input} is among the files": (
+        "unter den Dateien ist keine Tabelle (.COM), die für {input} aktiv ist"
+    ),
+    "the bit of {output} in {parameter} is 0: no table is active on it": (
+        "das Bit von {output} in {parameter} ist 0: Keine Tabelle wirkt auf diese Achse"
+    ),
+    "{file} has no column {column}": "{file} hat keine Spalte {column}",
+    "{file} has no row at a position where the correction bends": (
+        "{file} hat keine Zeile an einer Position, an der die Korrektur einen Knick hat"
+    ),
+    "{file} is active for the motion of several axes: {axes}": (
+        "{file} ist für die Bewegung mehrerer Achsen aktiv: {axes}"
+    ),
+    "{file} is in inch": "{file} ist in Zoll",
+    "{file} reaches from {low} to {high}, the correction from {first} to {last}": (
+        "{file} reicht von {low} bis {high}, die Korrektur von {first} bis {last}"
+    ),
+    "{file}: line {number}": "{file}: Zeile {number}",
+    "{input} is a rotary axis": "{input} ist eine Rundachse",
 }

@@ -58,7 +58,7 @@ TEXTS: Final[dict[str, str]] = {
         "исправьте эту таблицу в УЧПУ и выгрузите файлы снова"
     ),
     "end the travel of {input} in the job at a point of the table (multiples of {spacing} from"
-    " {first})": ("закончите ход {input} в задании в точке таблицы (кратно {spacing} от {first})"),
+    " {first})": "закончите ход {input} в задании в точке таблицы (кратно {spacing} от {first})",
     "export the CEC tables into a file of their own (NC_CEC.INI), then give that file": (
         "выгрузите таблицы CEC в отдельный файл (NC_CEC.INI) и дайте этот файл"
     ),
@@ -198,4 +198,32 @@ TEXTS: Final[dict[str, str]] = {
         "{why}, а столбец действует только с таблицами, никогда с {parameter}; дайте оси {name}"
         " своё испытание и свою таблицу"
     ),
+    "It is active on {output} only while the bit of {output} in {parameter} is 1. ": (
+        "Она действует на {output}, только пока бит {output} в {parameter} равен 1. "
+    ),
+    "a column of {file} is for both directions, but the correction has two curves": (
+        "столбец {file} действует для обоих направлений, а у коррекции две кривые"
+    ),
+    "neighbouring values of {file} would differ too much": (
+        "соседние значения {file} различались бы слишком сильно"
+    ),
+    "no table (.COM) that is active for {input} is among the files": (
+        "среди файлов нет таблицы (.COM), действующей для {input}"
+    ),
+    "the bit of {output} in {parameter} is 0: no table is active on it": (
+        "бит {output} в {parameter} равен 0: на эту ось не действует ни одна таблица"
+    ),
+    "{file} has no column {column}": "в {file} нет столбца {column}",
+    "{file} has no row at a position where the correction bends": (
+        "в {file} нет строки в положении, где коррекция имеет излом"
+    ),
+    "{file} is active for the motion of several axes: {axes}": (
+        "{file} действует при движении нескольких осей: {axes}"
+    ),
+    "{file} is in inch": "{file} в дюймах",
+    "{file} reaches from {low} to {high}, the correction from {first} to {last}": (
+        "{file} охватывает от {low} до {high}, а коррекция — от {first} до {last}"
+    ),
+    "{file}: line {number}": "{file}: строка {number}",
+    "{input} is a rotary axis": "{input} — поворотная ось",
 }
