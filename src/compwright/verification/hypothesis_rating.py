@@ -35,9 +35,9 @@ _SEEN: Final = 3.0
 class RatedHypothesis:
     """A hypothesis with its probability, given a test after loading.
 
-    ``expected`` (2, m): the best-fitting test without noise. ``score``: the size of the residual as
-    a standard normal value. ``slope`` and ``factor``: the fitted slope and factor, each with its
-    standard error.
+    ``expected`` (2, m): the best-fitting test without noise; ``bare`` (2, m): without the fitted
+    slope and amount. ``score``: the size of the residual as a standard normal value. ``slope`` and
+    ``amount``: the fitted slope and amount, each with its standard error.
     """
 
     hypothesis: Hypothesis
@@ -48,7 +48,7 @@ class RatedHypothesis:
     score: float
     slope: tuple[float, float]
     amount: tuple[float, float]
-    base: FloatArray
+    bare: FloatArray
 
 
 def rate_hypotheses(
@@ -96,7 +96,7 @@ def _rated_by(
 
     The probability in the result is 0; it is set when all hypotheses are rated.
     """
-    expected = view.belief.mean + way.change
+    expected = bare = view.belief.mean + way.change
     amount = float(fits.amount[index, 0]) if way.free is not None else 0.0
     if way.free is not None:
         expected = expected + amount * way.free
@@ -112,7 +112,7 @@ def _rated_by(
         score=float(fits.score[index]),
         slope=(float(fits.slope[index, 0]), float(fits.slope[index, 1])),
         amount=(amount, float(fits.amount[index, 1])),
-        base=view.belief.mean,
+        bare=bare,
     )
 
 
@@ -178,14 +178,15 @@ def distances(
     along = np.broadcast_to(after.targets - after.targets.mean(), after.plain.shape)
 
     def flat(values: FloatArray) -> FloatArray:
-        kept: FloatArray = values[used] - values[used].mean()
-        return kept
+        kept = np.ascontiguousarray(values[..., used])
+        centred: FloatArray = kept - kept.mean(axis=-1, keepdims=True)
+        return centred
 
     goal, slope = flat(best.expected), flat(along)
+    bare = np.array([each.bare for each in rated]).reshape(len(rated), *along.shape)
     off = []
-    for each in rated:
-        way = each.hypothesis
-        left = goal - flat(each.base + way.change)
+    for each, curve in zip(rated, flat(bare), strict=True):
+        way, left = each.hypothesis, goal - curve
         if way.free is not None:
             columns = [flat(way.free), *([slope] if way.sloped else [])]
             matrix = np.column_stack(columns)

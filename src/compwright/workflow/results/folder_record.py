@@ -128,7 +128,8 @@ def _earlier_record(session: Session, out: Path) -> dict[str, Any] | None:
 
 def _definition(control: Control) -> Any:
     definition = control.definition
-    files = {PurePath(file).name for file, _ in definition.text.places.values()}
+    places = {file for file, _ in definition.text.places.values()}  # many in one file
+    files = {PurePath(file).name for file in places}
     return definition_entry(
         definition.id, definition.text.data, files, own=definition.judged != "independent"
     )
