@@ -15,7 +15,7 @@ from compwright.verification.loading import judge_loading
 from compwright.verification.measurement_cases import MeasurementCase, measurement_cases
 
 #: Equally likely noises of a test.
-DRAWS = 6
+DRAWS = 3
 
 
 def means_of(
@@ -26,7 +26,7 @@ def means_of(
     kind: AxisKind = AxisKind.LINEAR,
 ) -> AfterMeans:
     """Means of readings (m, n) in + and -, with a noise of their own from five degrees of freedom
-    on, else ``noise``: 6 equally likely values of it by the chi-square law, one where it is known.
+    on, else ``noise``: 3 equally likely values of it by the chi-square law, one where it is known.
     """
     counts = np.stack([np.isfinite(block).sum(axis=1) for block in readings]).astype(float)
     held = [np.where(np.isfinite(block), block, 0.0).sum(axis=1) for block in readings]

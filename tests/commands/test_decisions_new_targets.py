@@ -27,6 +27,8 @@ from compwright.records.prediction import Quantiles
 from loop import Floats, Machine, accuracy, csv_of
 from planning_samples import UM
 
+pytestmark = pytest.mark.short_estimate
+
 #: Eleven targets that leave 19.96 and 39.92 mm open.
 BUMPS = Machine().targets(11, seed=18)
 
@@ -64,6 +66,7 @@ def test_new_targets_have_to_keep_a_limit_too(new: float, limit: float, decision
     assert found["A"].decision == decision
 
 
+@pytest.mark.full_estimate
 @pytest.mark.parametrize(("count", "code"), [(6, 1), (25, 0)])
 def test_six_targets_tell_nothing_of_a_period(tmp_path: Path, count: int, code: int) -> None:
     """4 µm are 1.5 µm more than the noise alone needs (R of 0.4 µm: 6 sigma). What six targets
@@ -78,6 +81,7 @@ def test_six_targets_tell_nothing_of_a_period(tmp_path: Path, count: int, code: 
     assert ("CW-P133" in codes) is (code == 1)
 
 
+@pytest.mark.full_estimate
 def test_an_interval_that_is_a_multiple_of_the_lead_hides_it(tmp_path: Path) -> None:
     """Every 50 mm a wave of 10 mm is always the same; a test at other targets shows 6 µm of it."""
     targets = np.arange(0.0, 801.0, 50.0)
@@ -147,6 +151,7 @@ def test_equal_targets_fold_a_wave_to_a_longer_one() -> None:
     assert left_open(Machine().targets(25), screw)[0] < 0.2  # these show it as it is
 
 
+@pytest.mark.full_estimate
 @pytest.mark.parametrize(
     ("targets", "lead"),
     [
@@ -176,6 +181,7 @@ def test_the_further_targets_show_which_period_there_is(targets: Floats, lead: f
     assert found.period == pytest.approx(lead, rel=0.01)
 
 
+@pytest.mark.full_estimate
 @pytest.mark.parametrize(
     ("targets", "waves", "limit"),
     [

@@ -94,7 +94,6 @@ def done(usual: Path, tmp_path: Path) -> Path:
     return Path(shutil.copytree(usual, tmp_path / "done"))
 
 
-@WHOLE
 def test_the_prediction_has_the_keys_of_the_contract(folder: Path) -> None:
     assert compwright(["run", str(job(folder, "before: [x.csv], accept: {A: 8}"))]) == 0
     prediction = document(folder / "job" / "prediction.json")
@@ -124,7 +123,6 @@ def test_the_prediction_has_the_keys_of_the_contract(folder: Path) -> None:
         np.testing.assert_allclose(axis["table"][key], table(nodes, sign) / UM, atol=1e-9)  # µm
 
 
-@WHOLE
 @pytest.mark.usefixtures("afresh")
 def test_the_same_input_gives_the_same_bytes(folder: Path) -> None:
     path = str(job(folder))
@@ -181,7 +179,6 @@ def test_tests_in_one_state_are_fitted_together_and_each_is_predicted(folder: Pa
     assert both["tests"][1]["predicted"]["A"]["p95"] < 0.5 * both["tests"][1]["before"]["A"]
 
 
-@WHOLE
 def test_an_instrument_that_counts_the_other_way_gives_the_same_table(folder: Path) -> None:
     """machine = -instrument + 820: the instrument's + approach is the machine's -, and its
     deviations have the other sign.
@@ -202,7 +199,6 @@ def test_an_instrument_that_counts_the_other_way_gives_the_same_table(folder: Pa
         np.testing.assert_allclose(straight[key], turned_table[key], atol=2.1e-3)
 
 
-@WHOLE
 def test_a_test_that_was_measured_in_another_state(folder: Path) -> None:
     """The test was made with an old table active that has since been switched off: as found is
     none.
@@ -282,7 +278,6 @@ def inverted(*arguments: Any, **words: Any) -> Any:
     )
 
 
-@WHOLE
 def test_a_table_that_would_make_the_axis_worse_is_not_written(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -411,7 +406,6 @@ def test_what_was_read_back_from_the_control_is_compared(done: Path) -> None:
     assert codes == ["CW-V011"]
 
 
-@WHOLE
 @pytest.mark.parametrize("signs", [(1,), (-1,)])
 def test_a_test_of_one_direction_is_fitted(folder: Path, signs: tuple[int, ...]) -> None:
     targets = MACHINE.targets()
@@ -431,7 +425,6 @@ def test_a_test_of_one_direction_is_fitted(folder: Path, signs: tuple[int, ...])
     }
 
 
-@WHOLE
 def test_a_long_axis_measured_once_is_fitted(folder: Path) -> None:
     targets = MACHINE.targets(count=25)
     (folder / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, 1, runs=1)))
@@ -464,7 +457,6 @@ def lcnc_job(folder: Path, states: str) -> Path:
     return path
 
 
-@WHOLE
 def test_an_old_table_whose_two_columns_differ_along_the_axis_is_replaced_in_one_round(
     tmp_path: Path,
 ) -> None:
@@ -829,7 +821,6 @@ def test_a_guarded_decision_without_an_uncertainty_is_refused(
     assert "needs the measurement uncertainty" in capsys.readouterr().err
 
 
-@WHOLE
 def test_a_longer_test_that_is_not_fitted_stands_first(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -895,7 +886,6 @@ def test_a_longer_test_beside_it_covers_only_where_it_does_not_contradict(
     )
 
 
-@WHOLE
 @pytest.mark.parametrize(
     ("pitch", "limit", "decision", "code"),
     [
@@ -1023,7 +1013,6 @@ def test_export_to_another_control_reads_its_state_by_the_new_addresses(
         assert "no given file states the compensation of axis AX2" in said.err
 
 
-@WHOLE
 def test_a_wave_that_the_targets_show_as_a_longer_one_is_not_verified_at_the_same_targets(
     tmp_path: Path,
 ) -> None:

@@ -32,6 +32,8 @@ from compwright.records.job import CircleRequest
 from compwright.records.prediction import CirclePrediction, Quantiles
 from planning_samples import MINUS, PLUS, UM, axis_of, by_slope, circle_of
 
+pytestmark = pytest.mark.short_estimate
+
 AXES = {"X": axis_of(), "Y": axis_of("Y", travel=(-600.0, 0.0))}
 REQUEST = CircleRequest(files=("xy.b5r",), name="xy")
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from compwright.evaluation.standards import evaluate
 from compwright.planning.axis_work import AxisWork, start_axis
@@ -11,6 +12,8 @@ from compwright.records.correction import ControlState
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest
 from planning_samples import UM, axis_of, job_of, readings_of
+
+pytestmark = pytest.mark.short_estimate
 
 
 def started(*tests: PositioningTest) -> AxisWork:

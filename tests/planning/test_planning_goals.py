@@ -35,6 +35,8 @@ from planning_samples import (
     work_of,
 )
 
+pytestmark = pytest.mark.short_estimate
+
 BENT = KnownAxis(
     lambda x: 12 * UM * (x / 1000.0) ** 4, lambda x: 12 * UM * (x / 1000.0) ** 4, noise=0.4 * UM
 )

@@ -46,6 +46,8 @@ from planning_samples import (
     work_of,
 )
 
+pytestmark = pytest.mark.short_estimate
+
 BENT = 4.0 * UM
 ONE_CURVE: dict[str, Any] = {"curves": 1, "backlash_quantum": 1e-7, "backlash_range": (-1.0, 1.0)}
 
@@ -327,6 +329,7 @@ def worth_of(work: AxisWork) -> list[PointCountOption]:
     return list(point_count_tradeoff(work, table.compensation.at, fresh, "A"))
 
 
+@pytest.mark.full_estimate
 def test_a_point_is_worth_what_it_takes_away() -> None:
     """A parabola of 40 µm under straight lines between nodes h apart: what is left is in
     proportion to h^2, and not more than of one line from its zero on, 0.75 x - x^2: 0.39.
@@ -343,6 +346,7 @@ def test_a_point_is_worth_what_it_takes_away() -> None:
     assert found[0].median / UM > 9.0  # targets come near the ends, and near the middle
 
 
+@pytest.mark.full_estimate
 def test_what_acted_during_the_test_is_taken_off_every_size() -> None:
     """20 µm of slope that the old table made, in an axis without error of its own: two points take
     it away as well as twenty-one.

@@ -15,6 +15,8 @@ from compwright.records.facts import AxisFacts
 from compwright.records.plan import PlannedTest
 from planning_samples import MINUS, PLUS, TARGETS, UM, Floats, axis_of, readings_of
 
+pytestmark = pytest.mark.short_estimate
+
 NODES = np.linspace(0.0, 1000.0, 41)
 SAW = AxisCompensation(
     address="X",
@@ -79,6 +81,7 @@ def off_truth(error: MeasuredError, side: Direction) -> float:
     return float(np.max(np.abs(left - datum)))
 
 
+@pytest.mark.full_estimate
 @pytest.mark.parametrize("order", [("off", "on"), ("on", "off")])
 def test_compensation_on_and_off_tell_the_same_bare_error(order: tuple[str, str]) -> None:
     tests = [planned(state, state, seed=k, targets=DITHERED) for k, state in enumerate(order)]

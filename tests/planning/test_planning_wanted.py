@@ -21,6 +21,8 @@ from compwright.records.correction import AxisCompensation, ControlState, no_com
 from compwright.records.plan import PlannedTest
 from planning_samples import MINUS, PLUS, TARGETS, UM, KnownAxis, axis_of, estimate_of, readings_of
 
+pytestmark = pytest.mark.short_estimate
+
 NODES = np.array([0.0, 1000.0])
 TABLE = AxisCompensation(
     address="X",
@@ -168,6 +170,7 @@ def test_a_rough_table_that_acted_is_taken_out_before_the_error_is_estimated() -
     )
 
 
+@pytest.mark.full_estimate
 def test_a_period_that_is_the_spacing_of_the_acting_table_is_told_as_such() -> None:
     """2 µm every 40 mm over 26 targets, and a table with nodes 40 mm apart that acted."""
     rng = np.random.default_rng(4)

@@ -17,6 +17,8 @@ from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest
 from planning_samples import UM, Floats, axis_of, job_of, readings_of
 
+pytestmark = pytest.mark.short_estimate
+
 SEEDS = range(4)
 M, N = 13, 5
 TARGETS = np.linspace(30.0, 970.0, M)

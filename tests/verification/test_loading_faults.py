@@ -202,7 +202,7 @@ def test_faults_of_rows_that_are_counted_from_inside_the_travel(
     entries: FloatArray, name: str
 ) -> None:
     table = replace(WRAPPED, compensation=replace(WRAPPED.compensation, backlash=LOST))
-    for seed in range(3):
+    for seed in range(2):
         verdict = judge(by_entries(entries), ONE_TABLE, seed=seed, rows=table)
         assert verdict.verdict == name, verdict.message
 
@@ -249,7 +249,7 @@ WITH_EXISTING: dict[str, tuple[FloatArray, bool, str, str]] = {
 def test_faults_with_an_existing_table_are_named(case: str) -> None:
     acting, read_back, name, equivalent = WITH_EXISTING[case]
     old = compensation(EXISTING)
-    for seed in range(5):
+    for seed in range(3):
         verdict = judge(acting, ONE_TABLE, old, seed=seed, read_back=read_back)
         assert verdict.verdict == name, verdict.message
         assert set(verdict.equivalent) == {equivalent} - {""}
@@ -271,7 +271,7 @@ def test_two_variants_of_a_name_and_another_name_that_is_one_of_them() -> None:
 @pytest.mark.parametrize("case", CASES)
 def test_a_fault_is_found_by_its_name(case: str) -> None:
     acting, name = CASES[case]
-    for seed in range(3):
+    for seed in range(2):
         verdict = judge(acting, ONE_TABLE, seed=seed, steps=case.startswith("turned"))
         assert verdict.verdict == name, verdict.message
         assert verdict.margin > math.log(99.0)

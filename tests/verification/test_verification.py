@@ -130,8 +130,9 @@ def shares(act: str, size: float, runs: int, directions: str) -> dict[str, float
 # ---------------------------------------------------------------- rates
 
 
-@pytest.mark.parametrize("size", [1.5, 5.0, 30.0])
-@pytest.mark.parametrize("runs", [1, 2, 5])
+@pytest.mark.parametrize(
+    ("size", "runs"), [(1.5, 1), (1.5, 5), (5.0, 2), (30.0, 1), (30.0, 5)]
+)  # the ends of both, and the middle
 def test_loaded_and_not_loaded_are_found(size: float, runs: int) -> None:
     # by design 99.7 % (two tests at 1 in 1000); 95 % is asked
     assert rates("loaded", size=size, runs=runs).get("loaded", 0.0) > 0.95
@@ -144,7 +145,7 @@ def test_one_direction_alone(directions: str) -> None:
     assert rates("not loaded", directions=directions).get("not_active", 0.0) > 0.95
 
 
-@pytest.mark.parametrize("size", [0.1, 0.3, 0.6, 1.0, 2.0, 5.0, 30.0])
+@pytest.mark.parametrize("size", [0.1, 0.6, 1.0, 2.0, 30.0])
 @pytest.mark.parametrize("act", ["not loaded", "inverted", "half", "double"])
 def test_nothing_else_is_called_loaded(act: str, size: float) -> None:
     # by design below 0.2 % whatever the size
@@ -160,7 +161,7 @@ def test_most_of_a_table_is_not_a_loaded_table() -> None:
     assert rates("most").get("scaled", 0.0) > 0.99
 
 
-@pytest.mark.parametrize("size", [0.1, 0.3, 0.6, 1.0, 2.0, 5.0])
+@pytest.mark.parametrize("size", [0.1, 0.6, 1.5, 5.0])
 def test_loaded_is_not_called_inactive(size: float) -> None:
     assert rates("loaded", size=size).get("not_active", 0.0) < 0.01
 
