@@ -1117,3 +1117,17 @@ def test_a_circle_taken_with_other_tables_between_the_axes_is_no_word_on_what_is
     assert tried("then") == code
     assert ("cross-axis tables correct axis" in capsys.readouterr().err) is (code == 3)
     assert tried("as_found") == 0
+
+
+def test_a_circle_of_another_machine_is_a_doubt(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    circle = folder / "xy.csv"
+    circle.write_text("# serial: 8\n" + circle.read_text(encoding="utf-8"), encoding="utf-8")
+    circles = '[{file: xy.csv, name: xy-150, centre: [400, -250]}]\nmachine: {serial: "%s"}'
+    codes = {}
+    for serial in ("8", "7"):
+        code = run(folder, "linuxcnc", options="{}", circles=circles % serial)
+        codes[serial] = (code, "CW-P171" in capsys.readouterr().out)
+    assert codes["7"] == (1, True)
+    assert not codes["8"][1]

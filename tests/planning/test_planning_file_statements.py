@@ -48,10 +48,10 @@ def run(
     return code, prediction
 
 
-def doubts(prediction: dict[str, object]) -> list[str]:
+def doubts(prediction: dict[str, object], code: str = "CW-P162") -> list[str]:
     found = prediction["doubts"]
     assert isinstance(found, list)
-    return [entry["message"] for entry in found if entry["code"] == "CW-P162"]
+    return [entry["message"] for entry in found if entry["code"] == code]
 
 
 def test_it_is_a_doubt_and_the_difference_of_files_is_none() -> None:
@@ -82,6 +82,30 @@ def test_acknowledged_it_decides(tmp_path: Path) -> None:
 def test_no_doubt_without_a_contradiction(tmp_path: Path, text: str) -> None:
     code, prediction = run(tmp_path, [text])
     assert (code, doubts(prediction)) == (0, [])
+
+
+@pytest.mark.parametrize(
+    ("job", "files", "other"),
+    [
+        ("7", ["8"], "number 8, but this machine has 7."),
+        ("", ["7", "8"], "number 8, but this machine has 7."),
+        ("SN-7", ["sn 7"], ""),
+        ("not given", ["8"], ""),
+    ],
+)
+def test_a_file_of_another_machine_is_a_doubt(
+    tmp_path: Path, job: str, files: list[str], other: str
+) -> None:
+    texts = [f"# serial: {serial}\n" for serial in files]
+    code, prediction = run(tmp_path, texts, more=f'machine: {{serial: "{job}"}}\n' if job else "")
+    found = doubts(prediction, "CW-P171")
+    assert (code, [other in message for message in found]) == ((1, [True]) if other else (0, []))
+    if other:
+        more = "acknowledged: {CW-P171: the number was typed wrong}\n"
+        code, _ = run(
+            tmp_path, texts, more=more + (f'machine: {{serial: "{job}"}}\n' if job else "")
+        )
+        assert code == 0
 
 
 def test_off_in_the_file_and_an_active_backlash_in_the_state(tmp_path: Path) -> None:

@@ -235,7 +235,11 @@ def start_axis(
         posterior=posterior,
         planned=planned,
         as_found=as_found,
-        doubts=(*misread, *contradicting, *statement_findings(tests, axis, states)),
+        doubts=(
+            *misread,
+            *contradicting,
+            *statement_findings(tests, axis, states, job.machine.get("serial", "")),
+        ),
         at_targets=posterior.summary(results[0].test.targets),
     )
 

@@ -10,6 +10,7 @@ from typing import Final, TypeVar
 import numpy as np
 
 from compwright.foundations.findings import Finding
+from compwright.foundations.serial_numbers import other_serials, serials
 from compwright.planning.circles import CircleWork
 from compwright.planning.wanted_correction import axis_compensation
 from compwright.records.axis import Axis
@@ -30,15 +31,19 @@ _OFF: Final = re.compile(
 
 
 def statement_findings(
-    tests: Sequence[PlannedTest], axis: Axis, states: Mapping[str, ControlState]
+    tests: Sequence[PlannedTest], axis: Axis, states: Mapping[str, ControlState], serial: str
 ) -> Iterator[Finding]:
-    """Yield a finding where the headers of an axis' files contradict each other or the job's state
-    of the control.
+    """Yield a finding where the headers of an axis' files contradict each other, the job's state of
+    the control, or the ``serial`` number of the machine in the job.
 
     ``states``: the states whose content is known, by name.
     """
     for planned in tests:
         yield from _differences(planned.test, axis)
+        other = _other_machine(planned.test.header, serial)
+        if other is not None:
+            sentence = say("of_test", axis=axis.name, test=planned.test.name, finding=other)
+            yield Finding("CW-P171", "warning", sentence, axes=(axis.name,))
         what = _contradiction(planned.test.header, planned.measured_in, (axis,), states)
         if what is not None:
             sentence = say("of_test", axis=axis.name, test=planned.test.name, finding=what)
@@ -46,22 +51,37 @@ def statement_findings(
 
 
 def with_statements(
-    works: Iterable[CircleWork], axes: Mapping[str, Axis], states: Mapping[str, ControlState]
+    works: Iterable[CircleWork],
+    axes: Mapping[str, Axis],
+    states: Mapping[str, ControlState],
+    serial: str,
 ) -> tuple[CircleWork, ...]:
     """Return the circular tests, with a finding where a header contradicts the state of the control
-    in the job.
+    or the ``serial`` number of the machine in the job.
     """
     checked = []
     for work in works:
         test = work.result.test
         both = [axes[name] for name in test.axes if name in axes]
         what = _contradiction(test.header, work.planned.measured_in, both, states)
-        if what is not None:
-            findings = (*work.result.findings, Finding("CW-P162", "warning", what))
-            checked.append(replace(work, result=replace(work.result, findings=findings)))
-        else:
-            checked.append(work)
+        other = _other_machine(test.header, serial)
+        found = [
+            Finding(code, "warning", sentence)
+            for code, sentence in (("CW-P162", what), ("CW-P171", other))
+            if sentence is not None
+        ]
+        findings = (*work.result.findings, *found)
+        checked.append(replace(work, result=replace(work.result, findings=findings)))
     return tuple(checked)
+
+
+def _other_machine(header: Mapping[str, str], serial: str) -> Sentence | None:
+    """Return the sentence that a file is of another machine than that with the ``serial`` number of
+    the job, else than the first file of the test; None if it is not.
+    """
+    known = (serials({"serial": serial}) or serials(header))[:1]
+    others = other_serials(header, known)
+    return say("CW-P171", found=others, known=known[0]) if others else None
 
 
 def after_test_doubts(result: _Result, axes: Sequence[str]) -> _Result:

@@ -8,7 +8,6 @@ give it. All lengths are in mm or deg.
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Final, Literal
@@ -26,6 +25,7 @@ from compwright.evaluation.reading_checks import position_text, text_of
 from compwright.evaluation.statistics import mean_deviation
 from compwright.foundations.dates import day_of
 from compwright.foundations.findings import Finding
+from compwright.foundations.serial_numbers import other_serials, serials
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.circular import CircularTest
 from compwright.records.positioning import SAME_READING, PositioningTest
@@ -50,8 +50,6 @@ _GAP: Final = 2.0
 _THOUSAND: Final = 1000.0
 #: Degrees of freedom from which repeated readings say what is usual between them.
 _FEW_REPEATS: Final = 5
-#: Keys of a file under which the serial number of the machine is.
-_SERIAL: Final = ("serial", "serial_no")
 
 
 @dataclass(frozen=True, slots=True)
@@ -310,30 +308,15 @@ def origin_findings(
     both = min(len(earliest), len(latest))  # a day without a time of day is compared as a day
     if both and earliest[:both] < latest[:both]:
         yield Finding.of("CW-V029", "warning", date=earliest, first=latest, circle=circle)
-    known = {_plain(one): one for one in (serial, *_stated(first, *_SERIAL)) if _plain(one)}
-    for found in _stated(after, *_SERIAL):
-        if known and _plain(found) not in {"", *known}:
-            numbers = list(known.values())
-            yield Finding.of("CW-V032", "warning", found=found, known=numbers, circle=circle)
+    known = list(dict.fromkeys((*serials({"serial": serial}), *serials(first.header))))
+    for found in other_serials(after.header, known):
+        yield Finding.of("CW-V032", "warning", found=found, known=known, circle=circle)
 
 
 def _days(test: PositioningTest | CircularTest) -> list[str]:
     """Return the dates of the files of a test that are not ambiguous."""
-    return [day for day in map(day_of, _stated(test, "date")) if day]
-
-
-def _stated(test: PositioningTest | CircularTest, *keys: str) -> list[str]:
-    """Return what the files of a test state under the ``keys``, each text once."""
-    texts = (text for name, text in test.header.items() if name.lower() in keys)
-    return next(texts, "").split("\n")
-
-
-def _plain(serial: str) -> str:
-    """Return a serial number without blanks and signs, in lower case; "" for `not given`, which
-    `compwright new` writes.
-    """
-    text = re.sub(r"[\W_]+", "", serial).casefold()
-    return "" if text == "notgiven" else text
+    dates = next((text for key, text in test.header.items() if key.lower() == "date"), "")
+    return [day for day in map(day_of, dates.split("\n")) if day]
 
 
 def file_disagreement(parts: Sequence[PositioningTest]) -> tuple[PositioningTest, str] | None:

@@ -417,6 +417,11 @@ SENTENCES: Final[dict[str, str]] = {
         " {travel_start} to {travel_end} of the job. Check the offset and the direction of the"
         " positions, and the travel."
     ),
+    "CW-P171": (
+        "a file is of the machine with the serial number {found:join| or }, but this machine has"
+        " {known}. A table from a test of another machine would be wrong. Give the file of this"
+        " machine, or correct the number in the job or the file."
+    ),
     "grid.even": "{points} points from {start:.10g} to {end:.10g} {unit}, every {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": "predicted {name} {value:.2f} {unit} ({elsewhere:.2f} at new targets)",

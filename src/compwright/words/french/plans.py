@@ -429,6 +429,12 @@ SENTENCES: Final[dict[str, str]] = {
         " {travel_start} à {travel_end} du dossier de travail. Vérifier le décalage et le sens des"
         " positions, et la course."
     ),
+    "CW-P171": (
+        "un fichier est de la machine au numéro de série {found:join| ou }, mais cette machine a"
+        " {known}. Une table tirée de l'essai d'une autre machine serait fausse. Donner le"
+        " fichier de cette machine, ou corriger le numéro dans le dossier de travail ou dans le"
+        " fichier."
+    ),
     "grid.even": "{points} points de {start:.10g} à {end:.10g} {unit}, tous les {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": (

@@ -445,6 +445,12 @@ SENTENCES: Final[dict[str, str]] = {
         " {travel_start} bis {travel_end} des Auftrags. Versatz und Richtung der Positionen und den"
         " Verfahrweg prüfen."
     ),
+    "CW-P171": (
+        "eine Datei ist von der Maschine mit der Seriennummer {found:join| oder }, diese Maschine"
+        " hat aber {known}. Eine Tabelle aus der Prüfung einer anderen Maschine wäre falsch."
+        " Die Datei dieser Maschine angeben oder die Nummer im Auftrag oder in der Datei"
+        " berichtigen."
+    ),
     "grid.even": "{points} Punkte von {start:.10g} bis {end:.10g} {unit}, alle {step:.6g} {unit}",
     "grid.few": "{points} Punkte",
     "grid.predicted": (

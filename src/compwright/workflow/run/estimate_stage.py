@@ -53,7 +53,9 @@ def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
     }
     works, old_tables = with_old_tables(measured, works, each)
     works = {name: _not_twice(job, work) for name, work in works.items()}
-    circles = with_statements(start_circles(job, measured.circles, axes), axes, measured.states)
+    serial = job.machine.get("serial", "")
+    begun = start_circles(job, measured.circles, axes)
+    circles = with_statements(begun, axes, measured.states, serial)
     checks = CircleChecks(job, works, measured.active)
     with_circles, taken = checks.with_circle_backlash(circles)
     places = (
