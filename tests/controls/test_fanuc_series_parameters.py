@@ -66,7 +66,10 @@ def test_1004_says_no_increment_system_where_1013_does(format_id: str) -> None:
 
 def test_1004_says_the_increment_system_on_the_older_series() -> None:
     more = "N01004P00000010 N01820A1P2"
-    with pytest.raises(InputError, match=r"differs from the option"):
+    with pytest.raises(
+        InputError,
+        match=r"differs from the option.*delete the option `detection_unit`, or set it to",
+    ):
         read("fanuc-0i-16i", more, detection_unit=0.001)
     pointed = one_file("fanuc-0i-16i", more=more)
     pointed = type(pointed)(pointed.name, pointed.content.replace(b"P10000\n", b"P10.0\n", 1))

@@ -68,8 +68,8 @@ def early_columns(samples: CircleSamples) -> Iterator[CauseColumn]:
 
     The model reverses at the angle of the common lag, if one was found. The axes may reverse
     sooner, by ``lag_std`` (standard deviation). Where a run begins, few readings are before the
-    reversal. Without these columns one of them that is in fact after it decided about spiral and
-    lost motion.
+    reversal. One of them may in fact be after it, and would decide about spiral and lost motion
+    without these columns.
     """
     if samples.lag == 0.0 or samples.lag_std == 0.0:
         return

@@ -34,7 +34,11 @@ _STATED_DOF: Final = 3.0
 
 
 class TrendTests:
-    """The tests of one parameter, with the standard deviations between tests that are tried."""
+    """The tests of one parameter, with the standard deviations between tests that are tried.
+
+    The arguments are those of `trends.trend_of`: ``years`` (n,) ascending; ``values``, ``errors``,
+    ``stated`` (n,) in the unit of the parameter; ``odds`` (n - 1,): probabilities of a jump.
+    """
 
     def __init__(
         self,

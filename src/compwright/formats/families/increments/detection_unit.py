@@ -173,6 +173,6 @@ def _check_unit(values: IncrementAxisValues, stated: DetectionUnit, size: float,
         fault = stated.multiplier.fault(
             message,
             f"{stated.size:g} {unit} by {stated.evidence}",
-            f"delete `{DETECTION_UNIT}` of the axis in the job, or set it to {stated.size:g}",
+            f"delete the option `{DETECTION_UNIT}`, or set it to {stated.size:g}",
         )
         values.notes.faults.append(replace(fault, found=f"detection_unit: {size:g}"))
