@@ -110,6 +110,37 @@ def test_a_record_that_was_edited_is_named(
     assert found["files"] == []
 
 
+def test_only_a_new_run_makes_an_edited_record_a_true_one(
+    done: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Another verification keeps the edited tests before loading, so that it stays named; a new run
+    leaves no verification that may be edited too.
+    """
+    folder = tmp_path / "job"
+    shutil.copytree(done, folder)
+    record = record_of(folder / "job")
+    date = record["tests"][0]["date"]
+    record["tests"][0]["date"] = "2019-01-01"
+    (folder / "job" / "record.json").write_text(json.dumps(record), encoding="utf-8")
+
+    def notes() -> list[str]:
+        capsys.readouterr()
+        assert compwright(["history", str(folder / "job"), "--json", "-"]) == 0
+        (found,) = json.loads(capsys.readouterr().out)["folders"]
+        return [note for note in found["notes"] if "was changed" in note]
+
+    words = [str(folder / "job.yaml"), "--after", str(folder / "after" / "x.csv"), "--force"]
+    assert compwright(["verify", *words]) == 0
+    assert len(notes()) == 1
+    assert compwright(["run", str(folder / "job.yaml"), "--force"]) == 0
+    assert notes() == []
+    assert [(test["taken"], test["date"]) for test in record_of(folder / "job")["tests"]] == [
+        ("before", date)
+    ]
+    assert compwright(["verify", *words]) == 0
+    assert notes() == []
+
+
 def test_the_record_of_a_run_says_with_what_and_what_was_decided(run: Path) -> None:
     record = record_of(run / "job")
     assert record["machine"]["serial"] == "SIM-3"

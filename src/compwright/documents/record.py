@@ -25,6 +25,8 @@ RECORD = "record.json"
 COPIES_OF_VERIFY = "inputs/verify/"
 #: The last entry of a record: the SHA-256 of all others.
 _SEAL = "sha256"
+#: In its place once an edited record was completed: it stays one that was edited.
+_EDITED = "edited"
 
 
 def definition_entry(definition_id: str, data: Any, files: Iterable[str], *, own: bool) -> Any:
@@ -165,6 +167,7 @@ def verified_record(
     }
     return {
         **record,
+        _SEAL: None if is_as_written(record) else _EDITED,
         "inputs": [
             *(entry for entry in record["inputs"] if entry["by"] != "verify"),
             *(asdict(entry) for entry in inputs),
@@ -187,12 +190,12 @@ def verified_record(
 def kept_verification(record: Mapping[str, Any], earlier: Mapping[str, Any]) -> dict[str, Any]:
     """Return the record of a repeated run, with the earlier verification if the plan is the same.
 
-    If the plan is different, only the copies of the measurements after loading are kept, because
-    they may exist nowhere else.
+    If the plan is different, or the earlier record was edited, only the copies of the measurements
+    after loading are kept, because they may exist nowhere else.
     """
     of_verify = [entry for entry in earlier["files"] if entry.get("by") == "verify"]
     own = {entry["file"] for entry in record["files"]}
-    if _planned(earlier) != _planned(record):
+    if not _goes_on(record, earlier):
         of_verify = [entry for entry in of_verify if entry["file"].startswith(COPIES_OF_VERIFY)]
         kept = [entry for entry in of_verify if entry["file"] not in own]
         return {**record, "files": [*record["files"], *kept]}
@@ -207,6 +210,11 @@ def kept_verification(record: Mapping[str, Any], earlier: Mapping[str, Any]) -> 
         ],
         "verification": earlier.get("verification"),
     }
+
+
+def _goes_on(record: Mapping[str, Any], earlier: Mapping[str, Any]) -> bool:
+    """Return whether the verification in an ``earlier`` record is one of the run of ``record``."""
+    return is_as_written(earlier) and _planned(earlier) == _planned(record)
 
 
 def _planned(record: Mapping[str, Any]) -> dict[str, Any]:
@@ -234,7 +242,7 @@ def outdated_verification(record: Mapping[str, Any], earlier: Mapping[str, Any])
     """Return the SHA-256 of the verification files in the ``earlier`` record, by relative name, if
     its plan differs from that of ``record``; else empty.
     """
-    if _planned(earlier) == _planned(record):
+    if _goes_on(record, earlier):
         return {}
     return {
         str(entry["file"]): str(entry["sha256"])
@@ -268,7 +276,8 @@ def record_bytes(record: Mapping[str, Any]) -> bytes:
     """Return the content of ``record.json``: the record, with the SHA-256 of its entries as the
     last one.
     """
-    return to_json({**_unsealed(record), _SEAL: _seal(record)}).encode()
+    seal = _EDITED if record.get(_SEAL) == _EDITED else _seal(record)
+    return to_json({**_unsealed(record), _SEAL: seal}).encode()
 
 
 def is_as_written(record: Mapping[str, Any]) -> bool:

@@ -28,7 +28,7 @@ _MARKS = (RECORD, "plan.json", "verification.json")
 _NO_RESULTS = frozenset({"inputs", "tables", "rollback", "card", "proven"})
 _CHANGED = (
     f"{RECORD} was changed after it was written, so its values and dates may be wrong. Make the"
-    " results again with the same command (`compwright run` or `verify`)"
+    " results again with `compwright run`, then `compwright verify`"
 )
 
 
