@@ -17,11 +17,8 @@ from compwright.estimation.basis import hidden_share, log_density, smooth_densit
 from compwright.estimation.cholesky import cholesky_factor, factor_and_solve, inverse_triangle
 from compwright.estimation.circle_centre import second_order
 from compwright.estimation.circle_cyclic import longest_pitch, search_cyclic, shortest_pitch
-from compwright.estimation.circle_fit import (
-    circle_problem,
-    fit_causes,
-    white_problems,
-)
+from compwright.estimation.circle_equations import circle_problem
+from compwright.estimation.circle_fit import fit_causes, white_problems
 from compwright.estimation.circle_lag import Lag, at_actual_angles, shrink_uncertainty
 from compwright.estimation.circle_model import (
     CircleSamples,

@@ -9,6 +9,7 @@ of each cause on a circle is described in ISO 230-4:1996, annex B.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -22,15 +23,15 @@ from compwright.estimation.circle_cyclic import (
     search_cyclic,
     shortest_pitch,
 )
+from compwright.estimation.circle_equations import CircleProblem, circle_problem, scaled_inverse
 from compwright.estimation.circle_fit import (
     CircleFit,
-    CircleProblem,
     WeightedProblem,
-    circle_problem,
     fit_causes,
     fit_evidence,
     fitted_path,
     fitted_paths,
+    normal_equations,
     residual_spectra,
     weighted_problem,
     white_problems,
@@ -350,18 +351,17 @@ def _start_fit(samples: CircleSamples, grid: AngleGrid, lag: Lag) -> _CircleStar
 
 
 def _likeliest(problem: CircleProblem, *starts: _CircleStart) -> _CircleStart:
-    """Return the most probable fit of a circular test. Several fits are tried: from assumed levels
-    of white noise, and from the spike shapes and the noise of each of the given fits ``starts``.
+    """Return the most probable fit of a circular test. Several fits are tried: from the spike
+    shapes and the noise of each of the given fits ``starts``, and from assumed levels of white
+    noise; beside a given fit from the highest level only.
 
     Several starts are needed because spike shapes are changed one at a time, which leads to the
     nearest optimum only. Noise can be fitted as a spike, or a spike as noise.
     """
+    white = itertools.islice(white_problems(problem), 1 if starts else None)
     every = [(s.shapes, weighted_problem(problem, s.fitted.spectra)) for s in starts]
-    every += [(SpikeShapes(problem), weighted) for weighted in white_problems(problem)]
-    fits = (
-        _CircleStart(problem, shapes, _fit_with_noise(weighted, shapes))
-        for shapes, weighted in every
-    )
+    every += [(SpikeShapes(problem), weighted) for weighted in white]
+    fits = (_CircleStart(problem, each, _fit_with_noise(w, each)) for each, w in every)
     return max(fits, key=lambda each: each.evidence)
 
 
@@ -378,7 +378,7 @@ def _without_fast_vibration(
         return start, found
     target = problem.target - wave
     aims = sum_and_difference(problem.grid, target)
-    return _likeliest(replace(problem, target=target, aims=aims)), found
+    return _likeliest(replace(problem, target=target, aims=aims), start), found
 
 
 def _solution(start: _CircleStart, given: dict[str, float], fast: Vibration) -> Solution:
@@ -455,17 +455,19 @@ def _fit_cyclic(
     """
     problem, shapes, spectra = start.problem, start.shapes, start.fitted.spectra
     samples, amplitudes, late = problem.samples, (0.0, 0.0), 0.0
-    without = f"_frequency_{axis}" if known else ""
+    shapes.adopt(problem)
+    without, active = f"_frequency_{axis}" if known else "", shapes.active()
+    others = problem.rows_of(active)
     for step in range(_TUNING_ROUNDS):
         columns = cyclic_columns(samples, axis, frequency, amplitudes, late)
-        fixed = columns if step else columns[:2]
-        problem = problem.with_columns([c for c in fixed if c.name != without])
-        shapes.adopt(problem)
-        active = shapes.active()
-        weighted = weighted_problem(problem, spectra, active)
-        values = fit_causes(weighted, active, shapes.precision).values
-        found = dict(zip(active.tolist(), values.tolist(), strict=True))
-        value = {name: found.get(index, 0.0) for index, name in enumerate(problem.names)}
+        fixed = [c for c in columns[: None if step else 2] if c.name != without]
+        fresh = sum_and_difference(problem.grid, problem.seen(fixed))
+        every = [np.column_stack(pair) for pair in zip(fresh, others, strict=True)]
+        gram, right = normal_equations(problem, spectra, every)
+        precision = [c.width**-2.0 for c in fixed]
+        gram += np.diag(np.concatenate([precision, shapes.precision[active]]))
+        values = (scaled_inverse(gram) @ right).tolist()
+        value = dict(zip([c.name for c in fixed], values, strict=False))
         amplitudes = value[f"_cyclic_cos_{axis}"], value[f"_cyclic_sin_{axis}"]
         frequency += value.get(f"_frequency_{axis}", 0.0)
         late += value.get(f"_late_{axis}", 0.0)

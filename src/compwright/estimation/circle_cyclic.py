@@ -15,7 +15,8 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_fit import CircleFit, CircleProblem
+from compwright.estimation.circle_equations import CircleProblem
+from compwright.estimation.circle_fit import CircleFit
 from compwright.estimation.circle_model import UM, CircleSamples, cyclic_columns
 from compwright.estimation.circle_noise import inverse_cosine_transform, sum_and_difference
 from compwright.records.axis import FloatArray

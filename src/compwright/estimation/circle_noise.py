@@ -38,7 +38,7 @@ _SHORTEST_WAVE: Final = 16.0
 #: Prior probabilities of white noise alone, of one correlated noise with it, and of two.
 _PRIORS: Final = (0.45, 0.45, 0.1)
 #: Ordinates of a spectrum are pooled above the first so many, in steps of a constant ratio.
-_SINGLE: Final = 32
+SINGLE: Final = 32
 _POOLED: Final = 36
 #: A divisor of this number has no prime factor above 11: its Fourier transform is fast.
 _SMOOTH: Final = (2 * 3 * 5 * 7 * 11) ** 12
@@ -191,7 +191,7 @@ def _tried(size: int) -> tuple[IndexArray, FloatArray, FloatArray, FloatArray]:
     densities of correlated noise (2 * l, size) for l correlation lengths.
     """
     lengths = np.geomspace(1.0, max(size / _SHORTEST_WAVE, 2.0), _LENGTHS)
-    pools = _pools(size)
+    pools = order_groups(size)
     middle = 0.5 * (pools + np.append(pools[1:], size) - 1.0)
     shapes = 1.0 + _mixtures(_LENGTHS)[0] @ _correlated(middle / size, lengths)
     return pools, 1.0 / shapes, np.log(shapes), _correlated(np.arange(size) / size, lengths)
@@ -233,11 +233,11 @@ def _correlated(frequency: FloatArray, lengths: FloatArray) -> FloatArray:
     return np.vstack([density, density**2])
 
 
-def _pools(size: int) -> IndexArray:
+def order_groups(size: int) -> IndexArray:
     """Return the first order of each group of neighbouring orders of the cosine transform. Each low
     order is a group of its own; groups of higher orders are wider.
     """
-    if size <= _SINGLE + 1:
+    if size <= SINGLE + 1:
         return np.arange(size)
-    wide = np.geomspace(_SINGLE, size, _POOLED + 1)[:-1].astype(np.intp)
-    return np.unique(np.concatenate([np.arange(_SINGLE), wide]))
+    wide = np.geomspace(SINGLE, size, _POOLED + 1)[:-1].astype(np.intp)
+    return np.unique(np.concatenate([np.arange(SINGLE), wide]))

@@ -54,11 +54,15 @@ def mean_column(column: CauseColumn, first: IndexArray) -> CauseColumn:
 
 
 def means(values: FloatArray, first: IndexArray) -> FloatArray:
-    """Return the means (..., n) of the readings ``values`` (..., m) from ``first`` (n,) on."""
-    count = values.shape[-1]
-    if count == first.size:
-        return values
-    found: FloatArray = np.add.reduceat(values, first, axis=-1) / np.diff(first, append=count)
+    """Return the means (..., n) of the readings ``values`` (..., m) from ``first`` (n,) on. A
+    sample is one reading or the mean of so many as each other mean.
+    """
+    counts = np.diff(first, append=values.shape[-1])
+    (several,) = np.nonzero(counts > 1)
+    found: FloatArray = values.take(first, axis=-1)
+    if several.size:
+        at = first[several][:, np.newaxis] + np.arange(counts[several[0]])
+        found[..., several] = np.mean(values[..., at], axis=-1)
     return found
 
 

@@ -18,12 +18,8 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_fit import (
-    CircleProblem,
-    Reversal,
-    WeightedProblem,
-    scaled_inverse,
-)
+from compwright.estimation.circle_equations import CircleProblem, Reversal, scaled_inverse
+from compwright.estimation.circle_fit import WeightedProblem
 from compwright.estimation.circle_model import RARE, UM, SpikeShape, sample_spacing
 from compwright.estimation.circle_noise import IndexArray
 from compwright.estimation.circle_shapes import (

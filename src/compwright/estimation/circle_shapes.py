@@ -12,7 +12,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_fit import CircleProblem
+from compwright.estimation.circle_equations import CircleProblem
 from compwright.estimation.circle_model import RARE, SpikeShape, TakeUp, rare_cause
 from compwright.estimation.circle_noise import IndexArray
 

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from compwright.estimation.circle_fit import CircleFit, CircleProblem
+from compwright.estimation.circle_equations import CircleProblem
+from compwright.estimation.circle_fit import CircleFit
 from compwright.estimation.circle_reversal import CircleDraws
 from compwright.estimation.circle_vibration import Vibration
 from compwright.records.axis import FloatArray

@@ -21,7 +21,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_fit import CircleProblem
+from compwright.estimation.circle_equations import CircleProblem
 from compwright.estimation.circle_model import AXES, UM, CauseColumn, CircleSamples
 from compwright.estimation.circle_noise import IndexArray
 from compwright.records.axis import FloatArray
