@@ -694,6 +694,17 @@ def test_limits_of_a_circle_count_in_the_verdict(folder: Path) -> None:
     assert (accept["decision"], accept["limit"], accept["value"]) == ("accept", 8.0, after)
     assert "limits are met" in answer["headline"]
 
+    circle, whole = Path(files[2]), Path(files[2]).read_text(encoding="utf-8")
+    circle.write_text(f"# serial: 8\n{whole}", encoding="utf-8")  # of another machine
+    job(folder, circle=limited, extra='machine: {serial: "7"}\n')
+    assert verify(path, *files) == 1
+    answer = document(folder / "job" / "verification.json")
+    accept = answer["circles"]["xy-150"]["accept"]["G_bidirectional"]
+    assert (accept["decision"], answer["verdict"]) == ("undecided", "undecided")
+    assert answer["circles"]["xy-150"]["squareness"] is None
+    assert [one["code"] for one in answer["doubts"]] == ["CW-V032"]
+    circle.write_text(whole, encoding="utf-8")
+
     job(folder, circle=limited.replace("8", "0.1"))  # tightened after the run
     assert verify(path, *files) == 1
     answer = document(folder / "job" / "verification.json")

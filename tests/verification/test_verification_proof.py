@@ -26,7 +26,7 @@ from compwright.verification.proof import (
     doubt_warnings,
     not_measured,
     read_back_findings,
-    unproven_circles,
+    unproven_circle,
 )
 from compwright.words.sentences import say
 from compwright.workflow.verify.verified_axis import _without_explained_doubt
@@ -189,31 +189,25 @@ def test_one_file_twice_within_a_test_is_a_copy_too() -> None:
 
 
 def test_the_circle_from_before_is_no_circle_after() -> None:
-    old = circle_of({}).planned
-    was = replace(old, test=replace(old.test, sources=(Source("xy.b5r", "aa"),)))
-    planned = plan({}, circles={"xy": was})
-    same = replace(old.test, sources=(Source("again.b5r", "aa"),))
-    (finding,) = unproven_circles(planned, {"xy": same}, "")
+    was = replace(circle_of({}).planned.test, sources=(Source("xy.b5r", "aa"),))
+    same = replace(was, sources=(Source("again.b5r", "aa"),))
+    (finding,) = unproven_circle(was, same, "", "xy")
     assert finding.code == "CW-V025"
     other = replace(same, sources=(Source("n", "bb"),))
-    assert list(unproven_circles(planned, {"xy": other}, "")) == []
-    for first, second, found in (
+    assert list(unproven_circle(was, other, "", "xy")) == []
+    for first, second, codes in (
         ("2026-03-02", "2026-03-01", ["CW-V029"]),
         ("2026-03-01", "2026-03-02", []),
     ):
-        dated = replace(was, test=replace(was.test, header={"Date": first}))
-        findings = unproven_circles(
-            plan({}, circles={"xy": dated}), {"xy": replace(other, header={"Date": second})}, ""
-        )
-        assert [finding.code for finding in findings] == found
+        dated, after = replace(was, header={"Date": first}), replace(other, header={"Date": second})
+        assert [finding.code for finding in unproven_circle(dated, after, "", "xy")] == codes
 
 
 def test_a_circle_of_another_machine_is_none_of_this_one() -> None:
-    old = circle_of({}).planned
-    planned = plan({}, circles={"xy": replace(old, test=replace(old.test, sources=()))})
-    again = replace(old.test, sources=(Source("n", "bb"),), header={"serial_no": "SN 12"})
-    assert list(unproven_circles(planned, {"xy": again}, "sn-12")) == []
-    (finding,) = unproven_circles(planned, {"xy": again}, "13")
+    was = replace(circle_of({}).planned.test, sources=())
+    again = replace(was, sources=(Source("n", "bb"),), header={"serial_no": "SN 12"})
+    assert list(unproven_circle(was, again, "sn-12", "xy")) == []
+    (finding,) = unproven_circle(was, again, "13", "xy")
     assert (finding.code, finding.values["circle"]) == ("CW-V032", "xy")
 
 

@@ -251,18 +251,16 @@ def copied_tests(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
     return found
 
 
-def unproven_circles(
-    plan: Plan, circles: Mapping[str, CircularTest], serial: str
+def unproven_circle(
+    first: CircularTest, after: CircularTest, serial: str, name: str
 ) -> Iterator[Finding]:
-    """Yield a finding for each circle whose test after loading has the same file as the test before
-    loading (CW-V025), is older (CW-V029), or is of another machine than that with the ``serial``
-    number of the job (CW-V032).
+    """Yield a finding if the test ``after`` loading of the circle ``name`` has the same file as the
+    ``first`` test (CW-V025), is older (CW-V029), or is of another machine than that with the
+    ``serial`` number of the job (CW-V032): nothing is decided by it.
     """
-    for name, test in circles.items():
-        first = plan.circles[name].test
-        if share_a_file(first.sources, test.sources):
-            yield Finding.of("CW-V025", "warning", circle=name)
-        yield from origin_findings(test, first, serial, name)
+    if share_a_file(first.sources, after.sources):
+        yield Finding.of("CW-V025", "warning", circle=name)
+    yield from origin_findings(after, first, serial, name)
 
 
 # ---------------------------------------------------------------- what was read back

@@ -47,7 +47,7 @@ from compwright.verification.proof import (
     copied_tests,
     not_measured,
     read_back_findings,
-    unproven_circles,
+    unproven_circle,
 )
 from compwright.verification.stale_plan import stale_fault, stale_plan
 from compwright.workflow.commands.compare import CompareOutcome, compare_plan, planned_files
@@ -239,7 +239,13 @@ def _verified(
         *not_measured(
             job, plan, {name: axis.before.test.name for name, axis in axes.items()}, measured
         ),
-        *unproven_circles(plan, measured, job.machine.get("serial", "")),
+        *(
+            finding
+            for name, test in measured.items()
+            for finding in unproven_circle(
+                plan.circles[name].test, test, job.machine.get("serial", ""), name
+            )
+        ),
         *_between(control, plan, as_found, read_back),
     ]
     compared = _compared(session, plan_file, loaded) if loaded else ""

@@ -23,7 +23,6 @@ from compwright.foundations.errors import (
 )
 from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import MEASUREMENT
-from compwright.foundations.provenance import share_a_file
 from compwright.foundations.session import Session
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.circular_reading import read_circular
@@ -46,7 +45,7 @@ from compwright.records.job import Acknowledged, Job
 from compwright.records.plan import Plan, PlannedCircle
 from compwright.records.positioning import PositioningTest
 from compwright.records.prediction import AcceptDecision
-from compwright.verification.proof import doubt_warnings, doubts_after
+from compwright.verification.proof import doubt_warnings, doubts_after, unproven_circle
 from compwright.workflow.inputs.circles import read_circle
 
 
@@ -177,7 +176,13 @@ def _verified(
     )
     result = after_test_doubts(result, _loaded(plan, circle.test.axes))
     prediction = predicted_circle(before, circle, during, then)
-    corrected = (entry for entry in plan.cross if entry.delivered and entry.source == "circle")
+    serial, name = job.machine.get("serial", ""), circle.test.name
+    unproven = any(unproven_circle(circle.test, after, serial, name))
+    corrected = (
+        entry
+        for entry in plan.cross
+        if entry.delivered and entry.source == "circle" and not unproven
+    )
     bent = next((entry for entry in corrected if entry.pair == frozenset(circle.test.axes)), None)
     check = None
     if bent is not None:
@@ -190,7 +195,9 @@ def _verified(
                 U=SIGNIFICANT * error,
                 corrected=1e6 * bent.squareness,
             )
-    accept, lacking, acknowledged = _judged(job, before, result, corrected=check is not None)
+    accept, lacking, acknowledged = _judged(
+        job, before, result, corrected=check is not None, unproven=unproven
+    )
     return VerifiedCircle(
         prediction=prediction,
         after=result,
@@ -212,11 +219,11 @@ def _loaded(plan: Plan, axes: Sequence[str]) -> list[str]:
 
 
 def _judged(
-    job: Job, before: CircularResult, result: CircularResult, *, corrected: bool
+    job: Job, before: CircularResult, result: CircularResult, *, corrected: bool, unproven: bool
 ) -> tuple[dict[str, AcceptDecision], tuple[Finding, ...], tuple[Acknowledged, ...]]:
     """Return the decisions on the limits of a circle, the doubts that are open, and the doubts that
     the job acknowledges; nothing for a circle without limits whose squareness was not
-    ``corrected``.
+    ``corrected``. Nothing is decided by an ``unproven`` test.
     """
     name, rule = result.test.name, job.decision_rule
     limits = next((one.accept for one in job.circles if one.name == name), None)
@@ -235,8 +242,7 @@ def _judged(
             limits,
             result,
             rule,
-            believed=all(each in by for each in readings)
-            and not share_a_file(before.test.sources, result.test.sources),
+            believed=all(each in by for each in readings) and not unproven,
             proven=not lacking,
         )
         if limits is not None
