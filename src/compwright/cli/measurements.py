@@ -29,6 +29,7 @@ from compwright.cli.words import (
     profile_option,
 )
 from compwright.foundations.own_faults import OWN_FAULT
+from compwright.foundations.processors import keep_free_memory
 
 #: Notes of one kind that are printed; the others are counted.
 _MOST_NOTES = 10
@@ -110,6 +111,7 @@ def evaluate(
     )
     from compwright.workflow.results.progress import progress
 
+    keep_free_memory()
     with progress(shown=json_path is None and on_terminal()) as watch:
         outcome = evaluate_files(
             invocation.session,

@@ -26,8 +26,8 @@ from compwright.instruments.circular_arcs import check_same_arc
 from compwright.instruments.circular_csv import read_circular_csv
 from compwright.instruments.fault_list import FaultList
 from compwright.instruments.own_forms import spans_of_plain_csv
-from compwright.instruments.reading import stem
 from compwright.instruments.spans import Grammar
+from compwright.instruments.text_input import stem
 from compwright.records.circular import CircularRun, CircularTest
 from compwright.records.positioning import LARGEST_PLAUSIBLE
 

@@ -63,7 +63,9 @@ _INCH = re.compile(
     r" _]?\(?(?:in|inch|inches|\"|mil|mils|thou|uin|u?inch|microinch(?:es)?)\)?"
 )
 _BLANK = " \t,;"  # what a line without cells consists of
-_AT_ONCE = 5000  # rows that are turned into columns at once
+#: How a line begins that may be blank or set the delimiter.
+_DOUBTFUL_START = frozenset(("", *_BLANK, *SEPARATOR_START))
+_AT_ONCE = 5000  # rows that are looked at or turned into columns at once
 #: What to do with inches, which no form of measurement files takes.
 INCHES = (
     "target_mm and deviation_um: multiply targets in inches by 25.4 to get mm, deviations in 0.001"
@@ -197,14 +199,20 @@ def split_lines(lines: Sequence[str]) -> tuple[list[tuple[int, str]], list[tuple
     """Return comment lines (without ``#``) and other non-blank lines, with line numbers from 1."""
     comments: list[tuple[int, str]] = []
     others: list[tuple[int, str]] = []
-    for number, line in enumerate(lines, start=1):
-        # A file may have a million lines: no calls for those that are clearly rows.
-        may_be = "#" in line or line[:1] in SEPARATOR_START
-        text = comment_text(line) if may_be else None
-        if text is not None:
-            comments.append((number, text))
-        elif line[:1] not in _BLANK or line.strip(_BLANK):
-            others.append((number, line))
+    for start in range(0, len(lines), _AT_ONCE):
+        block = lines[start : start + _AT_ONCE]
+        rows = list(enumerate(block, start=start + 1))
+        # A file may have a million lines: no look at each of those that are clearly rows.
+        if "#" not in "".join(block) and _DOUBTFUL_START.isdisjoint([line[:1] for line in block]):
+            others += rows
+            continue
+        for number, line in rows:
+            may_be = "#" in line or line[:1] in SEPARATOR_START
+            text = comment_text(line) if may_be else None
+            if text is not None:
+                comments.append((number, text))
+            elif line[:1] not in _BLANK or line.strip(_BLANK):
+                others.append((number, line))
     return comments, others
 
 

@@ -187,7 +187,9 @@ class DecimalMarks:
         column: str,
     ) -> None:
         """Count the numbers of a column that contain the decimal mark ``mark``."""
-        at = [index for index, text in enumerate(cells) if mark in text]
+        marks = "".join(cells).count(mark)  # at most one in each of them
+        every = range(len(cells))
+        at = every if marks == len(cells) else [i for i in every if mark in cells[i]]
         if len(at) < len(cells):
             self._unmarked_columns.add(column)
         if not at:

@@ -36,7 +36,7 @@ from compwright.instruments.reading_findings import (
 )
 from compwright.instruments.sections import axis_name
 from compwright.instruments.table_shape import has_table
-from compwright.instruments.text_input import read_any_lines, read_lines
+from compwright.instruments.text_input import read_any_lines, read_lines, stem
 from compwright.instruments.workbook import WorkbookSheet, is_workbook, sheets_of
 from compwright.records.axis import Direction
 from compwright.records.positioning import PositioningTest, to_machine
@@ -253,12 +253,6 @@ def _mapped(test: PositioningTest, profile: Profile | None) -> PositioningTest:
     if profile is None or not used or profile.position_map is None:
         return test
     return to_machine(test, profile.position_map)
-
-
-def stem(file: str) -> str:
-    """Return a file name without its folder and extension."""
-    name = re.split(r"[\\/]", file)[-1]
-    return name.rpartition(".")[0] or name
 
 
 def _text_and_form(content: bytes, file: str) -> tuple[list[str], MeasurementForm, Finding | None]:

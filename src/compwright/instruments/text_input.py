@@ -223,3 +223,9 @@ def _as_windows(byte: bytes) -> str:
 
 def _line_number(before: str) -> int:
     return len(_LINE_END.findall(before)) + 1
+
+
+def stem(file: str) -> str:
+    """Return a file name without its folder and extension."""
+    name = re.split(r"[\\/]", file)[-1]
+    return name.rpartition(".")[0] or name

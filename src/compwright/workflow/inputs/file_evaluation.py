@@ -16,7 +16,6 @@ from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.own_faults import own_fault
 from compwright.instruments.other_files import is_circular
 from compwright.instruments.profile import Profile
-from compwright.instruments.reading import read_tests
 from compwright.instruments.text_input import read_lines
 from compwright.records.positioning import PositioningTest
 
@@ -218,6 +217,8 @@ def tests_in(
     """Return the tests of any kind in a file's contents. Raises InputError."""
     circular = is_circular(content, file)
     if profile is not None or not circular:
+        from compwright.instruments.reading import read_tests  # a circular test loads no other form
+
         try:
             return read_tests(content, file, profile)
         except InputError as error:
