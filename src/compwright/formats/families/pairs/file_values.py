@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
+from typing import NamedTuple
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.text.entry_sheet import is_entry_sheet
@@ -92,20 +93,17 @@ def file_values(
     ``naming``: other files of the same control that may list the names of the axes.
     """
     sheets = [file for file in files if is_entry_sheet(file)]
-    lines = list(_lines([file for file in files if file not in sheets]))
-    names = dict(_named(line for _, _, line in (*_lines(naming), *lines)))
+    texts = texts_of([file for file in files if file not in sheets])
+    named = dict(entry for text in (*texts_of(naming), *texts) for entry in _named(text))
+    read, channel = [], "1"
+    for text in texts:
+        read.append(_read(text, channel, tuple(named.items())))
+        channel = read[-1].channel
     found = by_statements(definition, sheets)
-    found |= {entry.name: entry for entry in _units(lines)}
-    channel = "1"
-    for file, number, line in lines:
-        match = _LINE.fullmatch(line.replace(f";{BY_HAND}", "", 1)) if "=" in line else None
-        if match is None:
-            scope = _CHANNEL.fullmatch(line)
-            channel = channel if scope is None else scope[1]
-            continue
-        entry = _entry(match, file, number, channel, names)
+    found |= {entry.name: entry for entry in _units([one for text in read for one in text.units])}
+    for entry in (entry for text in read for entry in text.assigned):
         known = found.get(entry.name)
-        if known is not None and known.file != file and not same_text(known.text, entry.text):
+        if known is not None and known.file != entry.file and not same_text(known.text, entry.text):
             # an archive says many values twice: what one member alone says is no value less
             beaten = replace(known, name=f"{known.name} in {known.file}", relevant=False)
             found[beaten.name] = beaten
@@ -113,34 +111,52 @@ def file_values(
     return found
 
 
-def _lines(files: Sequence[ControlFile]) -> Iterator[tuple[str, int, str]]:
-    for file in texts_of(files):
-        text = re.split(r"\r\n|\r|\n", file.content.decode("latin-1"))
-        yield from ((file.name, number, line) for number, line in enumerate(text, start=1))
-
-
-def _units(lines: Sequence[tuple[str, int, str]]) -> Iterator[FileValue]:
-    """Yield the length unit that most files state, once, and each file that states a different
-    unit.
+class _TextValues(NamedTuple):
+    """The assignments of one text in their order, the length units that it states (file, line,
+    unit), and the ``channel`` to which a text after it belongs.
     """
-    units_stated = [
-        (file, number, match[1].upper())
-        for file, number, line in lines
-        if (match := _SYSTEM.fullmatch(line)) is not None
-    ]
-    units = sorted(
-        {unit for _, _, unit in units_stated}, reverse=True
-    )  # METRIC where as many say either
-    most = max(units, key=[unit for _, _, unit in units_stated].count, default="")
-    for file, number, unit in units_stated:
+
+    assigned: tuple[FileValue, ...]
+    units: tuple[tuple[str, int, str], ...]
+    channel: str
+
+
+@lru_cache(maxsize=64)  # the members of an archive, as found and read back
+def _read(file: ControlFile, channel: str, named: tuple[tuple[str, str], ...]) -> _TextValues:
+    """Return the contents of a text that begins in ``channel``. ``named``: the place of each
+    machine axis by its name.
+    """
+    names, assigned, units = dict(named), [], []
+    for number, line in enumerate(_lines(file), start=1):
+        match = _LINE.fullmatch(line.replace(f";{BY_HAND}", "", 1)) if "=" in line else None
+        if match is not None:
+            assigned.append(_entry(match, file.name, number, channel, names))
+        elif scope := _CHANNEL.fullmatch(line):
+            channel = scope[1]
+        elif unit := _SYSTEM.fullmatch(line):
+            units.append((file.name, number, unit[1].upper()))
+    return _TextValues(tuple(assigned), tuple(units), channel)
+
+
+def _lines(file: ControlFile) -> list[str]:
+    return re.split(r"\r\n|\r|\n", file.content.decode("latin-1"))
+
+
+def _units(stated: Sequence[tuple[str, int, str]]) -> Iterator[FileValue]:
+    """Yield the length unit that most files state, once, and each file that states a different
+    unit. ``stated``: file, line and unit.
+    """
+    units = sorted({unit for _, _, unit in stated}, reverse=True)  # METRIC where as many say either
+    most = max(units, key=[unit for _, _, unit in stated].count, default="")
+    for file, number, unit in stated:
         name, whose = (_BASIC, "the files") if unit == most else (f"{file}: {_BASIC}", "this file")
         meaning = f"unit of lengths of {whose}"
         yield FileValue(name, _BASIC, unit, file, number, relevant=True, meaning=meaning)
 
 
-def _named(lines: Iterator[str]) -> Iterator[tuple[str, str]]:
-    """Yield the name of each machine axis (MD10000) with its index."""
-    for line in lines:
+def _named(file: ControlFile) -> Iterator[tuple[str, str]]:
+    """Yield the name of each machine axis (MD10000) with its place."""
+    for line in _lines(file) if _NAMES.encode() in file.content.upper() else ():
         if _NAMES not in line.upper():
             continue
         match = _LINE.fullmatch(line)
