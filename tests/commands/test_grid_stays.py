@@ -19,6 +19,7 @@ import pytest
 from test_every_control import (
     ADDRESS,
     DISTINCT,
+    FORMS,
     MET_OTHERWISE,
     OPTIONS,
     format_of,
@@ -37,9 +38,6 @@ pytestmark = pytest.mark.short_estimate
 
 NOW, LATER = Machine(), Machine(bow=0.009)
 TARGETS = NOW.targets()
-#: One control of each form of files; the others differ from it in facts that the first test and
-#: `test_every_control` go through.
-FORMS = [name for name in DISTINCT if name not in ("siemens-828d", "fanuc-0i-d", "fanuc-0i-f")]
 #: Values by maker: what stands before them, and what a value of nothing is.
 VALUES = {
     "siemens": [(r"^(\$AA_ENC_COMP\[\d+,\d+,\w+\]=|\$AN_CEC\[\d+,\d+\]=|\$MA_BACKLASH\[.*\]=).*", r"\g<1>0.0")],

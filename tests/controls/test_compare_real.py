@@ -111,10 +111,11 @@ def read_back(tables: Path, changes: Mapping[str, str]) -> bytes:
     assert inside is not None
     members = []
     for text in inside.state:
-        content = text.content.decode("latin-1")
-        for name, value in values.items():
-            pattern = rf"(?m)^((?:N\d+ )?{re.escape(name)}=)[^\s;]+"
-            content = re.sub(pattern, rf"\g<1>{value}", content)
+        content = re.sub(
+            r"(?m)^((?:N\d+ )?(\$\w+(?:\[[^\]\n]*\])?)=)([^\s;]+)",
+            lambda row: row[1] + values.get(row[2], row[3]),
+            text.content.decode("latin-1"),
+        )
         name = text.name.rpartition(": ")[2]
         members.append(("\\_NC_ACT.DIR\\", name, content.encode("latin-1")))
     return container(members)

@@ -35,9 +35,11 @@ from dying import Process, running
 from harm_fanuc import Backup, Pitch
 from loop import Machine, csv_of
 
+pytestmark = pytest.mark.short_estimate
+
 #: Calls to the disk after which the other thread may go on.
 CALLS = ("open", "lstat", "stat", "replace", "unlink", "mkdir")
-SHORT, WHOLE = 50, 1
+SHORT, WHOLE = 20, 1
 INI = """[KINS]
 KINEMATICS = trivkins coordinates=X
 [TRAJ]
