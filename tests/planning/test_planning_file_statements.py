@@ -91,6 +91,7 @@ def test_no_doubt_without_a_contradiction(tmp_path: Path, text: str) -> None:
         ("", ["7", "8"], "number 8, but this machine has 7."),
         ("SN-7", ["sn 7"], ""),
         ("not given", ["8"], ""),
+        ("7", ["redacted_1"], ""),
     ],
 )
 def test_a_file_of_another_machine_is_a_doubt(

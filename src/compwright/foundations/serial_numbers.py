@@ -25,8 +25,8 @@ def other_serials(header: Mapping[str, str], known: Iterable[str]) -> list[str]:
 
 
 def _plain(serial: str) -> str:
-    """Return a serial number without blanks and signs, in lower case; "" for `not given`, which
-    `compwright new` writes.
+    """Return a serial number without blanks and signs, in lower case; "" for what `compwright new`
+    (`not given`) and `redact` (`redacted_1`) write in its place.
     """
     text = re.sub(r"[\W_]+", "", serial).casefold()
-    return "" if text == "notgiven" else text
+    return "" if re.fullmatch(r"notgiven|redacted[0-9]*", text) else text
