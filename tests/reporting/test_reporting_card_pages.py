@@ -10,7 +10,7 @@ from typing import Any
 
 import pypdf
 import pytest
-from test_every_control import ADDRESS, FORMATS, OPTIONS
+from test_every_control import ADDRESS, FORMATS, FORMS, OPTIONS
 
 from compwright.cli import run as compwright
 from compwright.reporting import card
@@ -76,8 +76,9 @@ def pages_of(document: dict[str, Any]) -> dict[str, int]:
     return counts
 
 
-@pytest.mark.parametrize("count", [1, 3])
-@pytest.mark.parametrize("control", FORMATS)
+@pytest.mark.parametrize(
+    ("control", "count"), [*((name, 1) for name in FORMATS), *((name, 3) for name in FORMS)]
+)
 def test_a_page_for_the_control_and_one_for_each_axis(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, control: str, count: int
 ) -> None:
