@@ -321,7 +321,7 @@ def test_whole_tables_equal_brute_force(
         lattice_part, "_LANES", lanes
     )  # how many ways are searched at once changes nothing
     rng = np.random.default_rng(KINDS.index(kind) * 4 + 2 * step + (lanes > 1))
-    for _ in range(40):
+    for _ in range(20):
         case = random_case(rng, kind, step)
         result = fit(case.wanted, case.capacity, spacing=10.0, mode=case.mode)
         assert result.compensation.positions == pytest.approx(case.points, abs=1e-9)
