@@ -9,52 +9,33 @@ of each cause on a circle is described in ISO 230-4:1996, annex B.
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from functools import partial
 from typing import Final
 
 import numpy as np
 
 from compwright.estimation.circle_cyclic import (
-    CyclicSearch,
     longest_pitch,
-    search_cyclic,
     shortest_pitch,
 )
-from compwright.estimation.circle_equations import CircleProblem, circle_problem, scaled_inverse
 from compwright.estimation.circle_fit import (
-    CircleFit,
-    WeightedProblem,
-    fit_causes,
-    fit_evidence,
-    fitted_path,
     fitted_paths,
-    normal_equations,
-    residual_spectra,
-    weighted_problem,
-    white_problems,
 )
-from compwright.estimation.circle_lag import Lag, at_actual_angles, common_lag, with_undetected_lag
-from compwright.estimation.circle_model import AXES, CircleSamples, circle_samples, cyclic_columns
+from compwright.estimation.circle_lag import common_lag
+from compwright.estimation.circle_model import CircleSamples, circle_samples
 from compwright.estimation.circle_noise import (
-    AngleGrid,
     angle_grid,
     inverse_cosine_transform,
-    sum_and_difference,
 )
 from compwright.estimation.circle_path import undetermined_causes
 from compwright.estimation.circle_plain import harmonic_regression
 from compwright.estimation.circle_report import report_effects
-from compwright.estimation.circle_reversal import choose_shapes, draw_shapes
-from compwright.estimation.circle_shapes import SpikeShapes
+from compwright.estimation.circle_search import solve, start_fit, without_fast_vibration
 from compwright.estimation.circle_solution import Solution
 from compwright.estimation.circle_vibration import (
     Vibration,
-    search_between_means,
-    search_vibration,
-    vibration_columns,
 )
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
@@ -74,14 +55,8 @@ LEAST_SAMPLES: Final = 24
 #: Samples of one run that are fitted: five times those of the finest ballbar; a million would fill
 #: the memory and tell no more.
 MOST_SAMPLES: Final = 4_000
-#: Rounds in which the frequency of a cyclic error is fitted.
-_TUNING_ROUNDS: Final = 4
-#: The noise is estimated again, so often at most, while its density at order zero still changes by
-#: this share.
-_NOISE_ROUNDS: Final = 3
 #: Samples of one run that a fitted run holds at most: for pictures.
 _MOST_FITTED: Final = 1_000
-_NOISE_STEADY: Final = 0.25
 
 
 def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) -> Diagnosis:
@@ -103,14 +78,14 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
     _refuse_few(test, samples)
     frequencies, findings = _visible_periods(test, samples, periods or {})
     measured, plain, grid = samples, harmonic_regression(samples), angle_grid(samples)
-    start = _start_fit(samples, grid, common_lag(every))
+    start = start_fit(samples, grid, common_lag(every))
     samples = start.problem.samples
     if samples.lag:
         findings.append(_lag_finding(samples))
     fast = Vibration()
     if averaged > 1:
-        start, fast = _without_fast_vibration(start, every)
-    solution = _solution(start, frequencies, fast)
+        start, fast = without_fast_vibration(start, every)
+    solution = solve(start, frequencies, fast)
     reasons = undetermined_causes(test, samples)
     effects, correlation, undetermined, noticed = report_effects(test, solution, reasons)
     return Diagnosis(
@@ -307,192 +282,3 @@ def _visible_periods(
 def _lag_finding(samples: CircleSamples) -> Finding:
     time = 1e3 * samples.radius / samples.speed
     return Finding.of("CW-D011", "info", lag=time * samples.lag, error=time * samples.lag_std)
-
-
-@dataclass(frozen=True, slots=True)
-class _CircleStart:
-    """A fit of a circular test from which further searches start: the equations, the spike shapes
-    and the solution.
-    """
-
-    problem: CircleProblem
-    shapes: SpikeShapes
-    fitted: CircleFit
-
-    @property
-    def evidence(self) -> float:
-        """The log probability of the readings and the spike shapes under this fit."""
-        return fit_evidence(self.fitted, self.shapes.precision) + self.shapes.log_prior
-
-    def cyclic(self, axes: Sequence[str]) -> CyclicSearch:
-        """Return the result of the search for cyclic errors of the ``axes``. The causes are fitted
-        again first: the covariance has to belong to the last noise spectra.
-        """
-        active = self.fitted.active
-        weighted = weighted_problem(self.problem, self.fitted.spectra, active)
-        return search_cyclic(
-            self.problem, fit_causes(weighted, active, self.shapes.precision), axes
-        )
-
-
-def _start_fit(samples: CircleSamples, grid: AngleGrid, lag: Lag) -> _CircleStart:
-    """Return the first fit of a circular test. It includes the common ``lag`` of both axes if this
-    is clear and explains the samples better.
-
-    Next to the reversal points, lost motion that is taken up while an axis stands still looks like
-    a lag. Therefore the model is fitted with and without the lag, and the evidence of the whole
-    model decides.
-    """
-    without = _likeliest(circle_problem(with_undetected_lag(samples, lag), grid))
-    if not lag.clear:
-        return without
-    late = _likeliest(circle_problem(at_actual_angles(samples, lag), grid))
-    return late if late.evidence > without.evidence else without
-
-
-def _likeliest(problem: CircleProblem, *starts: _CircleStart) -> _CircleStart:
-    """Return the most probable fit of a circular test. Several fits are tried: from the spike
-    shapes and the noise of each of the given fits ``starts``, and from assumed levels of white
-    noise; beside a given fit from the highest level only.
-
-    Several starts are needed because spike shapes are changed one at a time, which leads to the
-    nearest optimum only. Noise can be fitted as a spike, or a spike as noise.
-    """
-    white = itertools.islice(white_problems(problem), 1 if starts else None)
-    every = [(s.shapes, weighted_problem(problem, s.fitted.spectra)) for s in starts]
-    every += [(SpikeShapes(problem), weighted) for weighted in white]
-    fits = (_CircleStart(problem, each, _fit_with_noise(w, each)) for each, w in every)
-    return max(fits, key=lambda each: each.evidence)
-
-
-def _without_fast_vibration(
-    start: _CircleStart, every: CircleSamples
-) -> tuple[_CircleStart, Vibration]:
-    """Return the fit of a circular test without the vibration that its samples, means of
-    neighbours among ``every`` reading, cannot show; and this vibration.
-    """
-    problem, fitted = start.problem, start.fitted
-    rest = problem.target - fitted_path(problem, fitted)
-    found, wave = search_between_means(every, problem, rest)
-    if found.frequency is None:
-        return start, found
-    target = problem.target - wave
-    aims = sum_and_difference(problem.grid, target)
-    return _likeliest(replace(problem, target=target, aims=aims), start), found
-
-
-def _solution(start: _CircleStart, given: dict[str, float], fast: Vibration) -> Solution:
-    """Return the full solution of a circular test: noise, reversal spikes, cyclic errors and
-    vibration. ``given``: known frequencies of cyclic errors, 1/mm, by axis. ``fast``: vibration
-    that the samples, means of readings, cannot show.
-    """
-    frequencies = dict(given)
-    for axis, frequency in given.items():
-        problem, _ = _fit_cyclic(start, axis, frequency, known=True)
-        start = replace(start, problem=problem)
-    if given:
-        start = _likeliest(start.problem, start)
-    open_axes = [axis for axis in AXES if axis not in frequencies]
-    found = start.cyclic(open_axes)
-    while found.found:
-        for axis, frequency in found.found.items():
-            problem, frequencies[axis] = _fit_cyclic(start, axis, frequency)
-            start = _likeliest(problem, start)
-        open_axes = [axis for axis in AXES if axis not in frequencies]
-        if not open_axes:
-            break
-        found = start.cyclic(open_axes)
-    problem, shapes, fitted = start.problem, start.shapes, start.fitted
-    problem, fitted, slow = _add_vibration(problem, shapes, fitted)
-    draws = draw_shapes(
-        weighted_problem(problem, fitted.spectra),
-        shapes,
-        np.random.default_rng(problem.target.size),
-    )
-    return Solution(
-        problem=problem,
-        fitted=fitted,
-        draws=draws,
-        frequencies=frequencies,
-        given=frozenset(given),
-        hidden=found.hidden,
-        vibration=slow.or_stronger(fast),
-    )
-
-
-def _fit_with_noise(weighted: WeightedProblem, shapes: SpikeShapes) -> CircleFit:
-    """Return the fit whose weights agree with the noise spectra of its own residuals. The iteration
-    starts with the noise of ``weighted``.
-
-    The method is iterated two-stage least squares (Seber and Wild, Nonlinear Regression, 1989,
-    chapter 6).
-    """
-    shapes.adopt(weighted.problem)
-    spectra = weighted.spectra
-    for number in range(_NOISE_ROUNDS):
-        if number:
-            weighted = weighted_problem(weighted.problem, spectra)
-        choose_shapes(weighted, shapes)
-        fitted = fit_causes(weighted, shapes.active(), shapes.precision)
-        spectra = residual_spectra(fitted)
-        changes = [
-            abs(np.log(new.density[0] / old.density[0]))
-            for new, old in zip(spectra, weighted.spectra, strict=True)
-        ]
-        if max(changes) < _NOISE_STEADY:
-            break
-    return replace(fitted, spectra=spectra)
-
-
-def _fit_cyclic(
-    start: _CircleStart, axis: str, frequency: float, *, known: bool = False
-) -> tuple[CircleProblem, float]:
-    """Return the equations with a cyclic error of an axis added, and its frequency, 1/mm. The
-    ``frequency`` is a start value unless it is ``known``.
-
-    The cyclic error is fitted together with the delay of the axis (Gauss-Newton: Seber and Wild
-    1989, chapter 2).
-    """
-    problem, shapes, spectra = start.problem, start.shapes, start.fitted.spectra
-    samples, amplitudes, late = problem.samples, (0.0, 0.0), 0.0
-    shapes.adopt(problem)
-    without, active = f"_frequency_{axis}" if known else "", shapes.active()
-    others = problem.rows_of(active)
-    for step in range(_TUNING_ROUNDS):
-        columns = cyclic_columns(samples, axis, frequency, amplitudes, late)
-        fixed = [c for c in columns[: None if step else 2] if c.name != without]
-        fresh = sum_and_difference(problem.grid, problem.seen(fixed))
-        every = [np.column_stack(pair) for pair in zip(fresh, others, strict=True)]
-        gram, right = normal_equations(problem, spectra, every)
-        precision = [c.width**-2.0 for c in fixed]
-        gram += np.diag(np.concatenate([precision, shapes.precision[active]]))
-        values = (scaled_inverse(gram) @ right).tolist()
-        value = dict(zip([c.name for c in fixed], values, strict=False))
-        amplitudes = value[f"_cyclic_cos_{axis}"], value[f"_cyclic_sin_{axis}"]
-        frequency += value.get(f"_frequency_{axis}", 0.0)
-        late += value.get(f"_late_{axis}", 0.0)
-    columns = cyclic_columns(samples, axis, frequency, amplitudes, late)
-    return problem.with_columns([c for c in columns if c.name != without]), frequency
-
-
-def _add_vibration(
-    problem: CircleProblem, shapes: SpikeShapes, fitted: CircleFit
-) -> tuple[CircleProblem, CircleFit, Vibration]:
-    """Return equations and solution with the strongest vibration added, if one was found."""
-    rest = problem.target - fitted_path(problem, fitted)
-    found = search_vibration(problem.samples, rest)
-    if found.frequency is not None:
-        columns = vibration_columns(problem.samples, found)
-        shaken = problem.with_columns(columns)
-        steady = _fit_with_noise(weighted_problem(shaken, fitted.spectra), shapes)
-        places = [shaken.names.index(column.name) for column in columns]
-        at = np.flatnonzero(np.isin(steady.active, places))
-        value, covariance = steady.values[at], steady.covariance[np.ix_(at, at)]
-        # In correlated noise the residuals alone promise more than the whole fit finds.
-        if float(value @ np.linalg.solve(covariance, value)) >= found.least:
-            return shaken, steady, found
-        shapes.adopt(problem)
-        most = float(np.sqrt(np.sum(value**2) / np.unique(problem.samples.run).size))
-        hidden = {**found.hidden, found.axis: max(found.hidden[found.axis], most)}
-        found = Vibration(hidden=hidden)
-    return problem, fitted, found
