@@ -334,7 +334,7 @@ OF_REAL_BACKUP = {3620: "300", 3621: "301", 3622: "312", 3624: "30.0"}
         (LINEAR, None, None, "set `kind: rotary` for the axis in the job"),
         (ROTARY, None, None, "set `modulo: 360` for the axis in the job"),
         (ROTARY, 180.0, None, "set `modulo: 360` for the axis in the job"),
-        (ROTARY, 360.0, 0.01, "delete `detection_unit` of the axis in the job"),
+        (ROTARY, 360.0, 0.01, "delete the option `detection_unit`"),
     ],
 )
 def test_a_job_that_the_control_contradicts_is_corrected_and_not_the_control(
