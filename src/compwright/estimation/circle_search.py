@@ -1,7 +1,8 @@
-"""The search for the causes of a circular test that are not in every model: reversal spikes, a
-common lag, cyclic errors and vibration. The one that explains most is added, then what is left is
-searched again (orthogonal matching pursuit: Pati, Rezaiifar and Krishnaprasad, Asilomar Conference
-on Signals, Systems and Computers 27, 1993).
+"""The search for the causes of a circular test that are not in every model. Reversal spikes and a
+common lag are chosen with the first fit. Of a cyclic error and a vibration, the more probable one
+is added first, then the residuals are searched again (orthogonal matching pursuit: Pati, Rezaiifar
+and Krishnaprasad, Asilomar Conference on Signals, Systems and Computers 27, 1993). What was added
+is not tested again.
 """
 
 from __future__ import annotations
@@ -92,7 +93,7 @@ def start_fit(samples: CircleSamples, grid: AngleGrid, lag: Lag) -> CircleStart:
 def _likeliest(problem: CircleProblem, *starts: CircleStart) -> CircleStart:
     """Return the most probable fit of a circular test. Several fits are tried: from the spike
     shapes and the noise of each of the given fits ``starts``, and from assumed levels of white
-    noise; beside a given fit from the highest level only.
+    noise. With a given fit, only the highest of these levels is tried.
 
     Several starts are needed because spike shapes are changed one at a time, which leads to the
     nearest optimum only. Noise can be fitted as a spike, or a spike as noise.
@@ -142,7 +143,7 @@ def solve(start: CircleStart, given: dict[str, float], fast: Vibration) -> Solut
         open_axes = [axis for axis in AXES if axis not in frequencies]
         if open_axes:
             cyclic = start.cyclic(open_axes)
-            hidden = {**cyclic.hidden}
+            hidden = dict(cyclic.hidden)
             for axis, frequency in cyclic.found.items():
                 problem, tuned = _fit_cyclic(start, axis, frequency)
                 periodic = _likeliest(problem, start)
