@@ -1,4 +1,4 @@
-"""E_VE from a stand-still test: its range, what is said of it, and its faults."""
+"""E_VE from a stand-still test: its range, its text in the results, and its faults."""
 
 from __future__ import annotations
 
