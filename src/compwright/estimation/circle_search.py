@@ -137,9 +137,8 @@ def solve(start: CircleStart, given: dict[str, float], fast: Vibration) -> Solut
         start = _likeliest(start.problem, start)
     slow, hidden, changed = Vibration(), dict[str, float](), True
     while changed:
-        shaken, periodic, changed = None, None, False
-        if slow.frequency is None:
-            shaken, slow = _with_vibration(start)
+        periodic, changed = None, False
+        shaken, found = _with_vibration(start) if slow.frequency is None else (None, slow)
         open_axes = [axis for axis in AXES if axis not in frequencies]
         if open_axes:
             cyclic = start.cyclic(open_axes)
@@ -149,8 +148,9 @@ def solve(start: CircleStart, given: dict[str, float], fast: Vibration) -> Solut
                 periodic = _likeliest(problem, start)
         if periodic is not None and (shaken is None or periodic.evidence > shaken.evidence):
             start, frequencies[axis], changed = periodic, tuned, True
-            slow = Vibration() if shaken is not None else slow  # searched again
-        elif shaken is not None:
+            continue  # a vibration that was found is searched again
+        slow = found
+        if shaken is not None:
             start, changed = shaken, True
     problem, shapes, fitted = start.problem, start.shapes, start.fitted
     draws = draw_shapes(
