@@ -1,4 +1,4 @@
-"""The JSON of ``evaluate`` for drift tests (axis at rest) and for lost motion."""
+"""The JSON of ``evaluate`` for stand-still tests (axis at rest) and for lost motion."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from compwright.records.drift import DriftTest, LostMotionTest
 def stand_still_document(
     drift: DriftTest, E_VE: float, findings: Iterable[Finding]
 ) -> dict[str, Any]:
-    """Return the JSON entry of a drift test: its range ``E_VE`` (µm, arcsec) and readings."""
+    """Return the JSON entry of a stand-still test: its range ``E_VE`` (µm, arcsec) and readings."""
     unit = drift.kind.unit
     factor = outside_factor(unit)
     return {

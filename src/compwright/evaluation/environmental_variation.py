@@ -1,4 +1,4 @@
-"""The range E_VE of environmental variation, from a drift test.
+"""The range E_VE of environmental variation, from a stand-still test.
 
 ISO 230-2:2006 names the contributor (introduction and annex A, A.2.5) and refers to ISO 230-3 for
 the test: the axis is at rest, and the reading is recorded for the duration of a positioning test.

@@ -1,10 +1,10 @@
-"""Readers of two plain CSV forms with two columns: drift tests, and tests of lost motion after
-small or slow moves.
+"""Readers of two plain CSV forms with two columns: stand-still tests, and tests of lost motion
+after small or slow moves.
 
-Columns of a drift test: ``time_min``, and ``deviation_um`` (linear axes) or ``deviation_arcsec``
-(rotary axes). Columns of a test of lost motion: ``distance_mm`` or ``speed_mm_min`` of the move,
-and ``lost_motion_um``. Columns may be in any order, and other columns are ignored. Comment keys are
-kept as for other tests.
+Columns of a stand-still test: ``time_min``, and ``deviation_um`` (linear axes) or
+``deviation_arcsec`` (rotary axes). Columns of a test of lost motion: ``distance_mm`` or
+``speed_mm_min`` of the move, and ``lost_motion_um``. Columns may be in any order, and other columns
+are ignored. Comment keys are kept as for other tests.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ _FEWEST: Final = 3
 
 
 def is_drift(text: Sequence[str]) -> bool:
-    """Return whether the lines of a file are a drift test."""
+    """Return whether the lines of a file are a stand-still test."""
     return any(line.lower().lstrip('"').startswith(TIME) for line in text)
 
 
@@ -48,13 +48,13 @@ def is_lost_motion(text: Sequence[str]) -> bool:
 
 
 def is_two_columns(text: Sequence[str]) -> bool:
-    """Return whether the lines of a file are a drift test or a table of lost motion."""
+    """Return whether the lines of a file are a stand-still test or a table of lost motion."""
     return is_drift(text) or is_lost_motion(text)
 
 
 def read_drift(content: bytes, file: str, kind: AxisKind | None = None) -> DriftTest:
-    """Return the drift test in a file of an axis of this ``kind`` (linear, rotary; None: the kind
-    that the columns of the file state). Raises InputError with every fault at once.
+    """Return the stand-still test in a file of an axis of this ``kind`` (linear, rotary; None: the
+    kind that the columns of the file state). Raises InputError with every fault at once.
 
     Faults: a column is missing, a cell is not a number, a time is given twice, there are fewer than
     three readings.

@@ -39,8 +39,8 @@ class NextAxis:
 class NextRound:
     """What the job of the next round states differently from the last job.
 
-    ``paths``: the paths of the copies of profiles, drift tests and the logo, by their paths in the
-    last job. ``squareness``: the planes whose squareness is corrected again.
+    ``paths``: the paths of the copies of profiles, stand-still tests and the logo, by their paths
+    in the last job. ``squareness``: the planes whose squareness is corrected again.
     """
 
     format: str
@@ -189,7 +189,7 @@ def environment_files(section: Any) -> list[str]:
 
 
 def _uncertainty(section: Mapping[str, Any], paths: Mapping[str, str]) -> dict[str, Any]:
-    """Return the job's uncertainty section with the paths of the copied drift tests."""
+    """Return the job's uncertainty section with the paths of the copied stand-still tests."""
     found = dict(section)
     if isinstance(found.get("rotary"), dict):
         found["rotary"] = _uncertainty(found["rotary"], paths)

@@ -357,8 +357,8 @@ def _circular_budget(section: JobSection) -> CircularBudget | None:
 
 
 def _range(variation: float | DriftSection) -> float:
-    """Return the environmental variation that the job states; 0 if it states a drift test, which is
-    evaluated later.
+    """Return the environmental variation that the job states; 0 if it states a stand-still test,
+    which is evaluated later.
     """
     return 0.0 if isinstance(variation, DriftSection) else variation
 

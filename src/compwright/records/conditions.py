@@ -43,7 +43,8 @@ class UncertaintyBudget:
     """Contributors to uncertainty (ISO 230-2:2006, annex A) as expanded uncertainties (k = 2).
 
     Two contributors are ranges as in the annex. ``misalignment_mm`` is the lateral range of the
-    beam over the measured length. ``E_VE`` is the range of a drift test that is as long as the run.
+    beam over the measured length. ``E_VE`` is the range of a stand-still test that is as long as
+    the run.
     """
 
     device: float = 0.0

@@ -1,4 +1,4 @@
-"""Drift tests (readings over time without motion) and lost motion over distance or speed."""
+"""Stand-still tests (readings over time without motion) and lost motion over distance or speed."""
 
 from __future__ import annotations
 
@@ -41,7 +41,9 @@ class LostMotionTest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DriftRequest:
-    """The file of a drift test, and how long a positioning test takes (min; None if not given)."""
+    """The file of a stand-still test, and how long a positioning test takes (min; None if not
+    given).
+    """
 
     file: str
     duration_min: float | None = None

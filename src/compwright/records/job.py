@@ -163,8 +163,8 @@ class Job:
       off, the answer of the job. A state that is not in it has no answer.
     - ``options``: the options of the controller. An axis' own options are in ``axis.options`` and
       override them.
-    - ``drifts``: drift tests by the kind of axis, from which E_VE is calculated. ``environment``: a
-      record of air and material.
+    - ``drifts``: stand-still tests by the kind of axis, from which E_VE is calculated.
+      ``environment``: a record of air and material.
     - ``sources``: the files from which the job's own values are taken.
     - ``findings``: about the job itself, such as keys without effect.
     """

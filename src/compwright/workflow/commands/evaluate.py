@@ -293,7 +293,7 @@ _WITH_PAGES: Final = ("positioning", "circular")
 def _with_pages(document: Mapping[str, Any]) -> Mapping[str, Any]:
     """Return the document with only those tests that get a report page and a figure.
 
-    Drift tests and tests of lost motion over distance or speed are left out.
+    Stand-still tests and tests of lost motion over distance or speed are left out.
     """
     tests = [result for result in document["results"] if result["kind"] in _WITH_PAGES]
     if document["results"] and not tests:

@@ -111,8 +111,8 @@ class FilesEvaluator:
         )
 
     def _two_columns(self, given: FileToEvaluate) -> Callable[[FileToEvaluate], Entry] | None:
-        """Return the function that evaluates this file if it is a drift test or a table of lost
-        motion, else None.
+        """Return the function that evaluates this file if it is a stand-still test or a table of
+        lost motion, else None.
         """
         from compwright.instruments.drift_csv import is_drift, is_lost_motion
 

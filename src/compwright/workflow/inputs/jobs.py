@@ -53,8 +53,8 @@ _ANY_TRAVEL = "0:1"
 
 
 def read_job_file(session: Session, path: Path, plan: Path | None = None) -> Job:
-    """Read a job file, with the drift tests, environment record and logo that it names. ``plan``:
-    the plan of an earlier run, whose copy of the user's own control definition is used.
+    """Read a job file, with the stand-still tests, environment record and logo that it names.
+    ``plan``: the plan of an earlier run, whose copy of the user's own control definition is used.
 
     Raises InputError if one of these files cannot be read. Raises UsageError with every fault of
     the job.
@@ -81,8 +81,8 @@ def _with_logo(session: Session, job: Job, folder: Path) -> Job:
 
 
 def _with_drifts(session: Session, job: Job, folder: Path) -> Job:
-    """Return the job with the environmental variation error E_VE, evaluated from the drift tests
-    that the job names.
+    """Return the job with the environmental variation error E_VE, evaluated from the stand-still
+    tests that the job names.
     """
     errors: list[CompwrightError] = []
     for kind, request in job.drifts.items():

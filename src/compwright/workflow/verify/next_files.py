@@ -289,7 +289,7 @@ def _runs(session: Session, paths: Iterable[Path], folder: str, copies: _Copies)
 def _files_with_tests(
     session: Session, data: Mapping[str, Any], folder: Path, copies: _Copies
 ) -> dict[str, str]:
-    """Return the paths of copied profiles, drift tests, environment records and logo."""
+    """Return the paths of copied profiles, stand-still tests, environment records and logo."""
     tests = [test for axis in data["axes"].values() for test in test_sections(axis)]
     named = [test["profile"] for test in tests if "profile" in test]
     logo = data.get("report", {}).get("logo")
