@@ -349,6 +349,39 @@ def test_bad_files_are_refused_with_place_and_reason(content: bytes, words: str)
     assert words in fault(content)
 
 
+@pytest.mark.parametrize(
+    ("cell", "reason"),
+    [
+        ("", "is empty"),
+        ("-", "is not a number"),
+        ("1-", "is not a number"),
+        ("--1", "is not a number"),
+        ("1.2.3", "is not a number"),
+        ("1 2", "is not a number"),
+        ("\u0663.5", "is not a number"),
+        ("1_0", "is not a number"),
+        ("0x1", "is not a number"),
+        ("nan", "is not a finite number"),
+        ("12345678901.5", "is too large to be a reading"),
+    ],
+)
+def test_one_damaged_cell_among_many_is_named_by_its_line(cell: str, reason: str) -> None:
+    lines = rows([k / 32 for k in range(360 * 32)]).splitlines()
+    lines[7000] = f"ccw,1,{7000 / 32},{cell}"
+    # 3 comment lines and the header row come first.
+    assert f"line 7005, column deviation_um {reason}" in fault(csv("\n".join(lines)))
+
+
+@pytest.mark.parametrize("places", [*range(16)])
+def test_each_number_is_the_nearest_that_the_computer_has(places: int) -> None:
+    """Python's own conversion of each cell alone is the reference."""
+    numbers = [(-1) ** k * (k * 0.6180339887498949 % 1.0) * 10 ** (k % 4) for k in range(360)]
+    cells = [f"{number:+.{places}f}" for number in numbers]
+    body = "".join(f"ccw,1,{k},{cell}\n" for k, cell in enumerate(cells))
+    (run,) = read(csv(body)).runs
+    np.testing.assert_array_equal(run.deviations, np.array([float(cell) for cell in cells]) / 1e3)
+
+
 def test_all_faults_are_told_at_once() -> None:
     text = fault(csv(rows(FULL) + "up,1,5,0\nccw,1,x,0\n", head="# plane: X\n"))
     for words in (

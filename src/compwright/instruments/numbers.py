@@ -26,11 +26,10 @@ _NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity|1\.?#\w+|#num!?|∞)", re.IG
 #: How the names of columns with positions begin, which may all be 1000 or more.
 _POSITIONS = ("target", "position")
 _INTEGER = re.compile(r"[0-9]{1,9}")
-#: Lines of numbers that need no second look: short, and with one decimal mark if any.
-_PLAIN = {
-    mark: re.compile(rf"(?:[+-]?[0-9]{{1,9}}(?:{re.escape(mark)}[0-9]{{1,12}})?\n)*+")
-    for mark in ".,"
-}
+#: Most digits before and after the decimal mark of a number that needs no second look, and most in
+#: all of a whole number that is exact in floating point.
+_MOST_DIGITS = 9, 12
+_EXACT = 15
 
 
 def parse_number(text: str) -> float:
@@ -65,13 +64,37 @@ def parse_count(text: str) -> int:
 
 def plain_numbers(cells: Sequence[str], mark: str) -> FloatArray | None:
     """Return the numbers (n,) in the cells if each is a plain number with no decimal mark other
-    than ``mark``, else None.
+    than ``mark``, else None. A plain number has at most 9 digits before the mark and 12 after it.
+
+    Up to `_EXACT` digits are read as a whole number and divided by a power of ten. Both are exact,
+    so the quotient is rounded once, as `float` does.
     """
     joined = "\n".join([*cells, ""])
-    if joined.count("\n") != len(cells) or not _PLAIN[mark].fullmatch(joined):
+    text = np.frombuffer(joined.encode("ascii", "replace"), np.uint8)
+    ends, marks = (np.flatnonzero(text == ord(sought)) for sought in ("\n", mark))
+    if ends.size != len(cells):
         return None
-    texts = cells if mark == "." else joined.replace(mark, ".").split("\n")
-    return np.fromiter(map(float, texts), np.float64, len(cells))
+    starts = np.append(0, ends + 1)[:-1]
+    signed = (text[starts] == ord("+")) | (text[starts] == ord("-"))
+    digits = np.count_nonzero((text >= ord("0")) & (text <= ord("9")))
+    marked = np.searchsorted(ends, marks)
+    decimals = np.zeros(ends.size, dtype=np.intp)
+    decimals[marked] = ends[marked] - marks - 1
+    whole = ends - starts - signed - decimals
+    whole[marked] -= 1
+    if (
+        digits + np.count_nonzero(signed) + marks.size + ends.size != text.size
+        or np.any(np.diff(marked) == 0)
+        or np.any((whole < 1) | (whole > _MOST_DIGITS[0]) | (decimals > _MOST_DIGITS[1]))
+        or np.any(decimals[marked] < 1)
+    ):
+        return None
+    if np.any(whole + decimals > _EXACT):
+        return np.fromiter(map(float, joined.replace(mark, ".").split()), np.float64, len(cells))
+    powers = np.array([10.0**places for places in range(_EXACT)])
+    mantissas = np.fromstring(joined.replace(mark, ""), np.int64, sep="\n")
+    numbers: FloatArray = mantissas / powers[decimals]
+    return numbers
 
 
 def counts_of(
@@ -166,7 +189,7 @@ class DecimalMarks:
         """Return the numbers (n,) in a column, NaN for an invalid cell. Each invalid cell is a
         fault, which states what was ``expected``.
         """
-        for mark in _PLAIN:
+        for mark in self._marked:
             plain = plain_numbers(cells, mark)
             if plain is not None:
                 self._see(mark, cells, lines, place, column)
