@@ -23,6 +23,7 @@ from compwright.estimation.circle_fit import WeightedProblem
 from compwright.estimation.circle_model import RARE, UM, SpikeShape, sample_spacing
 from compwright.estimation.circle_noise import IndexArray
 from compwright.estimation.circle_shapes import (
+    DECAYS,
     PRIOR,
     SIZES,
     THERE,
@@ -55,7 +56,7 @@ _PAIRS: Final = 6
 def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
     """Change the spike shapes one at a time until no change makes the fit more probable."""
     marginal = _marginal(weighted, shapes.always)
-    every = {place: _Options(marginal, shapes, *place) for place in shapes.slots()}
+    every = _options(marginal, shapes)
     places: list[tuple[int, int] | str] = [*every, *shapes.rare]
     changes, compared = 0, dict.fromkeys(places, -1)
     for _ in range(_CLIMBS):
@@ -67,7 +68,7 @@ def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
             if isinstance(place, str):
                 shapes.present[place] = int(np.argmax(_odds(marginal, shapes, place)[0])) - 1
             else:
-                set_shape(shapes, *place, int(np.argmax(every[place].evidence(marginal, shapes))))
+                set_shape(shapes, *place, int(np.argmax(every[place].evidence(shapes, place))))
             changes += shapes.at(place) != before
             compared[place] = changes
         if changes == start:
@@ -77,29 +78,24 @@ def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
 @dataclass(frozen=True, slots=True)
 class MarginalEquations:
     """Normal equations after some causes were integrated out: matrix ``gram`` (k, k), without the
-    priors of the remaining causes, and right side ``right`` (k,). ``roots``: what `root` found.
+    priors of the remaining causes, and right side ``right`` (k,). ``found``: what `inverse` found.
     """
 
     gram: FloatArray
     right: FloatArray
-    roots: dict[bytes, tuple[FloatArray, FloatArray]] = field(default_factory=dict)
+    found: dict[bytes, FloatArray] = field(default_factory=dict)
 
-    def root(self, chosen: IndexArray, precision: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return a matrix (c, c) that gives the inverse of the normal equations of the ``chosen``
-        columns (c,), with prior ``precision`` (c,): its transpose times itself. The second result
-        (c,) is its product with their right side.
+    def inverse(self, chosen: IndexArray, precision: FloatArray) -> FloatArray:
+        """Return the inverse (c, c) of the normal equations of the ``chosen`` columns (c,), with
+        prior ``precision`` (c,).
         """
         key = chosen.tobytes() + precision.tobytes()
-        if key not in self.roots:
+        if key not in self.found:
             normal = self.gram[chosen[:, np.newaxis], chosen]
-            diagonal = slice(None, None, chosen.size + 1)
-            normal.flat[diagonal] += precision
-            unit = 1.0 / np.sqrt(normal.diagonal())
-            normal *= unit * unit[:, np.newaxis]
-            normal.flat[diagonal] += _ROUNDING
-            root = np.linalg.inv(np.linalg.cholesky(normal)) * unit
-            self.roots[key] = root, root @ self.right[chosen]
-        return self.roots[key]
+            diagonal = normal.diagonal() + precision
+            normal.flat[:: chosen.size + 1] = diagonal * (1.0 + _ROUNDING)
+            self.found[key] = np.asarray(np.linalg.inv(normal), dtype=np.float64)
+        return self.found[key]
 
 
 def _marginal(weighted: WeightedProblem, always: IndexArray) -> MarginalEquations:
@@ -118,25 +114,24 @@ class _Tried:
     """Columns (t,) that are tried as additions to a fit, with their normal equations."""
 
     def __init__(self, marginal: MarginalEquations, columns: IndexArray) -> None:
-        self.columns = columns
+        self.marginal, self.columns = marginal, columns
         self.weight = np.maximum(marginal.gram[columns, columns], 0.0)
         self.right = marginal.right[columns]
 
     def added(
-        self, marginal: MarginalEquations, shapes: SpikeShapes, chosen: IndexArray
-    ) -> tuple[FloatArray, FloatArray, FloatArray]:
+        self, shapes: SpikeShapes, chosen: IndexArray
+    ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
         """Return the normal equations of the tried columns after a fit with the ``chosen`` columns.
 
-        The results are the right side (t,), the weight (t,) without the priors of the columns, and
-        the inner products (c, t) with the chosen columns (columns added to a regression with normal
-        priors: Seber and Lee, Linear Regression Analysis, 2nd ed. 2003, section 3.7).
+        The results are the right side (t,), the weight (t,) without the priors of the columns, the
+        products (c, t) with the chosen columns, and the sizes (c, t) of these in a fit to each
+        tried column (columns added to a regression with normal priors: Seber and Lee, Linear
+        Regression Analysis, 2nd ed. 2003, section 3.7).
         """
-        if not chosen.size:
-            return self.right, self.weight, np.zeros((0, self.right.size))
-        root, right = marginal.root(chosen, shapes.precision[chosen])
-        known = root @ marginal.gram[chosen[:, np.newaxis], self.columns]
-        weight = np.maximum(self.weight - np.add.reduce(known * known), 0.0)
-        return self.right - right @ known, weight, known
+        products = self.marginal.gram[chosen[:, np.newaxis], self.columns]
+        fitted = self.marginal.inverse(chosen, shapes.precision[chosen]) @ products
+        weight = np.maximum(self.weight - np.add.reduce(products * fitted), 0.0)
+        return self.right - self.marginal.right[chosen] @ fitted, weight, products, fitted
 
 
 def _odds(
@@ -146,7 +141,7 @@ def _odds(
     shapes (1 + m,), and the standard error of its size for each shape (m,).
     """
     columns = np.array(shapes.rare[name])
-    rest, found, _ = _Tried(marginal, columns).added(marginal, shapes, shapes.chosen(name))
+    rest, found, *_ = _Tried(marginal, columns).added(shapes, shapes.chosen(name))
     prior = shapes.precision[columns]
     weight = found + prior
     gain = 0.5 * rest**2 / weight - 0.5 * np.log(weight / prior)
@@ -162,51 +157,64 @@ def _drawn(score: FloatArray, rng: np.random.Generator) -> int:
     return min(int(chance.searchsorted(rng.random() * chance[-1])), score.size - 1)
 
 
+def _options(marginal: MarginalEquations, shapes: SpikeShapes) -> dict[tuple[int, int], _Options]:
+    """Return the possible shapes of each slot. Slots for the same kind of shape share them."""
+    every: dict[tuple[int, bool], _Options] = {}
+    for reversal, slot in shapes.slots():
+        if (reversal, slot >= DECAYS) not in every:
+            every[reversal, slot >= DECAYS] = _Options(marginal, shapes, reversal, slot)
+    return {(reversal, slot): every[reversal, slot >= DECAYS] for reversal, slot in shapes.slots()}
+
+
 class _Options:
     """All shapes that are possible in one slot at a reversal point, compared by their evidence."""
 
     def __init__(
         self, marginal: MarginalEquations, shapes: SpikeShapes, reversal: int, slot: int
     ) -> None:
-        here, self.options = shapes.reversals[reversal], shapes.options(reversal, slot)
-        self.place = reversal, slot
-        self.both = bool(here.unlike.size)
-        alike, unlike = here.alike[self.options], here.unlike[self.options if self.both else []]
+        here, options = shapes.reversals[reversal], shapes.options(reversal, slot)
+        self.count, self.both = options.size, bool(here.unlike.size)
+        self.index = {place: index for index, place in enumerate(options.tolist())}
+        alike, unlike = here.alike[options], here.unlike[options if self.both else []]
         self.tried = _Tried(marginal, np.concatenate([alike, unlike]))
         self.cross = marginal.gram[alike, unlike] if self.both else np.empty(0)
-        count = self.options.size * SIZES.size
         share = [1.0 - UNLIKE, UNLIKE] if self.both else [1.0]
-        each = np.log(np.array(share)[:, np.newaxis, np.newaxis] * THERE / max(count, 1))
+        size = max(self.count * SIZES.size, 1)
+        each = np.log(np.array(share)[:, np.newaxis, np.newaxis] * THERE / size)
         self.log_prior = each + 0.5 * np.log([PRIOR, PRIOR**2][: len(share)])
 
-    def evidence(self, marginal: MarginalEquations, shapes: SpikeShapes) -> FloatArray:
+    def evidence(self, shapes: SpikeShapes, place: tuple[int, int]) -> FloatArray:
         """Return the log probability of each possibility: no shape, a shape that is equal in both
-        directions, or a shape that differs between the directions.
+        directions, or a shape that differs between the directions. ``place``: reversal point and
+        slot.
 
         For s sizes and m shapes, the array has 1 + 2 * s * m entries. The first is for no shape.
         Then s * m entries are for equal shapes, and s * m for shapes that differ. With one
         direction, the last part is missing.
         """
-        count = self.options.size
+        count = self.count
         if not count:
             return np.zeros(1)
-        rest, found, known = self.tried.added(marginal, shapes, shapes.chosen(self.place))
+        rest, found, products, fitted = self.tried.added(shapes, shapes.chosen(place))
         volume, gain = np.empty((2, len(self.log_prior), SIZES.size, count))
         weight = np.add(found[:count], PRIOR, out=volume[0])
         np.divide(rest[:count] ** 2, weight, out=gain[0])
         if self.both:
-            cross = self.cross - np.add.reduce(known[:, :count] * known[:, count:])
+            cross = self.cross - np.add.reduce(products[:, :count] * fitted[:, count:])
             share = cross / weight
             left = np.maximum(found[count:] - cross * share, 0.0) + PRIOR
-            gain[1] = gain[0] + (rest[count:] - share * rest[:count]) ** 2 / left
+            np.divide((rest[count:] - share * rest[:count]) ** 2, left, out=gain[1])
+            gain[1] += gain[0]
             np.multiply(weight, left, out=volume[1])
-        score = self.log_prior + 0.5 * (gain - np.log(volume))
+        gain -= np.log(volume, out=volume)
+        gain *= 0.5
+        gain += self.log_prior
         # Two slots with one shape are one decay of another size.
-        reversal, slot = self.place
-        for each, place in enumerate(shapes.place[reversal].tolist()):
-            if each != slot and place >= 0:
-                score[..., self.options == place] = -np.inf
-        return np.concatenate([[math.log(1.0 - THERE)], score.ravel()])
+        reversal, slot = place
+        for each, other in enumerate(shapes.place[reversal].tolist()):
+            if each != slot and other in self.index:
+                gain[..., self.index[other]] = -np.inf
+        return np.append(math.log(1.0 - THERE), gain)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -262,11 +270,11 @@ def draw_shapes(
     Hammersley and Morton, 1956).
     """
     marginal = _marginal(weighted, shapes.always)
-    every = {place: _Options(marginal, shapes, *place) for place in shapes.slots()}
+    every = _options(marginal, shapes)
     drawn, errors = [], dict.fromkeys(shapes.rare, 0.0)
     for sweep in range(_FORGOTTEN + _SWEEPS):
         for place, options in every.items():
-            set_shape(shapes, *place, _drawn(options.evidence(marginal, shapes), rng))
+            set_shape(shapes, *place, _drawn(options.evidence(shapes, place), rng))
         for name in shapes.rare:
             if sweep % _RARELY and name != "spiral":
                 continue
