@@ -62,6 +62,14 @@ def test_a_spike_at_one_end_is_no_lost_motion(decay_ms: float) -> None:
     assert more["raw_peak"] == pytest.approx(4.0 * np.exp(-18.85 / decay_ms), abs=0.3)
 
 
+def test_the_raw_peak_of_an_inward_spike_is_the_lowest_reading() -> None:
+    setup = Setup(feed=1000.0, start=44.88, noise=0.1)
+    test = measured(Machine(), setup, np.random.default_rng(8))
+    effect = diagnose(outward(test, 0.0, -4.0, 3.0)).effects["reversal_spike_first_at_positive"]
+    assert effect.value < -2.0
+    assert effect.more["raw_peak"] == pytest.approx(-4.0, abs=0.6)
+
+
 def test_directions_that_differ_have_values_of_their_own() -> None:
     test = measured(LOST, Setup(feed=1000.0, noise=0.1), np.random.default_rng(6))
     spiked = outward(test, 90.0, 5.0, 4.0)

@@ -16,6 +16,7 @@ import yaml
 
 from compwright.cli import run as compwright
 from compwright.documents.evaluation import in_short
+from compwright.reporting.cause_pictures import cause_pictures
 from compwright.reporting.causes import (
     _KINDS,
     CircleCause,
@@ -73,6 +74,86 @@ def test_what_the_software_printed_is_next_to_it() -> None:
     assert row(5.0, valid=False) == ["(5.00)", "not valid"]
 
 
+def test_a_value_whose_error_exceeds_both_is_too_uncertain_to_compare() -> None:
+    """The scale error of the real 150 mm circle: 2.8 ± 51.1, the software printed 3."""
+    wide = {**entry(2.8, 51.1, 0.0, 0.0), "unit": "um/m"}
+    vendor = {"RENISHAW_DIAGNOSTICS": {"AF_SCALE_ERROR_A": {"value": 3.0}}}
+    diagnosis = {"scale_mismatch": entry(1.0, 0.2, 1.0, 1.0), "scale_error_first": wide}
+    table = _causes(ranked_causes({**RESULT, "diagnosis": diagnosis, "vendor": vendor}))
+    assert list(map(str, table["rows"][1][-2:])) == ["3.0", "too uncertain to compare"]
+
+
+def test_values_of_another_definition_are_next_to_ours() -> None:
+    vendor = {
+        "RENISHAW_DIAGNOSTICS": {
+            "AF_REVERSAL_SPIKES_A_POS": {"value": 1.3},
+            "AF_REVERSAL_SPIKES_A_NEG": {"value": 1.2},
+            "AF_OFFSET_B_SHIFT": {"value": 0.1},
+            "AF_CYCLIC_ERROR_B_FWD": {"value": 0.9},
+            "AF_CYCLIC_ERROR_B_REV": {"value": 0.7},
+            "AF_CYCLIC_PITCH_B": {"value": 12.0},
+        }
+    }
+    diagnosis = {
+        "reversal_spike_first": entry(1.5, 0.4, 1.5, 0.5),
+        "reversal_spike_first_at_positive": {**entry(1.5, 0.4, 1.5, 0.0), "raw_peak": 1.65},
+        "reversal_spike_first_at_negative": {**entry(-1.2, 0.4, 1.2, 0.0), "raw_peak": -1.4},
+        "cyclic_second": {**entry(0.28, 0.04, 0.6, 0.4), "period": 6.014, "phase": 148.2},
+        "offset_change_second": entry(0.2, 0.1, 0.2, 0.1),
+        "vibration": {**entry(0.1, 0.02, 0.1, 0.05), "frequency": 41.6, "axis": "Z"},
+    }
+    table = _causes(ranked_causes({**RESULT, "diagnosis": diagnosis, "vendor": vendor}))
+    rows = {str(row[0]): list(map(str, row[-2:])) for row in table["rows"]}
+    assert list(rows) == [
+        "Reversal spike Z",
+        "– at Z+ (raw peak 1.65 µm)",
+        "– at Z− (raw peak −1.40 µm)",
+        "Cyclic error X (period 6.014 mm, phase 148°)",
+        "Centre change X, ccw − cw",
+        "Vibration (41.6 Hz)",
+    ]
+    assert [printed for printed, _ in rows.values()] == [
+        "",
+        "1.30",
+        "1.20",
+        "0.90 / 0.70",
+        "0.10",
+        "",
+    ]
+    compared = [words for _, words in rows.values()]
+    assert compared[1:5] == [
+        *["other definition"] * 2,
+        "other definition (forward / backward, at a pitch of 12 mm)",
+        "other definition",
+    ]
+
+
+def test_ends_that_differ_are_drawn_as_they_are() -> None:
+    """X+ inward, X− outward, as in the real 150 mm circle: not two equal outward ends."""
+    diagnosis = {
+        "reversal_spike_first": entry(0.36, 0.34, 2.9, 1.0),
+        "reversal_spike_first_at_positive": entry(-1.22, 0.3, 1.2, 0.0),
+        "reversal_spike_first_at_negative": entry(1.95, 0.5, 1.9, 0.0),
+    }
+    drawn = cause_pictures(ranked_causes({**RESULT, "diagnosis": diagnosis}))
+    assert drawn is not None
+    (picture,) = drawn["pictures"]
+    for way in ("ccw", "cw"):
+        points = [tuple(map(float, point.split(","))) for point in picture[way].split()]
+        away = {
+            end: [
+                math.hypot(x - picture["x"], y - picture["y"]) - drawn["radius"]
+                for x, y in points
+                if (x > picture["x"]) == (end > 0) and abs(y - picture["y"]) < 6
+            ]
+            for end in (1, -1)
+        }
+        assert min(away[1]) < -6
+        assert max(away[1]) < 1
+        assert max(away[-1]) > 10
+        assert max(away[-1]) / -min(away[1]) == pytest.approx(1.95 / 1.22, rel=0.02)
+
+
 @pytest.mark.parametrize(
     ("plain", "says"),
     [(4.4, "the spikes make 80 % of the difference"), (5.1, "the spikes are not the reason")],
@@ -92,8 +173,8 @@ def test_values_that_sum_up_causes_are_on_the_page() -> None:
         **RESULT,
         "diagnosis": {
             **RESULT["diagnosis"],
-            "lobes_2": entry(1.6, 0.1, 0.0, 0.0),
-            "lobes_3": entry(0.4, 0.1, 0.0, 0.0),
+            "lobes_2": {**entry(1.6, 0.1, 0.0, 0.0), "effect": None, "share": None},
+            "lobes_3": {**entry(0.4, 0.1, 0.0, 0.0), "effect": None, "share": None},
             "positional_tolerance": entry(6.7, 0.3, 0.0, 0.0),
         },
         "vendor": {"RENISHAW_DIAGNOSTICS": {"AF_POSITIONAL_TOLERANCE": {"value": 35.3}}},
@@ -105,7 +186,7 @@ def test_values_that_sum_up_causes_are_on_the_page() -> None:
         ["Positional tolerance", "6.70 ± 0.30", "µm"],
     ]
     assert rows[2][3] == "35.30"
-    assert "not published" in rows[2][4]  # ours is not theirs: neither agrees nor differs
+    assert rows[2][4] == "other definition"  # ours is not theirs: neither agrees nor differs
 
 
 @pytest.mark.parametrize(
@@ -227,6 +308,10 @@ def test_pages_of_real_files(path: Path, tmp_path: Path) -> None:
     assert body is not None
     text = " ".join(" ".join(body.itertext()).split())
     keys = {*result["diagnosis"], *result["parameters"], *result["not_applicable"]}
+    for name, entry in result["diagnosis"].items():
+        peak = entry.get("raw_peak")
+        assert peak is None or (peak > 0) == (entry["value"] > 0), name  # 0.03 of a spike of −1.22
+        assert (entry["effect"] is None) >= name.startswith(("lobes", "positional")), name
     assert [key for key in keys if "_" in key and key in text] == []
     rows = [[" ".join("".join(cell.itertext()).split()) for cell in row] for row in body.iter("tr")]
     cells = {row[0]: row for row in rows if row}

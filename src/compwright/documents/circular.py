@@ -23,6 +23,8 @@ _DIGITS: Final = OUTSIDE
 #: Decimals of fitted deviations, µm, and of correlations: processors differ in a fit by up to 1e-9.
 _FITTED: Final = 4
 _SENSES: Final = ("ccw", "cw")
+#: Values without an effect of their own, because they sum up causes.
+_NOT_RANKED: Final = ("lobes_2", "lobes_3", "positional_tolerance")
 #: Units of the causes that several circles show together; lags are in ms.
 _UNITS: Final = {"squareness": "um/m", "scale_error": "um/m", "backlash": "um"}
 
@@ -175,7 +177,9 @@ def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
     not_given = diagnosis.not_given
     return {
         "diagnosis": {
-            name: _effect(effect, given=True) | _correction(name, effect.value, effect.std_error)
+            name: _effect(effect, given=True)
+            | _correction(name, effect.value, effect.std_error)
+            | (dict.fromkeys(("effect", "share")) if name in _NOT_RANKED else {})
             if name not in not_given
             else _effect(effect, given=False)
             for name, effect in diagnosis.effects.items()
@@ -214,7 +218,7 @@ def _effect(effect: CircularEffect, *, given: bool) -> dict[str, Any]:
     """Return the JSON entry of an error cause (such as lost motion) in a circular test. If the
     cause has no value (``given`` False), only its standard error and unit are not null.
     """
-    entry = {
+    entry: dict[str, Any] = {
         "value": _number(effect.value) if given else None,
         "std_error": _number(effect.std_error),
         "unit": effect.unit,

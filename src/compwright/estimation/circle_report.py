@@ -266,11 +266,12 @@ def _spike(
     error = float(np.sqrt(np.var(heights) + variance))
     axis, end = spike.reversal.axis, spike.reversal.end
     time = 1e3 / samples.speed
+    sense = None if index is None else (1.0, -1.0)[index]
     likely = spike.there > 0.5
     more = {
         "decay": time * float(np.median(spike.decay)) if likely else None,
         "rise": time * float(np.median(spike.rise)) if likely else None,
-        "raw_peak": raw_peak(solution, axis, end, None if index is None else (1.0, -1.0)[index]),
+        "raw_peak": raw_peak(solution, axis, end, sense, outward=value >= 0.0),
     }
     here = [float(each is spike) for each in solution.draws.spikes]
     sizes = np.outer(here, np.mean(spike.curve[pick], axis=0))

@@ -27,17 +27,22 @@ _MOST_DRAWS: Final = 64
 _GRID: Final = 5
 
 
-def raw_peak(solution: Solution, axis: str, end: str, sense: float | None) -> float | None:
-    """Return the highest reading after the reversals of an axis at one end, minus the fitted path
-    without spikes, um: mean of the runs in the direction ``sense`` (+1 ccw, -1 cw, None: both).
-    None without a sample nearby.
+def raw_peak(
+    solution: Solution, axis: str, end: str, sense: float | None, *, outward: bool
+) -> float | None:
+    """Return the extreme reading after the reversals of an axis at one end, minus the fitted path
+    without spikes, um: the highest, or the lowest if the spike is not ``outward``.
+
+    It is the mean of the runs in the direction ``sense`` (+1 ccw, -1 cw, None: both). None without
+    a sample nearby.
     """
     samples = solution.problem.samples
     start = (0.0 if axis == "first" else 0.5 * np.pi) + (0.0 if end == "positive" else np.pi)
     since = np.mod(samples.sense * (samples.theta - start), 2.0 * np.pi)
     above = (solution.problem.target - solution.smooth) / UM
+    extreme = np.max if outward else np.min
     peaks = [
-        float(np.max(above[mine]))
+        float(extreme(above[mine]))
         for number in np.unique(
             samples.run if sense is None else samples.run[samples.sense == sense]
         )

@@ -124,13 +124,19 @@ def by_id(name: str, standards: Mapping[str, Entry], kind: str) -> Entry:
     the message calls the standards.
     """
     if name not in standards:
+        family = nearest(name.partition(":")[0], {each.partition(":")[0] for each in standards})
+        near = family and nearest(name, [each for each in standards if family in each], 0.0)
         raise UsageError(
             Fault(
                 message=f"unknown {kind}",
                 place="--standard",
                 expected=", ".join(standards),
                 found=name,
-                hint=(f'give `--standard "{nearest(name, standards) or next(iter(standards))}"`'),
+                hint=(
+                    f"give `--standard {near}`"
+                    if near
+                    else "give `--standard` with one of these standards"
+                ),
             )
         )
     return standards[name]

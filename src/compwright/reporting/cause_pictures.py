@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any, Final
 
-from compwright.reporting.causes import CircleCause
+from compwright.reporting.causes import CircleCause, whole_cause
 from compwright.reporting.circle_steps import significant_causes
 
 _SIZE: Final = 140  # of one picture, in units of the drawing: room for the longest name
@@ -54,21 +54,22 @@ def cause_pictures(causes: Sequence[CircleCause]) -> dict[str, Any] | None:
     """
     pictures: list[dict[str, Any]] = []
     for cause in significant_causes(causes):
-        kind, second = cause.name.removesuffix("_first"), cause.name.endswith("_second")
+        name = whole_cause(cause.name)
+        kind, second = name.removesuffix("_first"), name.endswith("_second")
         kind = kind.removesuffix("_second")
         if kind not in _SHAPES:
             continue
         row, column = divmod(len(pictures), _IN_ROW)
         centre = (column + 0.5) * _SIZE, row * (_SIZE + _WORDS) + 0.5 * _SIZE
-        sign = -1.0 if cause.value < 0.0 else 1.0
+        ends = _ends(cause)
         pictures.append(
             {
                 "x": centre[0],
                 "y": centre[1],
                 "below": centre[1] + 0.5 * _SIZE + 8.0,
                 "words": cause.words,
-                "ccw": _line(kind, sign, 1.0, centre, second=second),
-                "cw": _line(kind, sign, -1.0, centre, second=second),
+                "ccw": _line(kind, ends, 1.0, centre, second=second),
+                "cw": _line(kind, ends, -1.0, centre, second=second),
             }
         )
     if not pictures:
@@ -82,12 +83,43 @@ def cause_pictures(causes: Sequence[CircleCause]) -> dict[str, Any] | None:
     }
 
 
+def _ends(cause: CircleCause) -> tuple[float, float]:
+    """Return the value of a cause at the positive and at the negative end of its axis, relative to
+    the larger of both: -1 to 1. A cause without ends has its sign at both, and a cause that is
+    known at one end is zero at the other.
+    """
+    found = {part.name: part.value for part in (cause, *cause.parts)}
+    ends = [
+        next((value for name, value in found.items() if name.endswith(ending)), 0.0)
+        for ending in ("_at_positive", "_at_negative")
+    ]
+    largest = max(map(abs, ends))
+    if not largest:
+        return (math.copysign(1.0, cause.value),) * 2
+    return ends[0] / largest, ends[1] / largest
+
+
+def _at(kind: str, ends: tuple[float, float], angle: float, direction: float) -> float:
+    """Return the value at an ``angle`` (rad) of the first axis of a cause with the values ``ends``:
+    that of the last reversal for a spike, else in proportion to the position.
+    """
+    share = 0.5 + 0.5 * math.cos(angle)
+    if kind == "reversal_spike":
+        share = float((direction * angle) % (2.0 * math.pi) < math.pi)
+    return share * ends[0] + (1.0 - share) * ends[1]
+
+
 def _line(
-    kind: str, sign: float, direction: float, centre: tuple[float, float], *, second: bool
+    kind: str,
+    ends: tuple[float, float],
+    direction: float,
+    centre: tuple[float, float],
+    *,
+    second: bool,
 ) -> str:
     """Return the path of one run as points of an SVG polyline, in the order of its motion.
-    ``sign``: the sign of the cause's value; ``centre``: of the picture; ``second``: the cause is
-    one of the second axis.
+    ``ends``: as from `_ends`; ``centre``: of the picture; ``second``: the cause is one of the
+    second axis.
     """
     points = []
     for number in range(360 // _STEP + 1):
@@ -95,7 +127,8 @@ def _line(
         angle = math.radians(direction * (number * _STEP + 0.5 * _STEP))
         # The second axis reverses 90° after the first.
         turned = angle - 0.5 * math.pi if second else angle
-        away = sign * _SHAPES[kind](turned, direction, number * _STEP / 360.0)
+        away = _at(kind, ends, turned, direction)
+        away *= _SHAPES[kind](turned, direction, number * _STEP / 360.0)
         away = -away if second and kind in _MIRRORED else away
         length = _RADIUS + _AMPLITUDE * away
         points.append(

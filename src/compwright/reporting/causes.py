@@ -29,8 +29,7 @@ _KINDS: Final = frozenset(
 #: Values that sum up causes which are listed.
 _SUMMARIES: Final = ("backlash_mismatch", "lobes_2", "lobes_3", "positional_tolerance")
 #: Contract name -> name that Renishaw software prints (A the first axis of the plane, B the
-#: second). Only quantities that are the same thing: spikes and cyclic errors are printed per
-#: reversal and per direction.
+#: second). A cyclic error is printed for forward and backward travel.
 _PRINTED: Final = {
     "squareness": "AF_SQUARENESS",
     "scale_mismatch": "AF_SCALE_MISMATCH",
@@ -40,10 +39,16 @@ _PRINTED: Final = {
     "backlash_at_positive": "AF_BACKLASH_{letter}_POS",
     "backlash_at_negative": "AF_BACKLASH_{letter}_NEG",
     "lateral_play": "AF_LATERAL_PLAY_{letter}_GLOBAL",
+    "reversal_spike_at_positive": "AF_REVERSAL_SPIKES_{letter}_POS",
+    "reversal_spike_at_negative": "AF_REVERSAL_SPIKES_{letter}_NEG",
+    "cyclic": "AF_CYCLIC_ERROR_{letter}_FWD AF_CYCLIC_ERROR_{letter}_REV",
+    "offset_change": "AF_OFFSET_{letter}_SHIFT",
     "straightness": "AF_STRAIGHTNESS_{letter}",
     "scale_error": "AF_SCALE_ERROR_{letter}",
     "positional_tolerance": "AF_POSITIONAL_TOLERANCE",
 }
+#: Kinds of which the software's definition is not published, so that values are not compared.
+_OWN_DEFINITION: Final = ("reversal_spike", "cyclic", "offset_change", "positional_tolerance")
 _PARTS: Final = (
     "at_positive", "at_negative",
     "at_positive_ccw", "at_positive_cw", "at_negative_ccw", "at_negative_cw",
@@ -57,10 +62,13 @@ class CircleCause:
 
     ``parts``: its details, such as each end of a lost motion, or the scale errors of a mismatch;
     the effect of the cause includes them. ``plain``, ``printed``: the same quantity by simple
-    regression and by the instrument's software; None if there is none. ``frequency``, Hz, and
-    ``axis``: those of a vibration; no axis if it is along the bar. ``correction``: what `run` does
-    about a squareness. ``doubtful``: the instrument's software itself states that its value is not
-    valid.
+    regression and by the instrument's software; none if there is none. ``comparable``: the software
+    defines it in the same way. ``pitch``: that of the software's cyclic error, mm. ``doubtful``:
+    the software itself states that its value is not valid.
+
+    ``frequency``, Hz, and ``axis``: those of a vibration; no axis if it is along the bar. ``note``:
+    the period and phase of a cyclic error, the frequency of a vibration, or the raw peak of a
+    spike. ``correction``: what `run` does about a squareness.
     """
 
     name: str
@@ -74,10 +82,24 @@ class CircleCause:
     frequency: float | None = None
     axis: str | None = None
     plain: float | None = None
-    printed: float | None = None
+    printed: tuple[float, ...] = ()
+    comparable: bool = True
+    pitch: float | None = None
     doubtful: bool = False
+    note: Sentence | None = None
     correction: str | None = None
     parts: tuple[CircleCause, ...] = ()
+
+    @property
+    def noted_words(self) -> Sentence:
+        """Return the name of the cause with its note in brackets, if it has one."""
+        return say("cause.noted", cause=self.words, note=self.note) if self.note else self.words
+
+    @property
+    def printed_text(self) -> str:
+        """Return the software's values as text, in brackets if it calls them not valid."""
+        text = " / ".join(self.text(value) for value in self.printed)
+        return f"({text})" if text and self.doubtful else text
 
     @property
     def value_text(self) -> Sentence:
@@ -197,7 +219,13 @@ def whole_cause(name: str) -> str:
 
 def _cause(name: str, result: Mapping[str, Any]) -> CircleCause:
     entry = result["diagnosis"][name]
-    printed, doubtful = _printed(name, result.get("vendor") or {})
+    vendor = result.get("vendor") or {}
+    kind, which, part = _split(name)
+    letter = "A" if which == "first" else "B"
+    printed, doubtful = _printed(
+        _PRINTED.get(f"{kind}_{part}" if part else kind, "").format(letter=letter), vendor
+    )
+    pitch, _ = _printed(f"AF_CYCLIC_PITCH_{letter}" if kind == "cyclic" else "", vendor)
     return CircleCause(
         name=name,
         words=cause_words(name, result.get("axes") or ("first", "second")),
@@ -211,7 +239,10 @@ def _cause(name: str, result: Mapping[str, Any]) -> CircleCause:
         axis=entry.get("axis"),
         plain=(result.get("plain") or {}).get(name),
         printed=printed,
+        comparable=kind not in _OWN_DEFINITION,
+        pitch=next(iter(pitch), None),
         doubtful=doubtful,
+        note=_note(kind, entry),
         correction=entry.get("correction"),
         parts=tuple(
             _cause(other, result)
@@ -275,19 +306,39 @@ def named_in_words(value: Any, axes: Any) -> Any:
     return value
 
 
-def _printed(name: str, vendor: Mapping[str, Any]) -> tuple[float | None, bool]:
-    kind, which, part = _split(name)
-    key = _PRINTED.get(f"{kind}_{part}" if part else kind, "").format(
-        letter="A" if which == "first" else "B"
+def _note(kind: str, entry: Mapping[str, Any]) -> Sentence | None:
+    """Return what else the entry of a cause says, or None: see `CircleCause`."""
+    peak, period, frequency = (entry.get(name) for name in ("raw_peak", "period", "frequency"))
+    if peak is period is frequency is None:
+        return None
+    return say(
+        "cause.note",
+        kind=kind,
+        peak=number(peak),
+        period=period,
+        phase=number(entry.get("phase"), 0),
+        frequency=frequency,
     )
+
+
+def _printed(keys: str, vendor: Mapping[str, Any]) -> tuple[tuple[float, ...], bool]:
+    """Return the values that the instrument's software printed under the ``keys``, and whether it
+    calls one of them not valid.
+    """
     block = next(
         (block for title, block in vendor.items() if str(title).startswith("RENISHAW_DIAGNOSTICS")),
         None,
     )
-    entry = block.get(key) if isinstance(block, Mapping) else None
-    if not isinstance(entry, Mapping) or not isinstance(entry.get("value"), int | float):
-        return None, False
-    return float(entry["value"]), entry.get("valid") is False
+    if not isinstance(block, Mapping):
+        return (), False
+    entries = [
+        entry
+        for key in keys.split()
+        if isinstance(entry := block.get(key), Mapping)
+        and isinstance(entry.get("value"), int | float)
+    ]
+    values = tuple(float(entry["value"]) for entry in entries)
+    return values, any(entry.get("valid") is False for entry in entries)
 
 
 def findings_in_words(result: Mapping[str, Any]) -> list[dict[str, Any]]:

@@ -145,9 +145,11 @@ def _causes(causes: Sequence[CircleCause]) -> TextTable:
     rows = []
     for cause in causes:
         share = f"{100.0 * cause.share:.0f}"
-        rows.append([cause.words, number(cause.effect), share, *_values(cause, printed=printed)])
+        rows.append(
+            [cause.noted_words, number(cause.effect), share, *_values(cause, printed=printed)]
+        )
         rows += [
-            [say("circle.detail", part=part.words), "", "", *_values(part, printed=printed)]
+            [say("circle.detail", part=part.noted_words), "", "", *_values(part, printed=printed)]
             for part in cause.parts
         ]
     effect = (say("circle.effect"), "µm"), (say("circle.share"), "%")
@@ -169,36 +171,36 @@ def _heads(*first: tuple[Sentence, str] | Sentence, printed: bool) -> Any:
 
 
 def _any_printed(causes: Sequence[CircleCause]) -> bool:
-    return any(one.printed is not None for cause in causes for one in (cause, *cause.parts))
+    return any(one.printed for cause in causes for one in (cause, *cause.parts))
 
 
 def _values(cause: CircleCause, *, printed: bool) -> list[str | Sentence]:
-    theirs = cause.text(cause.printed)
-    software = [
-        NumberText(f"({theirs})") if theirs and cause.doubtful else theirs,
-        _comparison(cause),
-    ]
+    software = [NumberText(cause.printed_text), _comparison(cause)]
     return [cause.value_text, cause.unit_text, *(software if printed else [])]
 
 
 def _comparison(cause: CircleCause) -> str | Sentence:
     """Return how the value of a cause compares with the value that the vendor's software printed:
-    "agrees", "differs" with the reason, or "not valid"; "" if no value was printed.
+    "agrees", "differs" with the reason, or why they are not compared; "" if no value was printed.
 
     To find the reason, the same readings are evaluated by a simple regression without spikes. It
     shows how much of the difference the spikes cause.
     """
-    if cause.printed is None:
+    if not cause.printed:
         return ""
-    apart, plain = abs(cause.value - cause.printed), cause.plain
-    how = (
-        "not_valid" if cause.doubtful else "agrees" if apart <= _AGREES * cause.error else "differs"
-    )
-    if cause.name == "positional_tolerance":
+    theirs, plain = cause.printed[0], cause.plain
+    apart = abs(cause.value - theirs)
+    if cause.doubtful:
+        how = "not_valid"
+    elif not cause.comparable:
         how = "definition"
+    elif cause.error > max(abs(cause.value), abs(theirs)):
+        how = "uncertain"
+    else:
+        how = "agrees" if apart <= _AGREES * cause.error else "differs"
     if how != "differs" or plain is None:
-        return say("circle.agreement", how=how)
-    share = 1.0 - abs(plain - cause.printed) / apart
+        return say("circle.agreement", how=how, pitch=cause.pitch)
+    share = 1.0 - abs(plain - theirs) / apart
     return say(
         "circle.difference",
         spikes=share > 0.5,

@@ -20,6 +20,7 @@ from compwright.reporting.causes import (
     full_cause_words,
     machine_title,
     ranked_causes,
+    summed_causes,
 )
 from compwright.reporting.circle_steps import steps_for
 from compwright.reporting.circular_parameters import parameter_rows, printed_parameters
@@ -170,7 +171,7 @@ def _causes(result: Mapping[str, Any]) -> list[RenderableType]:
     causes = ranked_causes(result)
     if not causes:
         return [Text(f"No causes: {result['not_applicable'].get('diagnosis', 'not diagnosed')}")]
-    printed = any(item.printed is not None for cause in causes for item in (cause, *cause.parts))
+    printed = any(item.printed for cause in causes for item in (cause, *cause.parts))
     table = _table()
     table.add_column("Cause, effect in µm")
     for heading in (
@@ -185,11 +186,18 @@ def _causes(result: Mapping[str, Any]) -> list[RenderableType]:
     shown = [cause for cause in causes if cause.shown]
     for cause in shown:
         table.add_row(
-            *_row(cause, str(cause.words), printed=printed),
+            *_row(cause, str(cause.noted_words), printed=printed),
             style="" if cause.significant else "dim",
         )
         for part in cause.parts:
-            table.add_row(*_row(part, f"  {part.words}", printed=printed, whole=False), style="dim")
+            table.add_row(
+                *_row(part, f"  {part.noted_words}", printed=printed, whole=False), style="dim"
+            )
+    sums = summed_causes(result)
+    if sums:
+        table.add_row(str(say("circle.sums")))
+    for cause in sums:
+        table.add_row(*_row(cause, f"  {cause.words}", printed=printed, whole=False), style="dim")
     small = ", ".join(str(cause.words) for cause in causes if not cause.shown)
     lines: list[RenderableType] = [table] if shown else []
     if small:
@@ -207,8 +215,7 @@ def _row(cause: CircleCause, words: str, *, printed: bool, whole: bool = True) -
     cells += [number(cause.effect), f"{100.0 * cause.share:.0f} %"] if whole else ["", ""]
     cells.append(cause.text(cause.plain))
     if printed:
-        text = "" if cause.printed is None else plain(cause.printed)
-        cells.append(f"({text})" if cause.doubtful else text)
+        cells.append(cause.printed_text)
     return cells
 
 

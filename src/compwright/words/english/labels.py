@@ -67,6 +67,12 @@ SENTENCES: Final[dict[str, str]] = {
         " {axis}|lobes_2=Two lobes|lobes_3=Three lobes|position_loop=Lag of the position loop"
         " {axis}|positional_tolerance=Positional tolerance}"
     ),
+    "cause.note": (
+        "{kind:choose|reversal_spike=raw peak {peak} µm"
+        "|cyclic=period {period:.4g} mm, phase {phase}°"
+        "|vibration={frequency:.4g} Hz}"
+    ),
+    "cause.noted": "{cause} ({note})",
     "cause.part": (
         "at {axis}{part:choose|at_positive=+|at_negative=−|at_positive_ccw=+ ccw|at_positive_cw=+"
         " cw|at_negative_ccw=− ccw|at_negative_cw=− cw}"

@@ -7,8 +7,9 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "circle.about": "{centre:choose|set_up= (set-up centre)|own= (own centre)}",
     "circle.agreement": (
-        "{how:choose|agrees=agrees|differs=differs|not_valid=not valid|definition=its definition is"
-        " not published; ours: docs/evaluation.md}"
+        "{how:choose|agrees=agrees|differs=differs|not_valid=not valid|uncertain=too uncertain to"
+        " compare|definition=other definition{pitch:if| (forward / backward, at a pitch of"
+        " {pitch:g} mm)|}}"
     ),
     "circle.cause": "{cause}  {value} {unit}",
     "circle.cause_share": "{cause} ({share:.0f} % of all effects)",
@@ -23,7 +24,9 @@ SENTENCES: Final[dict[str, str]] = {
         ' the two values differ by at most two standard errors of our value. "Differs": by more.'
         " Our value without reversal spikes is then given too, from a plain regression of the same"
         ' readings (harmonics and steps). "Not valid", value in brackets: that software itself'
-        " reports its value as not valid."
+        ' reports its value as not valid. "Too uncertain to compare": our standard error exceeds'
+        ' both values. "Other definition": that of the software is not published; ours is in'
+        " docs/evaluation.md."
     ),
     "circle.detail": "– {part}",
     "circle.difference": (

@@ -72,6 +72,12 @@ SENTENCES: Final[dict[str, str]] = {
         " {axis}|lobes_2=Deux lobes|lobes_3=Trois lobes|position_loop=Retard de la boucle de"
         " position {axis}|positional_tolerance=Tolérance de position}"
     ),
+    "cause.note": (
+        "{kind:choose|reversal_spike=pic des lectures {peak} µm"
+        "|cyclic=période {period:.4g} mm, phase {phase}°"
+        "|vibration={frequency:.4g} Hz}"
+    ),
+    "cause.noted": "{cause} ({note})",
     "cause.part": (
         "en {axis}{part:choose|at_positive=+|at_negative=−|at_positive_ccw=+ ↺|at_positive_cw=+"
         " ↻|at_negative_ccw=− ↺|at_negative_cw=− ↻}"

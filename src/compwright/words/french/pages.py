@@ -7,8 +7,9 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "circle.about": "{centre:choose|set_up= (centre de montage)|own= (centre propre)}",
     "circle.agreement": (
-        "{how:choose|agrees=concorde|differs=diffère|not_valid=non valable|definition=sa définition"
-        " n'est pas publiée ; la nôtre : docs/evaluation.md}"
+        "{how:choose|agrees=concorde|differs=diffère|not_valid=non valable|uncertain=trop incertain"
+        " pour comparer|definition=autre définition{pitch:if| (aller / retour, au pas de {pitch:g}"
+        " mm)|}}"
     ),
     "circle.cause": "{cause}  {value} {unit}",
     "circle.cause_share": "{cause} ({share:.0f} % de tous les effets)",
@@ -23,7 +24,10 @@ SENTENCES: Final[dict[str, str]] = {
         " » : les deux valeurs diffèrent d'au plus deux erreurs types de notre valeur. « Diffère »"
         " : de plus. Notre valeur sans pics d'inversion est alors donnée aussi, d'après une"
         " régression simple des mêmes lectures (harmoniques et sauts). « Non valable », valeur"
-        " entre parenthèses : ce logiciel déclare lui-même sa valeur non valable."
+        " entre parenthèses : ce logiciel déclare lui-même sa valeur non valable. « Trop incertain"
+        " pour comparer » : notre erreur type dépasse les deux valeurs. « Autre"
+        " définition » : celle du logiciel n'est pas publiée ; la nôtre est dans"
+        " docs/evaluation.md."
     ),
     "circle.detail": "– {part}",
     "circle.difference": (

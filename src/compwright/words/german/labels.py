@@ -70,6 +70,12 @@ SENTENCES: Final[dict[str, str]] = {
         " Wellen|lobes_3=Drei Wellen|position_loop=Nachlauf der Lageregelung"
         " {axis}|positional_tolerance=Positionstoleranz}"
     ),
+    "cause.note": (
+        "{kind:choose|reversal_spike=Spitze der Messwerte {peak} µm"
+        "|cyclic=Periode {period:.4g} mm, Phase {phase}°"
+        "|vibration={frequency:.4g} Hz}"
+    ),
+    "cause.noted": "{cause} ({note})",
     "cause.part": (
         "bei {axis}{part:choose|at_positive=+|at_negative=−|at_positive_ccw=+ ↺|at_positive_cw=+"
         " ↻|at_negative_ccw=− ↺|at_negative_cw=− ↻}"

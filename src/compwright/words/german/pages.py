@@ -7,8 +7,9 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "circle.about": "{centre:choose|set_up= (Aufbaumittelpunkt)|own= (eigener Mittelpunkt)}",
     "circle.agreement": (
-        "{how:choose|agrees=stimmt überein|differs=weicht ab|not_valid=nicht gültig|definition=ihre"
-        " Definition ist nicht veröffentlicht; unsere: docs/evaluation.md}"
+        "{how:choose|agrees=stimmt überein|differs=weicht ab|not_valid=nicht gültig|uncertain=zu"
+        " unsicher für einen Vergleich|definition=andere Definition{pitch:if| (vorwärts /"
+        " rückwärts, bei einer Steigung von {pitch:g} mm)|}}"
     ),
     "circle.cause": "{cause}  {value} {unit}",
     "circle.cause_share": "{cause} ({share:.0f} % aller Wirkungen)",
@@ -23,7 +24,10 @@ SENTENCES: Final[dict[str, str]] = {
         " überein“: Die Werte unterscheiden sich um höchstens zwei Standardfehler unseres Werts."
         " „Weicht ab“: um mehr. Dann ist auch unser Wert ohne Umkehrspitzen angegeben, aus einer"
         " einfachen Regression derselben Messwerte (Harmonische und Stufen). „Nicht gültig“, Wert"
-        " in Klammern: Diese Software selbst meldet ihren Wert als nicht gültig."
+        " in Klammern: Diese Software selbst meldet ihren Wert als nicht gültig. „Zu unsicher für"
+        " einen Vergleich“: Unser Standardfehler ist größer als beide Werte."
+        " „Andere Definition“: Die der Software ist nicht veröffentlicht; unsere steht in"
+        " docs/evaluation.md."
     ),
     "circle.detail": "– {part}",
     "circle.difference": (

@@ -67,6 +67,12 @@ SENTENCES: Final[dict[str, str]] = {
         " положения {axis}|positional_tolerance=Позиционный"
         " допуск}"
     ),
+    "cause.note": (
+        "{kind:choose|reversal_spike=пик отсчётов {peak} мкм"
+        "|cyclic=период {period:.4g} мм, фаза {phase}°"
+        "|vibration={frequency:.4g} Гц}"
+    ),
+    "cause.noted": "{cause} ({note})",
     "cause.part": (
         "при {axis}{part:choose|at_positive=+|at_negative=−|at_positive_ccw=+ ↺|at_positive_cw=+"
         " ↻|at_negative_ccw=− ↺|at_negative_cw=− ↻}"

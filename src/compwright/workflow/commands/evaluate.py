@@ -12,7 +12,7 @@ from compwright import __version__
 from compwright.documents.evaluation import evaluation_document
 from compwright.documents.findings import finding_documents
 from compwright.documents.json_text import to_json
-from compwright.evaluation.standards import DEFAULT_STANDARD, standard_by_id
+from compwright.evaluation.standards import DEFAULT_STANDARD, STANDARDS, by_id, standard_by_id
 from compwright.foundations import storage
 from compwright.foundations.errors import (
     CompwrightError,
@@ -51,7 +51,6 @@ if TYPE_CHECKING:  # positioning tests, the common case, start without the circu
     from compwright.records.circular import CircularTest
     from compwright.records.positioning import PositioningTest
 
-_CIRCULAR = "iso230-4:"
 _DEFAULT_CIRCULAR = "iso230-4:2005"  # of evaluation.circular, which positioning tests do not load
 
 
@@ -358,10 +357,13 @@ def _standards(names: Sequence[str], spread: str) -> tuple[str, str]:
     kinds: dict[str, list[str]] = {"positioning": [], "circular": []}
     for name in names:
         try:
-            if name.startswith(_CIRCULAR):
-                kinds["circular"].append(_circular_standard(name))
-            else:
+            if name in STANDARDS:
                 kinds["positioning"].append(standard_by_id(name, spread).id)
+            else:
+                from compwright.evaluation.circular import CIRCULAR_STANDARDS
+
+                by_id(name, {**STANDARDS, **CIRCULAR_STANDARDS}, "standard")
+                kinds["circular"].append(name)
         except UsageError as error:
             errors.append(error)
     for kind, chosen in kinds.items():
@@ -378,12 +380,6 @@ def _standards(names: Sequence[str], spread: str) -> tuple[str, str]:
         standard_by_id(DEFAULT_STANDARD, spread)
     raise_all(UsageError, collect(errors))
     return (*kinds["positioning"], DEFAULT_STANDARD)[0], (*kinds["circular"], _DEFAULT_CIRCULAR)[0]
-
-
-def _circular_standard(name: str) -> str:
-    from compwright.evaluation.circular import circular_standard_by_id
-
-    return circular_standard_by_id(name).id
 
 
 def _files(session: Session, paths: Sequence[Path]) -> tuple[FoundMeasurements, list[Fault]]:
