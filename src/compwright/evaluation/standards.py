@@ -120,9 +120,7 @@ _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
 def by_id(name: str, standards: Mapping[str, Entry], kind: str) -> Entry:
-    """Return the standard with the id ``name``. Raises UsageError for an unknown id; ``kind``: what
-    the message calls the standards.
-    """
+    """Return the standard with the id ``name``, or raise UsageError; ``kind``: for the message."""
     if name not in standards:
         family = nearest(name.partition(":")[0], {each.partition(":")[0] for each in standards})
         near = family and nearest(name, [each for each in standards if family in each], 0.0)
@@ -132,11 +130,7 @@ def by_id(name: str, standards: Mapping[str, Entry], kind: str) -> Entry:
                 place="--standard",
                 expected=", ".join(standards),
                 found=name,
-                hint=(
-                    f"give `--standard {near}`"
-                    if near
-                    else "give `--standard` with one of these standards"
-                ),
+                hint=f"give `--standard {near}`" if near else "give one of these standards",
             )
         )
     return standards[name]
