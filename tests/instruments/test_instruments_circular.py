@@ -372,6 +372,16 @@ def test_one_damaged_cell_among_many_is_named_by_its_line(cell: str, reason: str
     assert f"line 7005, column deviation_um {reason}" in fault(csv("\n".join(lines)))
 
 
+def test_lines_are_counted_through_comments_and_blank_lines() -> None:
+    lines = rows([k / 32 for k in range(360 * 32)]).splitlines()
+    lines[6000:6002] = "# a remark", ""
+    lines[7000] = "ccw,1,7"
+    lines[11000] = "ccw,one,7,7"
+    found = fault(csv("\n".join(lines)))
+    assert "line 7005: the row has fewer or more cells than the header row" in found
+    assert "line 11005, column run: run is not a whole number" in found
+
+
 @pytest.mark.parametrize("places", [*range(16)])
 def test_each_number_is_the_nearest_that_the_computer_has(places: int) -> None:
     """Python's own conversion of each cell alone is the reference."""

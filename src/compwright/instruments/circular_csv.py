@@ -14,7 +14,7 @@ Code made here:
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
@@ -32,6 +32,7 @@ from compwright.instruments.csv_table import (
     CIRCULAR_VALUES,
     INCHES,
     CsvTable,
+    NumberedLines,
     in_inches,
     read_table,
     split_lines,
@@ -131,7 +132,7 @@ def read_circular_csv(content: bytes, file: str, name: str) -> CircularTest:
     )
 
 
-def _check_form(comments: Comments, lines: Sequence[tuple[int, str]], file: str) -> None:
+def _check_form(comments: Comments, lines: NumberedLines, file: str) -> None:
     form = comments.get("compwright").lower()
     match = _FORM_KEY.fullmatch(form)
     if form and not (match and int(match[1]) <= _NEWEST_FORM):

@@ -6,7 +6,7 @@ import csv
 import re
 from array import array
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, repeat
 
@@ -195,25 +195,46 @@ def in_inches(names: Iterable[str]) -> str:
     return next((name for name in names if _INCH.fullmatch(name)), "")
 
 
-def split_lines(lines: Sequence[str]) -> tuple[list[tuple[int, str]], list[tuple[int, str]]]:
+@dataclass(frozen=True, slots=True)
+class NumberedLines:
+    """Lines of a file, ``texts``, each with its line number in ``numbers``."""
+
+    numbers: Sequence[int]
+    texts: Sequence[str]
+
+    def __len__(self) -> int:
+        """Return the number of lines."""
+        return len(self.texts)
+
+    def __iter__(self) -> Iterator[tuple[int, str]]:
+        """Return the lines one by one: number and text."""
+        return zip(self.numbers, self.texts, strict=True)
+
+    def part(self, start: int, stop: int | None = None) -> NumberedLines:
+        """Return the lines with the indices from ``start`` to below ``stop``."""
+        return NumberedLines(self.numbers[start:stop], self.texts[start:stop])
+
+
+def split_lines(lines: Sequence[str]) -> tuple[list[tuple[int, str]], NumberedLines]:
     """Return comment lines (without ``#``) and other non-blank lines, with line numbers from 1."""
     comments: list[tuple[int, str]] = []
-    others: list[tuple[int, str]] = []
+    numbers, texts = array("q"), list[str]()
     for start in range(0, len(lines), _AT_ONCE):
         block = lines[start : start + _AT_ONCE]
-        rows = list(enumerate(block, start=start + 1))
         # A file may have a million lines: no look at each of those that are clearly rows.
         if "#" not in "".join(block) and _DOUBTFUL_START.isdisjoint([line[:1] for line in block]):
-            others += rows
+            numbers.extend(range(start + 1, start + 1 + len(block)))
+            texts += block
             continue
-        for number, line in rows:
+        for number, line in enumerate(block, start=start + 1):
             may_be = "#" in line or line[:1] in SEPARATOR_START
             text = comment_text(line) if may_be else None
             if text is not None:
                 comments.append((number, text))
             elif line[:1] not in _BLANK or line.strip(_BLANK):
-                others.append((number, line))
-    return comments, others
+                numbers.append(number)
+                texts.append(line)
+    return comments, NumberedLines(numbers, texts)
 
 
 def rows_as_comments(
@@ -263,7 +284,7 @@ def header_names(header: str) -> tuple[str, list[str], int]:
     return best
 
 
-def read_table(lines: Sequence[tuple[int, str]], faults: FaultList) -> CsvTable:
+def read_table(lines: NumberedLines, faults: FaultList) -> CsvTable:
     """Return the table in ``lines``, from which comments and blank lines have been removed. Each
     line has its number.
 
@@ -271,7 +292,7 @@ def read_table(lines: Sequence[tuple[int, str]], faults: FaultList) -> CsvTable:
     not closed, values in a column without a name, and a column name that is given twice. Raises
     InputError if the header row itself cannot be read.
     """
-    number, header = lines[0]
+    number, header = next(iter(lines))
     delimiter, names, _ = header_names(header)
     if not names:
         raise InputError(
@@ -292,16 +313,16 @@ def read_table(lines: Sequence[tuple[int, str]], faults: FaultList) -> CsvTable:
                 found=shown(name),
                 hint="rename or remove one of the two columns",
             )
-    at, cells = _rows(lines[1:], delimiter, columns, faults)
+    at, cells = _rows(lines.part(1), delimiter, columns, faults)
     return _without_unnamed(CsvTable(delimiter, number, columns, at, cells), faults)
 
 
 def _rows(
-    lines: Sequence[tuple[int, str]], delimiter: str, columns: Sequence[str], faults: FaultList
+    lines: NumberedLines, delimiter: str, columns: Sequence[str], faults: FaultList
 ) -> tuple[Sequence[int], tuple[Sequence[str], ...]]:
     """Return the line number of each row, and the cells of each column."""
     found = GatheredRows(len(columns))
-    blocks = (lines[start : start + _AT_ONCE] for start in range(0, len(lines), _AT_ONCE))
+    blocks = (lines.part(start, start + _AT_ONCE) for start in range(0, len(lines), _AT_ONCE))
     for number, line in chain.from_iterable(
         block for block in blocks if not found.add_plain(block, delimiter)
     ):
@@ -344,17 +365,16 @@ class GatheredRows:
         if len(self._rows) >= _AT_ONCE:
             self._turn()
 
-    def add_plain(self, rows: Sequence[tuple[int, str]], delimiter: str) -> bool:
+    def add_plain(self, rows: NumberedLines, delimiter: str) -> bool:
         """Add several rows of text at once, and return True. Return False and add none if a row
         contains a quote or has too few or too many cells.
         """
-        texts = [text for _, text in rows]
         others = len(self._columns) - 1
-        joined = delimiter.join(texts)
-        if '"' in joined or set(map(str.count, texts, repeat(delimiter))) != {others}:
+        joined = delimiter.join(rows.texts)
+        if '"' in joined or set(map(str.count, rows.texts, repeat(delimiter))) != {others}:
             return False
         self._turn()
-        self.lines.extend([number for number, _ in rows])
+        self.lines.extend(rows.numbers)
         cells = joined.split(delimiter)
         if joined.split(maxsplit=1) != [joined]:  # blanks anywhere
             cells = list(map(str.strip, cells))

@@ -14,6 +14,7 @@ from compwright.instruments.comments import Comments
 from compwright.instruments.csv_table import (
     DELIMITERS,
     INCHES,
+    NumberedLines,
     header_names,
     in_inches,
     is_number,
@@ -51,13 +52,13 @@ def is_circular(content: bytes, file: str) -> bool:
         for _, comment in comments
     ):
         return True
-    _, names, known = header_names(lines[0][1]) if lines else ("", [], 0)
+    _, names, known = header_names(lines.texts[0]) if lines else ("", [], 0)
     if any(name.startswith("target_") for name in names):
         return False
     return "angle_deg" in names or (not known and file.lower().endswith(_BALLBAR_ENDING))
 
 
-def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, file: str) -> None:
+def refuse_other_files(lines: NumberedLines, comments: Comments, file: str) -> None:
     """Raise InputError when the file is not a plain CSV positioning file, with a guess of its
     kind.
     """
@@ -83,7 +84,7 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
                 hint="add a header row and the readings",
             )
         )
-    number, first = lines[0]
+    number, first = next(iter(lines))
     _, names, count = header_names(first)
     if form.startswith("circular") or (
         "angle_deg" in names and {"direction", "radius_mm"} & set(names)

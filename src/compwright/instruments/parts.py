@@ -37,7 +37,7 @@ def plain_parts(text: Sequence[str], faults: FaultList) -> tuple[TestPart, ...]:
     delimiter, names, _ = header_names(header)
     if AXIS_COLUMN not in names:
         return (TestPart(text),)
-    rows = [line for line, _ in split_lines(text)[1][1:]]
+    rows = split_lines(text)[1].numbers[1:]
     return parts_by_axis(text, delimiter, (number, names.index(AXIS_COLUMN)), rows, faults)
 
 
