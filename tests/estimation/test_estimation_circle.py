@@ -612,6 +612,49 @@ def test_an_unlikely_spiral_does_not_hide_lost_motion() -> None:
     assert effect.std_error < bound
 
 
+@pytest.mark.parametrize("axis", AXES)
+def test_lateral_play_has_a_value_at_each_end(axis: str) -> None:
+    """Lateral play of 3.7 µm at the positive and -0.9 µm at the negative reversal point, in
+    proportion to the position between them (values that a ballbar found on a real machine).
+    """
+    test = measured(Machine(), Setup(noise=0.15), np.random.default_rng(11))
+    runs = []
+    for run in test.runs:
+        cos, sin = np.cos(np.radians(run.angles)), np.sin(np.radians(run.angles))
+        d = 1.0 if run.sense == "ccw" else -1.0
+        play, aside = (1.4 + 2.3 * cos, -np.abs(sin)), (1.4 + 2.3 * sin, np.abs(cos))
+        along, shape = play if axis == "first" else aside
+        runs.append(replace(run, deviations=run.deviations + 5e-4 * d * along * shape))
+    found = diagnose(replace(test, runs=tuple(runs))).effects
+    for name, true in (("", 1.4), ("_at_positive", 3.7), ("_at_negative", -0.9)):
+        effect = found[f"lateral_play_{axis}{name}"]
+        assert abs(effect.value - true) < 3.0 * effect.std_error, name
+        assert effect.std_error < 0.23  # a tenth of the change from the middle to an end
+    assert found[f"lateral_play_{axis}"].effect > 1.8  # 3.7 / 2 in each direction
+
+
+@pytest.mark.parametrize("seed", [5, 6])
+def test_stick_slip_that_looks_like_a_spike_is_inside_its_error(seed: int) -> None:
+    """Four jerks of 1.5 µm after each reversal of the second axis, 50 ms each, and no spike. The
+    amplitude is the root of twice their mean square within 12° of the reversals. A spike is fitted
+    to them and leaves less than half of it.
+    """
+    test = measured(Machine(), Setup(noise=0.15), np.random.default_rng(seed))
+    runs, near = [], []
+    for run in test.runs:
+        theta = np.radians(run.angles)
+        d = 1.0 if run.sense == "ccw" else -1.0
+        since = np.mod(d * (theta - 0.5 * np.pi), np.pi) * test.nominal_radius / test.feed * 60.0
+        jerks = 1.5 * np.where(since < 0.2, 1.0 - np.mod(since / 0.05, 1.0), 0.0)
+        added = jerks * np.abs(np.sin(theta))
+        near.append(added[np.abs(np.cos(theta)) < np.sin(np.radians(12.0))])
+        runs.append(replace(run, deviations=run.deviations + 1e-3 * added))
+    true = float(np.sqrt(2.0 * np.mean(np.concatenate(near) ** 2)))
+    found = diagnose(replace(test, runs=tuple(runs))).effects["stick_slip_second"]
+    assert abs(found.value - true) < 2.5 * found.std_error
+    assert found.std_error < 0.5 * true
+
+
 # ---------------------------------------------------------------- parts and refusals
 
 

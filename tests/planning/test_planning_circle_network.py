@@ -88,6 +88,17 @@ def test_one_feed_does_not() -> None:
     assert scale.std_error > 60.0
 
 
+def test_a_scale_that_is_the_mean_of_a_prior_is_not_given() -> None:
+    """2000 mm/min on 150 mm: the softest loop shrinks 89 µm/m, so half of it, 44 ± 26, would be
+    added to what the circle shows. At 500 mm/min it is 3 ± 1.6.
+    """
+    fast = solved([circle("once", feed=2000.0), circle("again", feed=2000.0)])
+    assert fast.values_of("scale") == {}
+    slow = solved([circle("once", feed=500.0), circle("again", feed=500.0)]).values_of("scale")
+    assert abs(slow["X"].value - SCALE["X"]) < 3.0 * slow["X"].std_error
+    assert set(solved(FEEDS).values_of("scale")) == {"X", "Y"}
+
+
 def test_three_planes_are_one_machine() -> None:
     network = solved(PLANES)
     for kind, true in (("squareness", SQUARENESS), ("scale", SCALE), ("lost motion", LOST)):

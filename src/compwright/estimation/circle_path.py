@@ -51,6 +51,8 @@ def absent_causes(test: CircularTest, given: Container[str]) -> dict[str, Senten
         reasons[f"scale_error_{axis}"] = say("undetermined.bar")
         reasons[f"cyclic_{axis}"] = say("undetermined.pitch")
         missing = by_full_circle(say("undetermined.no_end", axis=name))
+        for end in ENDS:
+            reasons[f"lateral_play_{axis}_at_{end}"] = say("undetermined.both_directions")
         for kind in ("backlash", "reversal_spike"):
             for part in ("", *(f"_at_{end}" for end in ENDS)):
                 reasons[f"{kind}_{axis}{part}"] = missing

@@ -154,7 +154,7 @@ def _causes(test: CircularTest, solution: Solution) -> Iterator[ReportedCause]:
     yield replace(mismatch, variance=sum(unsure.values()))
     yield linear("servo_mismatch", {"servo_mismatch": 1.0})
     for axis in AXES:
-        yield linear(f"lateral_play_{axis}", {f"lateral_play_{axis}": 1.0})
+        yield from _lateral_play(solution, axis)
         yield from _spikes(solution, axis)
         yield from _cyclic(solution, axis)
         yield linear(f"straightness_{axis}", {f"straightness_{axis}": 1.0})
@@ -197,6 +197,26 @@ def _lost_motion_ends(
             slope = float(both[0, 1] / max(both[1, 1], 1e-12))
             cause = replace(cause, variance=slope**2 * peak.of_shape)
         yield cause
+
+
+def _lateral_play(solution: Solution, axis: str) -> Iterator[ReportedCause]:
+    """Yield the mean lateral play of an axis. In a test with both directions and both reversal
+    points of the axis, the lateral play at each of them follows: it changes along the axis.
+    """
+    name, change = f"lateral_play_{axis}", f"_lateral_change_{axis}"
+    mean = linear_cause(solution, name, {name: 1.0})
+    if change not in solution.problem.names:
+        yield mean
+        return
+    theta = solution.problem.samples.theta
+    along = np.cos(theta) if axis == "first" else np.sin(theta)
+    unseen = solution.draws.least_error[change] ** 2  # that of a change which is not found
+    for end, side in zip(ENDS, (1.0, -1.0), strict=True):
+        cause = linear_cause(solution, f"{name}_at_{end}", {name: 1.0, change: side}, detail=True)
+        if end == ENDS[0]:
+            yield replace(mean, curve=cause.curve)
+        missing = max(mean.std_error**2 + unseen - cause.std_error**2, 0.0)
+        yield replace(cause, curve=cause.curve * (side * along > 0.0), variance=missing)
 
 
 def _spikes(solution: Solution, axis: str) -> Iterator[ReportedCause]:

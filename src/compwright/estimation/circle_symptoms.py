@@ -21,6 +21,8 @@ _PEAK: Final = np.radians(10.0)
 _SLOW: Final = np.radians(12.0)
 #: Share of the irregular motion that may be a spike of a shape that no decays make.
 _OWN_SHAPE: Final = 0.5
+#: Prior probability that what was fitted as reversal spikes is irregular motion.
+_NO_SPIKE: Final = 0.1
 _MOST_DRAWS: Final = 64
 #: Places along each axis at which position errors are compared: the largest straightness of third
 #: order is between the middle and the ends.
@@ -57,7 +59,8 @@ def stick_slip(solution: Solution, axis: str) -> tuple[float, float] | None:
     away from the reversals.
 
     Near a reversal means within 12° of it. The amplitude is the root of twice a difference of
-    variances: that of the residuals near the reversals minus that of the other samples.
+    variances: that of the residuals near the reversals minus that of the other samples. The fitted
+    spikes of the axis may be irregular motion themselves: the standard error holds their readings.
 
     The standard errors follow from the chi-square law of a variance. The number of independent
     samples is n divided by the sum of the squared correlations of the residuals. This sum is n Σ f²
@@ -83,7 +86,13 @@ def stick_slip(solution: Solution, axis: str) -> tuple[float, float] | None:
     amplitude = float(np.sqrt(2.0 * excess))
     # Near zero the root is not straight: there the amplitude of one standard error counts.
     near = float(min(error / max(amplitude, 1e-12), np.sqrt(2.0 * error)))
-    return amplitude, float(np.hypot(near, _OWN_SHAPE * amplitude))
+    sizes = [
+        np.mean(spike.curve, axis=0) * (spike.reversal.axis == axis)
+        for spike in solution.draws.spikes
+    ]
+    spikes = problem.spike_curves(np.array([sizes]))[0] / UM
+    taken = float(np.sqrt(2.0 * _NO_SPIKE * np.mean(spikes[slow] ** 2)))
+    return amplitude, math.hypot(near, _OWN_SHAPE * amplitude, taken)
 
 
 def lobes(solution: Solution, order: int) -> tuple[float, float]:

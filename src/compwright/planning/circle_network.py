@@ -23,6 +23,7 @@ from compwright.foundations.findings import Finding
 from compwright.planning.circles import CircleWork, as_shown_at_feed, effect_of
 from compwright.planning.value_with_error import SIGNIFICANT, ValueWithError, contradictory
 from compwright.records.circular import CircularResult
+from compwright.records.correction_need import NEGLIGIBLE
 from compwright.words.sentences import Sentence, say
 
 _PPM: Final = 1e6
@@ -91,13 +92,22 @@ class CircleNetwork:
 
     def values_of(self, kind: str) -> dict[str, ValueWithError]:
         """Return the machine errors of a ``kind`` that the circular tests determine, by axis or
-        plane.
+        plane. A scale is one of them if the shrinking of its axis is known, or hardly matters: else
+        it would be mostly the mean of the prior of the shrinking.
         """
         most = _TELLS * _PRIOR[kind][1]
-        return {
+        found = {
             name: value
             for (own, name), value in self.values.items()
             if own == kind and value.std_error < most
+        }
+        if kind != "scale":
+            return found
+        known = self.values_of("shrinking")
+        return {
+            name: value
+            for name, value in found.items()
+            if name in known or SIGNIFICANT * value.std_error < NEGLIGIBLE
         }
 
     def position_loops(self) -> dict[str, ValueWithError]:

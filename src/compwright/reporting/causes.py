@@ -43,6 +43,8 @@ _PRINTED: Final = {
     "reversal_spike_at_negative": "AF_REVERSAL_SPIKES_{letter}_NEG",
     "cyclic": "AF_CYCLIC_ERROR_{letter}_FWD AF_CYCLIC_ERROR_{letter}_REV",
     "offset_change": "AF_OFFSET_{letter}_SHIFT",
+    "lateral_play_at_positive": "AF_LATERAL_PLAY_{letter}_POS",
+    "lateral_play_at_negative": "AF_LATERAL_PLAY_{letter}_NEG",
     "straightness": "AF_STRAIGHTNESS_{letter}",
     "scale_error": "AF_SCALE_ERROR_{letter}",
     "positional_tolerance": "AF_POSITIONAL_TOLERANCE",
