@@ -1,10 +1,11 @@
-"""Waves on a circle seen through an instrument that is slower than they are, and waves that are
-only correlated noise.
+"""Waves on a circle seen through an instrument that is slower than they are, waves that are only
+correlated noise, and waves on a short arc.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -47,6 +48,41 @@ def test_a_cyclic_error_is_not_made_small_by_a_slow_instrument(slow: float) -> N
         assert abs(effect.value - CYCLIC) < 3.0 * effect.std_error
         assert effect.std_error < 0.1
         assert effect.value > 0.96 * CYCLIC
+
+
+@pytest.mark.parametrize(
+    ("start", "samples", "amplitude", "pitch", "noise"),
+    [(45.0, 383, 0.45, 10.0, 0.05), (30.0, 180, 1.3, 17.7, 0.15)],
+)
+def test_a_cyclic_error_between_the_axes_is_no_vibration(
+    start: float, samples: int, amplitude: float, pitch: float, noise: float
+) -> None:
+    """Over these arcs the second axis moves 16 and 26 mm, far from the centre. A frequency that is
+    wrong by half a period over this travel turns the phase at the centre by more than a turn.
+    """
+    setup = Setup(radius=50.0, feed=2000.0, start=start, extent=92.0, samples=samples, noise=noise)
+    machine = Machine(cyclic_second=amplitude, pitch_second=pitch)
+    for seed in range(4):
+        effects = diagnose(measured(machine, setup, np.random.default_rng(seed))).effects
+        cyclic, vibration = effects["cyclic_second"], effects["vibration"]
+        assert vibration.more["frequency"] is None
+        assert vibration.std_error < 0.1 * amplitude
+        assert abs(cyclic.value - amplitude) < 3.0 * cyclic.std_error
+        assert cyclic.std_error < 0.05 * amplitude
+
+
+def test_cyclic_errors_of_both_axes_do_not_disturb_each_other() -> None:
+    """While one of them is fitted alone, the other counts as noise: frequency and amplitude that
+    were fitted then are wrong by 0.5 % and 2 %.
+    """
+    setup = replace(SETUP, radius=50.0, feed=4000.0, start=135.0, samples=1500, noise=0.05)
+    sizes: dict[str, Any] = {"cyclic_first": 1.4, "cyclic_second": 1.9}
+    machine = Machine(**sizes, pitch_first=8.0, pitch_second=8.0)
+    for seed in range(2):
+        effects = diagnose(measured(machine, setup, np.random.default_rng(seed))).effects
+        for name, amplitude in sizes.items():
+            assert abs(effects[name].value - amplitude) < 3.0 * effects[name].std_error
+            assert effects[name].more["period"] == pytest.approx(8.0, abs=0.002)
 
 
 def test_correlated_noise_is_no_vibration() -> None:

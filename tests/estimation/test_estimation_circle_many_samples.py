@@ -144,7 +144,7 @@ def test_other_causes_are_those_without_the_vibration() -> None:
     setup = Setup(noise=0.1, samples=12000, feed=1000.0)
     rate = setup.samples / (2.0 * np.pi * setup.radius / (setup.feed / 60.0))
     still, moved = (
-        diagnose(shaken(setup, rate / 3.0 - 1.1, amplitude, None, 5)).effects
+        diagnose(shaken(setup, rate / 3.0 - 1.1, amplitude, None, 8)).effects
         for amplitude in (0.0, 1.0)
     )
     for name in ("squareness", "backlash_first", "reversal_spike_first_at_positive", "spiral"):

@@ -16,7 +16,12 @@ from circle_machine import Machine, Setup, distance, measured
 from compwright.estimation.basis import hidden_share, log_density, smooth_density
 from compwright.estimation.cholesky import cholesky_factor, factor_and_solve, inverse_triangle
 from compwright.estimation.circle_centre import second_order
-from compwright.estimation.circle_cyclic import longest_pitch, search_cyclic, shortest_pitch
+from compwright.estimation.circle_cyclic import (
+    cyclic_columns,
+    longest_pitch,
+    search_cyclic,
+    shortest_pitch,
+)
 from compwright.estimation.circle_equations import circle_problem
 from compwright.estimation.circle_fit import fit_causes, white_problems
 from compwright.estimation.circle_lag import Lag, at_actual_angles, shrink_uncertainty
@@ -25,7 +30,6 @@ from compwright.estimation.circle_model import (
     SpikeShape,
     TakeUp,
     circle_samples,
-    cyclic_columns,
     fixed_columns,
     lag_column,
     since_reversal,
@@ -243,9 +247,9 @@ def test_a_cyclic_error_is_found_from_the_false_alarm_threshold_on(
         fit_causes(next(white_problems(problem)), always, problem.widths**-2.0),
         [axis],
     )
-    assert (axis in searched.found) is found
+    assert searched.clear is found
     if found:
-        assert 1.0 / searched.found[axis] == pytest.approx(10.0, abs=0.05)
+        assert 1.0 / searched.frequency == pytest.approx(10.0, abs=0.05)
 
 
 def test_a_soft_loop_makes_the_circle_smaller_by_its_acceleration() -> None:

@@ -10,14 +10,21 @@ with all other causes in the model.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
 
 from compwright.estimation.circle_equations import CircleProblem
 from compwright.estimation.circle_fit import CircleFit
-from compwright.estimation.circle_model import UM, CircleSamples, cyclic_columns
+from compwright.estimation.circle_model import (
+    PRIORS,
+    RESPONSE,
+    UM,
+    CauseColumn,
+    CircleSamples,
+    sample_spacing,
+)
 from compwright.estimation.circle_noise import inverse_cosine_transform, sum_and_difference
 from compwright.records.axis import FloatArray
 
@@ -31,35 +38,50 @@ _LONGEST: Final = 0.5
 #: fastest.
 _STEEPEST: Final = 0.7
 _OVERSAMPLING: Final = 8.0  # search steps within one period over the radius
+#: How much of a cyclic error a slow instrument may lose.
+_MOST_FADING: Final = 0.3
 
 
 @dataclass(frozen=True, slots=True)
 class CyclicSearch:
-    """The result of a search for cyclic errors. For each axis: the frequency ``found``, 1/mm, and
-    the largest amplitude ``hidden``, µm, that the search can miss.
+    """The result of a search for cyclic errors: ``axis`` and ``frequency``, 1/mm, of the likeliest
+    cyclic error. ``axis`` is None if no frequency could be searched. ``hidden``: the largest
+    amplitude, µm, that the search can miss, by axis.
+
+    ``gain``: by how much the cyclic error reduces the weighted sum of squares. ``threshold``: what
+    noise hardly reaches. ``places``: number of independent frequencies of all axes.
     """
 
-    found: Mapping[str, float]
+    axis: str | None
+    frequency: float
     hidden: Mapping[str, float]
+    gain: float
+    threshold: float
+    places: float
+
+    @property
+    def clear(self) -> bool:
+        """Whether noise hardly makes such a cyclic error."""
+        return self.gain > self.threshold
 
 
 def search_cyclic(problem: CircleProblem, fitted: CircleFit, axes: Sequence[str]) -> CyclicSearch:
-    """Return the strongest cyclic error of the two ``axes``, if the residuals of ``fitted`` clearly
-    show a cyclic error.
+    """Return the likeliest cyclic error of the ``axes`` in the residuals of ``fitted``.
 
     At most one axis has an error in the result, because a strong cyclic error of one axis has side
-    lobes among the frequencies of the other. A cyclic error is reported if it reduces the weighted
+    lobes among the frequencies of the other. A cyclic error is clear if it reduces the weighted
     sum of squares by more than a threshold. Noise alone exceeds this threshold, at any of the
     frequencies, once in a thousand searches (chi-square of two degrees of freedom: Scargle,
     Astrophysical Journal 263, 1982).
     """
-    clearest, found = 1.0, {}
-    hidden = {}
+    found = CyclicSearch(None, 0.0, {}, 0.0, 1.0, 0.0)
+    places, hidden = 0.0, {}
     for axis in axes:
         frequencies, gains, least = _screen(problem, fitted, axis)
         if not frequencies.size:
             continue
-        threshold = 2.0 * np.log(frequencies.size / _OVERSAMPLING * 4.0 / _FALSE_ALARM)
+        threshold = 2.0 * float(np.log(frequencies.size / _OVERSAMPLING * 4.0 / _FALSE_ALARM))
+        places += 2.0 * frequencies.size / _OVERSAMPLING
         # The longest pitch is the hardest to tell from straightness and from what no cause
         # explains.
         longest = np.linalg.eigvalsh(_weighed(problem, fitted, axis, float(frequencies[0]))[1])[0]
@@ -69,9 +91,62 @@ def search_cyclic(problem: CircleProblem, fitted: CircleFit, axes: Sequence[str]
             for index in _peaks(gains)
         ]
         best = max(exact, default=(0.0, 0.0))
-        if best[0] > clearest * threshold:
-            clearest, found = best[0] / threshold, {axis: best[1]}
-    return CyclicSearch(found, hidden)
+        if best[0] / threshold > found.gain / found.threshold:
+            found = CyclicSearch(axis, best[1], {}, best[0], threshold, 0.0)
+    return replace(found, hidden=hidden, places=places)
+
+
+def mean_position(samples: CircleSamples, axis: str) -> float:
+    """Return the mean position, mm, of an axis over all samples; 0 is the centre of the circle."""
+    along = np.cos(samples.theta) if axis == "first" else np.sin(samples.theta)
+    return float(samples.radius * np.mean(along))
+
+
+def cyclic_columns(
+    samples: CircleSamples,
+    axis: str,
+    frequency: float,
+    amplitudes: tuple[float, float],
+    late: float = 0.0,
+) -> tuple[CauseColumn, ...]:
+    """Return the model columns for an axis' cyclic error of ``frequency`` 1/mm and ``amplitudes``
+    (µm, of cosine and sine): its cosine, its sine, and columns for small changes of its frequency,
+    delay and attenuation. ``late``: delay of the axis, mm.
+
+    The cyclic error (ISO 230-4:1996, B.2.3) is a cos(2πfx) - b sin(2πfx) for ``amplitudes`` (a, b).
+    The column of the frequency is per 1/mm. It leaves the phase at the `mean_position` unchanged,
+    and thus the amplitude. The column of the delay is per mm of delay at full speed. The column of
+    the attenuation is for the loss in an instrument of limited bandwidth. A first-order filter with
+    time constant T loses the share (2π f v T)² / 2. This share falls with the square of the axis
+    speed, so that the error is largest near the reversals.
+    """
+    cos, sin = np.cos(samples.theta), np.sin(samples.theta)
+    zero = np.zeros_like(samples.theta)
+    along, behind = (cos, samples.sense * sin) if axis == "first" else (sin, -samples.sense * cos)
+    place = samples.radius * along + late * behind
+    phase = 2.0 * np.pi * frequency * place
+    cosine, sine = UM * np.cos(phase), -UM * np.sin(phase)
+    slope = 2.0 * np.pi * (amplitudes[0] * sine - amplitudes[1] * cosine)
+    faded = -(behind**2) * (amplitudes[0] * cosine + amplitudes[1] * sine)
+    spacing = sample_spacing(samples)
+    sooner = float(np.hypot(samples.lag_std * samples.radius, spacing))
+    lost = 0.5 * (2.0 * np.pi * frequency) ** 2 * (spacing**2 + (RESPONSE * samples.speed) ** 2)
+    named = [
+        (f"_cyclic_cos_{axis}", cosine, PRIORS["_cyclic"]),
+        (f"_cyclic_sin_{axis}", sine, PRIORS["_cyclic"]),
+        # A frequency off by the inverse of the travel would be another peak of the search.
+        (
+            f"_frequency_{axis}",
+            slope * (place - mean_position(samples, axis)),
+            0.5 / samples.radius,
+        ),
+        (f"_late_{axis}", slope * frequency * behind, sooner),
+        (f"_fading_{axis}", faded, min(lost, _MOST_FADING)),
+    ]
+    return tuple(
+        CauseColumn(name, *((field, zero) if axis == "first" else (zero, field)), width)
+        for name, field, width in named
+    )
 
 
 def shortest_pitch(samples: CircleSamples) -> float:

@@ -93,7 +93,7 @@ def _scale_findings(
 def _shape_findings(test: CircularTest, solution: Solution) -> Iterator[Finding]:
     for axis, name in zip(AXES, test.axes, strict=True):
         if axis in solution.frequencies and axis not in solution.given:
-            pitch = 1.0 / solution.frequencies[axis]
+            pitch = 1.0 / solution.cyclic_wave(axis)[0]
             yield Finding.of("CW-D006", "info", axis=name, pitch=pitch)
         elif axis in solution.hidden and axis not in solution.frequencies:
             yield Finding.of("CW-D007", "info", name=name, hidden=solution.hidden[axis])

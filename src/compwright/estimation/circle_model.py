@@ -86,9 +86,8 @@ _DISPLACED: Final = ("_centre", "offset_change", "backlash", "lateral_play")
 #: and how many times are tried.
 _CHANGEOVER: Final = (0.005, 0.08)
 _TRIED: Final = 5
-#: How slow instrument and drive may be, s, and how much of a cyclic error that may lose.
+#: How slow instrument and drive may be, s.
 RESPONSE: Final = 0.003
-_MOST_FADING: Final = 0.3
 #: Closer to its reversal point (rad) the direction of an axis is a matter of rounding; such a
 #: sample tells nothing.
 _AT_REVERSAL: Final = 1e-6
@@ -448,45 +447,3 @@ def lag_column(
             slope = slope + known.get(column.name, 0.0) * (column.y * cos - column.x * sin)
     moved = -samples.lag_std * samples.sense * slope
     return CauseColumn("_lag", moved * cos, moved * sin, 1.0)
-
-
-def cyclic_columns(
-    samples: CircleSamples,
-    axis: str,
-    frequency: float,
-    amplitudes: tuple[float, float],
-    late: float = 0.0,
-) -> tuple[CauseColumn, ...]:
-    """Return the model columns for an axis' cyclic error of ``frequency`` 1/mm and ``amplitudes``
-    (µm, of cosine and sine): its cosine, its sine, and columns for small changes of its frequency,
-    delay and attenuation. ``late``: delay of the axis, mm.
-
-    The cyclic error (ISO 230-4:1996, B.2.3) is a cos(2πfx) - b sin(2πfx) for ``amplitudes`` (a, b).
-    The column of the frequency is per 1/mm. The column of the delay is per mm of delay at full
-    speed. The column of the attenuation is for the loss in an instrument of limited bandwidth. A
-    first-order filter with time constant T loses the share (2π f v T)² / 2. This share falls with
-    the square of the axis speed, so that the error is largest near the reversals.
-    """
-    cos, sin = np.cos(samples.theta), np.sin(samples.theta)
-    zero = np.zeros_like(samples.theta)
-    along, behind = (cos, samples.sense * sin) if axis == "first" else (sin, -samples.sense * cos)
-    place = samples.radius * along + late * behind
-    phase = 2.0 * np.pi * frequency * place
-    cosine, sine = UM * np.cos(phase), -UM * np.sin(phase)
-    slope = 2.0 * np.pi * (amplitudes[0] * sine - amplitudes[1] * cosine)
-    faded = -(behind**2) * (amplitudes[0] * cosine + amplitudes[1] * sine)
-    spacing = sample_spacing(samples)
-    sooner = float(np.hypot(samples.lag_std * samples.radius, spacing))
-    lost = 0.5 * (2.0 * np.pi * frequency) ** 2 * (spacing**2 + (RESPONSE * samples.speed) ** 2)
-    named = [
-        (f"_cyclic_cos_{axis}", cosine, PRIORS["_cyclic"]),
-        (f"_cyclic_sin_{axis}", sine, PRIORS["_cyclic"]),
-        # A frequency off by the inverse of the travel would be another peak of the search.
-        (f"_frequency_{axis}", slope * place, 0.5 / samples.radius),
-        (f"_late_{axis}", slope * frequency * behind, sooner),
-        (f"_fading_{axis}", faded, min(lost, _MOST_FADING)),
-    ]
-    return tuple(
-        CauseColumn(name, *((field, zero) if axis == "first" else (zero, field)), width)
-        for name, field, width in named
-    )

@@ -331,11 +331,8 @@ def _cyclic(solution: Solution, axis: str) -> Iterator[ReportedCause]:
         return
     parts = [f"_cyclic_{part}_{axis}" for part in ("cos", "sin")]
     value, drawn, curve = _amplitude(solution, parts, 1)
-    cosine, sine = (solution.values[part] for part in parts)
-    more = {
-        "period": 1.0 / solution.frequencies[axis],
-        "phase": float(np.degrees(np.arctan2(sine, cosine))),
-    }
+    frequency, phase = solution.cyclic_wave(axis)
+    more = {"period": 1.0 / frequency, "phase": phase}
     yield ReportedCause(name=name, value=value, drawn=drawn, curve=curve, positive=True, more=more)
 
 

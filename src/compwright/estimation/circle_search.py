@@ -2,20 +2,19 @@
 common lag are chosen with the first fit. Of a cyclic error and a vibration, the more probable one
 is added first, then the residuals are searched again (orthogonal matching pursuit: Pati, Rezaiifar
 and Krishnaprasad, Asilomar Conference on Signals, Systems and Computers 27, 1993). What was added
-is not tested again.
+is not tested again, but the frequencies of cyclic errors are tuned again.
 """
 
 from __future__ import annotations
 
 import copy
 import itertools
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_cyclic import CyclicSearch, search_cyclic
+from compwright.estimation.circle_cyclic import cyclic_columns, mean_position, search_cyclic
 from compwright.estimation.circle_equations import CircleProblem, circle_problem, scaled_inverse
 from compwright.estimation.circle_fit import (
     CircleFit,
@@ -29,7 +28,7 @@ from compwright.estimation.circle_fit import (
     white_problems,
 )
 from compwright.estimation.circle_lag import Lag, at_actual_angles, with_undetected_lag
-from compwright.estimation.circle_model import AXES, CircleSamples, cyclic_columns
+from compwright.estimation.circle_model import AXES, CircleSamples
 from compwright.estimation.circle_noise import AngleGrid, sum_and_difference
 from compwright.estimation.circle_reversal import choose_shapes, draw_shapes
 from compwright.estimation.circle_shapes import SpikeShapes
@@ -40,9 +39,14 @@ from compwright.estimation.circle_vibration import (
     search_vibration,
     vibration_columns,
 )
+from compwright.records.axis import FloatArray
 
 #: Rounds in which the frequency of a cyclic error is fitted.
 _TUNING_ROUNDS: Final = 4
+#: Frequencies that are tuned again, at most, after a wave was added.
+_TUNINGS: Final = 3
+#: Log odds, a thousand to one, of a cyclic error that is not clear by the threshold of its search.
+_CLEAR_ODDS: Final = np.log(1e3)
 #: The noise is estimated again, so often at most, while its density at order zero still changes by
 #: this share.
 _NOISE_ROUNDS: Final = 3
@@ -64,15 +68,11 @@ class CircleStart:
         """The log probability of the readings and the spike shapes under this fit."""
         return fit_evidence(self.fitted, self.shapes.precision) + self.shapes.log_prior
 
-    def cyclic(self, axes: Sequence[str]) -> CyclicSearch:
-        """Return the result of the search for cyclic errors of the ``axes``. The causes are fitted
-        again first: the covariance has to belong to the last noise spectra.
-        """
-        active = self.fitted.active
-        weighted = weighted_problem(self.problem, self.fitted.spectra, active)
-        return search_cyclic(
-            self.problem, fit_causes(weighted, active, self.shapes.precision), axes
-        )
+    @property
+    def residual(self) -> FloatArray:
+        """The measured minus the fitted deviation of each sample, mm (n,)."""
+        rest: FloatArray = self.problem.target - fitted_path(self.problem, self.fitted)
+        return rest
 
 
 def start_fit(samples: CircleSamples, grid: AngleGrid, lag: Lag) -> CircleStart:
@@ -83,11 +83,11 @@ def start_fit(samples: CircleSamples, grid: AngleGrid, lag: Lag) -> CircleStart:
     a lag. Therefore the model is fitted with and without the lag, and the evidence of the whole
     model decides.
     """
-    without = _likeliest(circle_problem(with_undetected_lag(samples, lag), grid))
+    without_lag = _likeliest(circle_problem(with_undetected_lag(samples, lag), grid))
     if not lag.clear:
-        return without
-    late = _likeliest(circle_problem(at_actual_angles(samples, lag), grid))
-    return late if late.evidence > without.evidence else without
+        return without_lag
+    with_lag = _likeliest(circle_problem(at_actual_angles(samples, lag), grid))
+    return with_lag if with_lag.evidence > without_lag.evidence else without_lag
 
 
 def _likeliest(problem: CircleProblem, *starts: CircleStart) -> CircleStart:
@@ -96,24 +96,27 @@ def _likeliest(problem: CircleProblem, *starts: CircleStart) -> CircleStart:
     noise. With a given fit, only the highest of these levels is tried.
 
     Several starts are needed because spike shapes are changed one at a time, which leads to the
-    nearest optimum only. Noise can be fitted as a spike, or a spike as noise.
+    nearest optimum only. Noise can be fitted as a spike, or a spike as noise. The values and the
+    covariance of the result belong to the last noise spectra.
     """
     white = itertools.islice(white_problems(problem), 1 if starts else None)
-    every = [(copy.deepcopy(s.shapes), weighted_problem(problem, s.fitted.spectra)) for s in starts]
-    every += [(SpikeShapes(problem), weighted) for weighted in white]
-    fits = (CircleStart(problem, each, _fit_with_noise(w, each)) for each, w in every)
-    return max(fits, key=lambda each: each.evidence)
+    tries = [(copy.deepcopy(s.shapes), weighted_problem(problem, s.fitted.spectra)) for s in starts]
+    tries += [(SpikeShapes(problem), weighted) for weighted in white]
+    fits = (CircleStart(problem, shapes, _fit_with_noise(w, shapes)) for shapes, w in tries)
+    best = max(fits, key=lambda fit: fit.evidence)
+    active = best.fitted.active
+    weighted = weighted_problem(problem, best.fitted.spectra, active)
+    return replace(best, fitted=fit_causes(weighted, active, best.shapes.precision))
 
 
 def without_fast_vibration(
-    start: CircleStart, every: CircleSamples
+    start: CircleStart, readings: CircleSamples
 ) -> tuple[CircleStart, Vibration]:
     """Return the fit of a circular test without the vibration that its samples, means of
-    neighbours among ``every`` reading, cannot show; and this vibration.
+    neighbouring ``readings``, cannot show; and this vibration.
     """
-    problem, fitted = start.problem, start.fitted
-    rest = problem.target - fitted_path(problem, fitted)
-    found, wave = search_between_means(every, problem, rest)
+    problem = start.problem
+    found, wave = search_between_means(readings, problem, start.residual)
     if found.frequency is None:
         return start, found
     target = problem.target - wave
@@ -127,31 +130,41 @@ def solve(start: CircleStart, given: dict[str, float], fast: Vibration) -> Solut
     that the samples, means of readings, cannot show.
 
     A vibration hides cyclic errors, and a cyclic error a vibration. Of the two, the one that
-    explains the samples better is added first, and the other is searched again.
+    explains the samples better is added first, and the other is searched again. On a short arc
+    both have a nearly constant frequency, and what no cause explains may look like them. A
+    vibration therefore has to make the model more probable than noise alone and than the likeliest
+    cyclic error do. If this cyclic error is more probable by far, it is added, clear or not.
     """
     frequencies = dict(given)
     for axis, frequency in given.items():
-        problem, _ = _fit_cyclic(start, axis, frequency, known=True)
-        start = replace(start, problem=problem)
-    if given:
-        start = _likeliest(start.problem, start)
+        start, _ = _with_cyclic(start, axis, frequency, known=True)
     slow, hidden, changed = Vibration(), dict[str, float](), True
     while changed:
-        periodic, changed = None, False
-        shaken, found = _with_vibration(start) if slow.frequency is None else (None, slow)
-        open_axes = [axis for axis in AXES if axis not in frequencies]
-        if open_axes:
-            cyclic = start.cyclic(open_axes)
-            hidden = dict(cyclic.hidden)
-            for axis, frequency in cyclic.found.items():
-                problem, tuned = _fit_cyclic(start, axis, frequency)
-                periodic = _likeliest(problem, start)
-        if periodic is not None and (shaken is None or periodic.evidence > shaken.evidence):
-            start, frequencies[axis], changed = periodic, tuned, True
-            continue  # a vibration that was found is searched again
-        slow = found
-        if shaken is not None:
-            start, changed = shaken, True
+        changed = False
+        found = search_vibration(start.problem.samples, start.residual)
+        slow = replace(slow, hidden=found.hidden)
+        cyclic = search_cyclic(
+            start.problem, start.fitted, [axis for axis in AXES if axis not in frequencies]
+        )
+        hidden, odds, cyclic_odds = dict(cyclic.hidden), 0.0, -np.inf
+        shown = found.frequency is not None and slow.frequency is None
+        if shown:
+            with_vibration = _with_vibration(start, found)
+            odds = _odds(with_vibration, start, found.places)
+        # A cyclic error that is not clear cannot compete with a much more probable vibration.
+        if cyclic.axis is not None and (cyclic.clear or (shown and odds < cyclic.threshold)):
+            with_cyclic, frequency = _with_cyclic(start, cyclic.axis, cyclic.frequency)
+            with_cyclic, tuned = _tuned(with_cyclic, {**frequencies, cyclic.axis: frequency})
+            cyclic_odds = _odds(with_cyclic, start, cyclic.places)
+            least = 0.0 if cyclic.clear else _CLEAR_ODDS
+            if cyclic_odds > max(odds, least) or (cyclic.clear and odds <= 0.0):
+                start, frequencies, changed = with_cyclic, tuned, True
+                continue
+        if odds > max(cyclic_odds, 0.0):
+            slow, changed = found, True
+            start, frequencies = _tuned(with_vibration, frequencies)
+        elif shown:
+            slow = replace(slow, hidden=_hidden(with_vibration, found))
     problem, shapes, fitted = start.problem, start.shapes, start.fitted
     draws = draw_shapes(
         weighted_problem(problem, fitted.spectra),
@@ -193,54 +206,92 @@ def _fit_with_noise(weighted: WeightedProblem, shapes: SpikeShapes) -> CircleFit
     return replace(fitted, spectra=spectra)
 
 
-def _fit_cyclic(
+def _with_cyclic(
     start: CircleStart, axis: str, frequency: float, *, known: bool = False
-) -> tuple[CircleProblem, float]:
-    """Return the equations with a cyclic error of an axis added, and its frequency, 1/mm. The
-    ``frequency`` is a start value unless it is ``known``.
+) -> tuple[CircleStart, float]:
+    """Return a fit with a cyclic error of an axis added, and its frequency, 1/mm. The ``frequency``
+    is a start value unless it is ``known``. A cyclic error that is already there is replaced.
 
-    The cyclic error is fitted together with the delay of the axis (Gauss-Newton: Seber and Wild
-    1989, chapter 2).
+    The cyclic error is fitted together with the delay of the axis, under the spike shapes and the
+    noise of ``start`` (Gauss-Newton: Seber and Wild 1989, chapter 2). Then all is fitted again.
     """
-    problem, shapes, spectra = start.problem, start.shapes, start.fitted.spectra
+    problem, spectra = start.problem, start.fitted.spectra
     samples, amplitudes, late = problem.samples, (0.0, 0.0), 0.0
-    shapes.adopt(problem)
-    without, active = f"_frequency_{axis}" if known else "", shapes.active()
+    own = [c.name for c in cyclic_columns(samples, axis, frequency, amplitudes)]
+    replaced = [index for index, name in enumerate(problem.names) if name in own]
+    without, active = own[2] if known else "", np.setdiff1d(start.fitted.active, replaced)
     others = problem.rows_of(active)
     for step in range(_TUNING_ROUNDS):
         columns = cyclic_columns(samples, axis, frequency, amplitudes, late)
-        fixed = [c for c in columns[: None if step else 2] if c.name != without]
-        fresh = sum_and_difference(problem.grid, problem.seen(fixed))
-        every = [np.column_stack(pair) for pair in zip(fresh, others, strict=True)]
-        gram, right = normal_equations(problem, spectra, every)
-        precision = [c.width**-2.0 for c in fixed]
-        gram += np.diag(np.concatenate([precision, shapes.precision[active]]))
+        fitted = [c for c in columns[: None if step else 2] if c.name != without]
+        rows = sum_and_difference(problem.grid, problem.seen(fitted))
+        gram, right = normal_equations(
+            problem, spectra, [np.column_stack(pair) for pair in zip(rows, others, strict=True)]
+        )
+        precision = [c.width**-2.0 for c in fitted]
+        gram += np.diag(np.concatenate([precision, start.shapes.precision[active]]))
         values = (scaled_inverse(gram) @ right).tolist()
-        value = dict(zip([c.name for c in fixed], values, strict=False))
-        amplitudes = value[f"_cyclic_cos_{axis}"], value[f"_cyclic_sin_{axis}"]
-        frequency += value.get(f"_frequency_{axis}", 0.0)
+        value = dict(zip([c.name for c in fitted], values, strict=False))
+        shift = value.get(f"_frequency_{axis}", 0.0)
+        wave = complex(value[f"_cyclic_cos_{axis}"], value[f"_cyclic_sin_{axis}"])
+        wave *= np.exp(-2j * np.pi * shift * mean_position(samples, axis))
+        amplitudes, frequency = (wave.real, wave.imag), frequency + shift
         late += value.get(f"_late_{axis}", 0.0)
     columns = cyclic_columns(samples, axis, frequency, amplitudes, late)
-    return problem.with_columns([c for c in columns if c.name != without]), frequency
+    problem = problem.with_columns([c for c in columns if c.name != without])
+    return _likeliest(problem, start), frequency
 
 
-def _with_vibration(start: CircleStart) -> tuple[CircleStart | None, Vibration]:
-    """Return a fit with the strongest vibration in the residuals of ``start`` added, None if none
-    was found; and the vibration, or what may be hidden.
+def _tuned(
+    start: CircleStart, frequencies: dict[str, float]
+) -> tuple[CircleStart, dict[str, float]]:
+    """Return a fit with tuned ``frequencies`` of the cyclic errors, 1/mm, by axis.
+
+    A wave that is not in the model yet counts as noise, and disturbs the tuning of the others. A
+    frequency is therefore tuned again while the fit of all causes changes it by more than its
+    standard error.
     """
-    problem = start.problem
-    rest = problem.target - fitted_path(problem, start.fitted)
-    found = search_vibration(problem.samples, rest)
-    if found.frequency is None:
-        return None, found
-    columns = vibration_columns(problem.samples, found)
-    shaken = _likeliest(problem.with_columns(columns), start)
-    places = [shaken.problem.names.index(column.name) for column in columns]
-    at = np.flatnonzero(np.isin(shaken.fitted.active, places))
-    value, covariance = shaken.fitted.values[at], shaken.fitted.covariance[np.ix_(at, at)]
-    # In correlated noise the residuals alone promise more than the whole fit finds.
-    if float(value @ np.linalg.solve(covariance, value)) >= found.least:
-        return shaken, found
+    found = dict(frequencies)
+    for _ in range(_TUNINGS):
+        shifts = {axis: _shift(start, axis) for axis in found}
+        axis = max(shifts, key=lambda each: shifts[each][1], default=None)
+        if axis is None or shifts[axis][1] <= 1.0:
+            break
+        start, found[axis] = _with_cyclic(start, axis, found[axis] + shifts[axis][0])
+    return start, found
+
+
+def _shift(start: CircleStart, axis: str) -> tuple[float, float]:
+    """Return the change of the frequency of a cyclic error in a fit, 1/mm, and its size in standard
+    errors. Both are 0 for a known frequency.
+    """
+    name, fitted = f"_frequency_{axis}", start.fitted
+    if name not in start.problem.names:
+        return 0.0, 0.0
+    (at,) = np.flatnonzero(fitted.active == start.problem.names.index(name))
+    shift = float(fitted.values[at])
+    return shift, abs(shift) / float(np.sqrt(fitted.covariance[at, at]))
+
+
+def _odds(new: CircleStart, old: CircleStart, places: float) -> float:
+    """Return the logarithm of the odds of a fit with a wave against one without. The wave may be at
+    any of so many ``places`` with equal probability: independent frequencies of all its kinds.
+    """
+    return new.evidence - old.evidence - float(np.log(places))
+
+
+def _with_vibration(start: CircleStart, found: Vibration) -> CircleStart:
+    """Return a fit with the vibration ``found`` added."""
+    columns = vibration_columns(start.problem.samples, found)
+    return _likeliest(start.problem.with_columns(columns), start)
+
+
+def _hidden(start: CircleStart, found: Vibration) -> dict[str | None, float]:
+    """Return the amplitudes, um, that may be undetected, by axis: what the search can miss, and the
+    amplitude in the fit ``start`` of a vibration that is not probable enough.
+    """
+    problem, fitted = start.problem, start.fitted
+    places = [i for i, name in enumerate(problem.names) if name.startswith("_vibration")]
+    value = fitted.values[np.isin(fitted.active, places)]
     most = float(np.sqrt(np.sum(value**2) / np.unique(problem.samples.run).size))
-    hidden = {**found.hidden, found.axis: max(found.hidden[found.axis], most)}
-    return None, Vibration(hidden=hidden)
+    return {**found.hidden, found.axis: max(found.hidden[found.axis], most)}

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from compwright.estimation.circle_cyclic import mean_position
 from compwright.estimation.circle_equations import CircleProblem
 from compwright.estimation.circle_fit import CircleFit
 from compwright.estimation.circle_reversal import CircleDraws
@@ -19,9 +20,9 @@ class Solution:
     """The causes fitted to a circular test: ``fitted`` for the most probable spike shapes,
     ``draws`` as random samples over all spike shapes.
 
-    ``frequencies``: frequency of the cyclic error, 1/mm, by axis. ``given``: axes whose frequency
-    was known and not searched. ``hidden``: amplitude, um, of a cyclic error that may have been
-    missed, by axis.
+    ``frequencies``: frequency of the columns of a cyclic error, 1/mm, by axis. ``given``: axes
+    whose frequency was known and not searched. ``hidden``: amplitude, um, of a cyclic error that
+    may have been missed, by axis.
     """
 
     problem: CircleProblem
@@ -37,6 +38,16 @@ class Solution:
         """Mean size of each cause that is in every model, by name."""
         mean = np.mean(self.draws.values, axis=0)
         return dict(zip(self.problem.names, (float(value) for value in mean), strict=True))
+
+    def cyclic_wave(self, axis: str) -> tuple[float, float]:
+        """Return the frequency of the cyclic error of an axis, 1/mm, and its phase at the centre of
+        the circle, deg (-180 to 180).
+        """
+        values, centre = self.values, mean_position(self.problem.samples, axis)
+        shift = values.get(f"_frequency_{axis}", 0.0)
+        wave = complex(values[f"_cyclic_cos_{axis}"], values[f"_cyclic_sin_{axis}"])
+        phase = np.angle(wave * np.exp(-2j * np.pi * shift * centre), deg=True)
+        return self.frequencies[axis] + shift, float(phase)
 
     @property
     def spikes(self) -> FloatArray:

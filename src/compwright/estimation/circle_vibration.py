@@ -55,9 +55,9 @@ class Vibration:
 
     ``frequency``: Hz; None without a clear vibration. ``axis``: the axis that vibrates, None if the
     bar vibrates along its length. ``hidden``: amplitude that may be undetected, by axis (None:
-    along the bar). ``strength``: power, mm². ``least``: a vibration is reported if its sum of
-    squared amplitudes, in units of their variances, reaches this value. ``density``: noise
-    variance, mm², at this frequency. ``step``: time between samples, s.
+    along the bar). ``strength``: power, mm². ``places``: number of independent frequencies, along
+    the bar and of both axes, among which it was found. ``density``: noise variance, mm², at this
+    frequency. ``step``: time between samples, s.
 
     ``amplitude`` and ``std_error``, um: those of a vibration that was fitted to the samples
     themselves, not to their means.
@@ -65,7 +65,7 @@ class Vibration:
 
     frequency: float | None = None
     hidden: Mapping[str | None, float] = field(default_factory=dict)
-    least: float = 0.0
+    places: float = 1.0
     axis: str | None = None
     strength: float = 0.0
     density: float = 0.0
@@ -115,7 +115,8 @@ def search_vibration(
     keep = (frequencies >= above) & (frequencies <= _FASTEST * 0.5 / step)
     if frequencies.size <= _AROUND * _OVERSAMPLING or not np.any(keep):
         return Vibration()
-    threshold = _threshold(3.0 * int(np.sum(keep)) / _OVERSAMPLING * 2.0, len(runs))
+    places = float(len(_DIRECTIONS) * np.sum(keep) / _OVERSAMPLING)
+    threshold = _threshold(2.0 * places, len(runs))
     shown = mean_share(frequencies[keep], step, samples.averaged)
     found, hidden, density = Vibration(), {}, np.zeros(0)
     for axis, turned in _DIRECTIONS.items():
@@ -146,7 +147,7 @@ def search_vibration(
         if strength > found.strength:
             found = Vibration(
                 frequency=_peak(frequencies, power, place),
-                least=2.0 * len(runs) * threshold,
+                places=places,
                 axis=axis,
                 strength=strength,
                 density=float(density[place]),
