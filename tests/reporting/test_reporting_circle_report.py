@@ -4,6 +4,7 @@ with what to do about them.
 
 from __future__ import annotations
 
+import io
 import json
 import math
 from dataclasses import replace
@@ -13,9 +14,11 @@ from xml.etree import ElementTree as ET
 
 import pytest
 import yaml
+from rich.console import Console
 
 from compwright.cli import run as compwright
 from compwright.documents.evaluation import in_short
+from compwright.records.circular import CIRCULAR_NAMES
 from compwright.reporting.cause_pictures import cause_pictures
 from compwright.reporting.causes import (
     _KINDS,
@@ -24,7 +27,7 @@ from compwright.reporting.causes import (
     ranked_causes,
     summed_causes,
 )
-from compwright.reporting.circle_report import _causes, _sums, _words
+from compwright.reporting.circle_report import _causes, _sums, _words, machine_block
 from compwright.reporting.circle_steps import job_lines, machine_job, next_step, steps_for
 from compwright.reporting.circular_parameters import parameter_words, printed_parameters
 from compwright.reporting.circular_tables import circular_tables
@@ -72,6 +75,44 @@ def test_what_the_software_printed_is_next_to_it() -> None:
     assert row(4.5) == ["4.50", "agrees"]  # 5.0 ± 0.3
     assert row(4.3) == ["4.30", "differs"]
     assert row(5.0, valid=False) == ["(5.00)", "not valid"]
+
+
+def test_a_plane_has_the_name_that_its_circle_has() -> None:
+    found = {"value": 60.1, "std_error": 0.1, "unit": "um/m", "correction": "correct"}
+    machine = {
+        "machine": None, "serial": None, "circles": ["zx"], "contradictions": [],
+        "causes": {"squareness": {"XZ": found}, "backlash": {}, "scale_error": {}},
+    }  # fmt: skip
+    block = machine_block(machine, [{**RESULT, "sources": [{"file": "zx.b5r"}]}])
+    assert str(block["table"]["rows"][0][0]) == "Squareness ZX"
+
+
+def test_nothing_is_done_about_less_than_the_resolution_of_a_ballbar() -> None:
+    """Readings in mm taken as µm: effects of 0.01 µm, all of them "large" shares."""
+    small = {"squareness": {**entry(0.05, 0.001, 0.01, 0.6), "unit": "um/m"},
+             "backlash_first": entry(0.01, 0.001, 0.01, 0.4)}  # fmt: skip
+    causes = ranked_causes({**RESULT, "diagnosis": small})
+    assert all(cause.shown for cause in causes)
+    assert steps_for(causes, AXES) == []
+    assert not any(cause.corrected for cause in causes)
+
+
+def test_doubts_come_first_at_the_terminal() -> None:
+    lines = [
+        {"code": code, "severity": "warning", "message": f"about {code}"}
+        for code in ("CW-D004", "CW-C015")
+    ]
+    console = Console(width=100, record=True, file=io.StringIO())
+    result = {
+        **RESULT, "name": "xy", "plane": "ZX", "standard": "iso230-4:2005", "sources": [],
+        "arc": {"extent": 360.0, "start": 0.0}, "calibrated": True, "nominal_radius": 150.0,
+        "feed": 1000.0, "centre": {"common": [0.0, 0.0]}, "not_applicable": {}, "findings": lines,
+        "parameters": dict.fromkeys(CIRCULAR_NAMES),
+    }  # fmt: skip
+    for table in circular_tables([result]):
+        console.print(table)
+    text = console.export_text()
+    assert text.index("CW-C015") < text.index("Cause, effect") < text.index("CW-D004")
 
 
 def test_a_value_whose_error_exceeds_both_is_too_uncertain_to_compare() -> None:
@@ -255,7 +296,7 @@ def test_no_name_of_a_key_is_on_the_page() -> None:
     assert str(parameter_words("F_max_cw_lsc")) == "F max cw, least-squares centre"
     message = say("CW-D001.cause", cause="scale_mismatch", factor=9, other="straightness_second")
     assert str(named_in_words(message, AXES)) == (
-        "Scale mismatch Z − X (standard error 9 times as large, because it cannot be separated from Straightness X)"
+        "Scale mismatch Z − X 9 × (resembles Straightness X)"
     )
     assert named_in_words("my_file.b5r", AXES) == "my_file.b5r"
 

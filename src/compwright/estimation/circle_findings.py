@@ -16,11 +16,12 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularEffect, CircularTest
-from compwright.words.sentences import say
+from compwright.words.sentences import Sentence, say
 
 #: A standard error so many times that of the cause alone is worth a word when the test is not a
 #: full circle both ways.
 _INFLATED: Final = 2.5
+_MOST_NAMED: Final = 4  # of such causes in one finding
 #: Standard errors beyond which a deviation is reported.
 _CLEAR: Final = 3.0
 
@@ -49,7 +50,8 @@ def _separation(
     an arc, or no reversal point of an axis.
     """
     samples, names = solution.problem.samples, solution.problem.names
-    order, poor = list(effects), []
+    order = list(effects)
+    poor: list[tuple[float, Sentence]] = []
     alone_of = dict(zip(solution.fitted.active, solution.fitted.information, strict=True))
     causes = [
         name
@@ -63,11 +65,12 @@ def _separation(
             others = [other for other in causes if other != name]
             row = np.abs(correlation[order.index(name)])
             other = max(others, key=lambda other: row[order.index(other)])
-            poor.append(say("CW-D001.cause", cause=name, factor=factor, other=other))
+            poor.append((factor, say("CW-D001.cause", cause=name, factor=factor, other=other)))
+    poorest = [words for _, words in sorted(poor, key=lambda each: -each[0])[:_MOST_NAMED]]
     if not samples.both_senses:
-        yield Finding.of("CW-D001", "warning", causes=poor)
+        yield Finding.of("CW-D001", "warning", causes=poorest)
     if not test.full_circle:
-        yield Finding.of("CW-D002", "warning", arc=test.arc[1], causes=poor)
+        yield Finding.of("CW-D002", "warning", arc=test.arc[1], causes=poorest)
     for axis, name in zip(AXES, test.axes, strict=True):
         ends = samples.reversals(axis)
         if not any(ends):

@@ -81,7 +81,11 @@ def report_effects(
     reasons = absent_causes(test, {cause.name for cause in causes}) | {
         cause.name: reason
         for cause in causes
-        if (reason := undetermined.get(cause.name) or cause.reason or _prior_reason(cause, samples))
+        if (
+            reason := undetermined.get(cause.name)
+            or cause.reason
+            or _prior_reason(cause, test, samples)
+        )
     }
     drawn = np.array([cause.drawn for cause in causes])
     covariance = np.atleast_2d(np.cov(drawn, bias=True))
@@ -116,7 +120,9 @@ def report_effects(
     return effects, correlation, reasons, diagnosis_findings(test, solution, effects, correlation)
 
 
-def _prior_reason(cause: ReportedCause, samples: CircleSamples) -> Sentence | None:
+def _prior_reason(
+    cause: ReportedCause, test: CircularTest, samples: CircleSamples
+) -> Sentence | None:
     try:
         width = prior_width(cause.name, samples.radius)
     except KeyError:
@@ -124,10 +130,9 @@ def _prior_reason(cause: ReportedCause, samples: CircleSamples) -> Sentence | No
     if cause.std_error <= _MOSTLY_PRIOR * width:
         return None
     unit = UNITS.get(cause.name, "um").replace("um", "µm")
-    error = 2.0 * cause.std_error
-    return by_full_circle(
-        say("undetermined.prior", value=cause.value, error=error, unit=unit, width=width)
-    )
+    error = cause.std_error
+    why = say("undetermined.prior", value=cause.value, error=error, unit=unit, width=width)
+    return why if test.full_circle and samples.both_senses else by_full_circle(why)
 
 
 def _causes(test: CircularTest, solution: Solution) -> Iterator[ReportedCause]:

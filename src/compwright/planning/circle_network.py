@@ -83,10 +83,11 @@ class CircleNetwork:
 
     ``values``: the machine errors, by the name of the unknown. ``contradictions``: the measured
     values that contradict each other, by kind and, for squareness and lost motion, by plane or
-    axis.
+    axis. ``planes``: the name of a plane in the tests, by its axes in alphabetical order.
     """
 
     circles: tuple[str, ...]
+    planes: Mapping[str, str]
     values: Mapping[Unknown, ValueWithError]
     contradictions: Mapping[tuple[str, str], tuple[Observation, ...]]
 
@@ -158,7 +159,9 @@ def solve_network(circles: Sequence[CircularResult]) -> CircleNetwork:
         name: ValueWithError(float(value), float(each))
         for name, value, each in zip(unknowns, centre + width * solution, errors, strict=True)
     }
-    return CircleNetwork(tuple(result.test.name for result in circles), values, contradictions)
+    planes = {"".join(sorted(each.test.axes)): "".join(each.test.axes) for each in circles}
+    names = tuple(each.test.name for each in circles)
+    return CircleNetwork(names, planes, values, contradictions)
 
 
 def _observations(result: CircularResult) -> Iterator[Observation]:
@@ -282,8 +285,12 @@ def squareness_contradiction(axes: tuple[str, str], values: Iterable[tuple[str, 
 
 
 def _machine(network: CircleNetwork) -> Iterator[Sentence]:
-    for kind, unit in (("squareness", "µm/m"), ("scale", "µm/m"), ("lost motion", "µm")):
-        for name, value in network.values_of(kind).items():
-            yield say("CW-P135.error", kind=kind, of=name, value=value.words(1.0, unit))
-    for name, loop in network.position_loops().items():
-        yield say("CW-P135.position_loop", axis=name, value=loop.words(1.0, "ms"))
+    kinds = (("squareness", "µm/m"), ("scale", "µm/m"), ("lost motion", "µm"))
+    found = [(kind, unit, network.values_of(kind)) for kind, unit in kinds]
+    for kind, unit, values in (*found, ("position loop", "ms", network.position_loops())):
+        each = [
+            say("CW-P135.value", of=network.planes.get(of, of), value=value.words(1.0, unit))
+            for of, value in values.items()
+        ]
+        if each:
+            yield say("CW-P135.error", kind=kind, values=each)

@@ -16,6 +16,8 @@ from compwright.words.sentences import Sentence, SentenceText, say
 #: named, not listed.
 LEAST_SHARE: Final = 0.01
 LEAST_EFFECT: Final = 0.005
+#: Below this effect (µm, the resolution of a ballbar) nothing is done about a cause.
+_LEAST_MENDED: Final = 0.1
 
 _UNITS: Final = {"um": "µm", "um/m": "µm/m", "ms": "ms"}
 _KINDS: Final = frozenset(
@@ -128,6 +130,11 @@ class CircleCause:
         return self.share >= LEAST_SHARE and self.effect >= LEAST_EFFECT
 
     @property
+    def large(self) -> bool:
+        """Whether the effect is large enough to do something about the cause."""
+        return self.shown and self.effect >= _LEAST_MENDED
+
+    @property
     def known(self) -> bool:
         """Whether the value is larger than twice its standard error. A vibration with a frequency
         was found, however uncertain its size is.
@@ -139,7 +146,7 @@ class CircleCause:
         """Whether `run` corrects the cause if the control can do so: its value is large and certain
         enough, for a squareness also by the rule of `correction_need`.
         """
-        return self.shown and self.known and self.correction in {None, "correct"}
+        return self.large and self.known and self.correction in {None, "correct"}
 
     @property
     def significant(self) -> bool:

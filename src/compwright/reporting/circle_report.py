@@ -61,8 +61,10 @@ def circle_page(result: Document, index: int, job: Sequence[str] | None = None) 
 def machine_block(machine: Document, results: Sequence[Document]) -> dict[str, Any]:
     """Return the report section with the common result of several circular tests of one machine."""
     rows = []
+    planes = {"".join(sorted(result["axes"])): "".join(result["axes"]) for result in results}
     for kind, found in machine["causes"].items():
-        for of, each in found.items():
+        for name, each in found.items():
+            of = planes.get(name, name)
             words = say("cause.kind", kind=kind, first=of, second="", axis=of)
             cause = CircleCause(
                 name=kind,

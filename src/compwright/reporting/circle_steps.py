@@ -35,7 +35,7 @@ def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Senten
     """Return the next steps for the most important significant causes, and a note that names causes
     too uncertain for a step.
     """
-    shown = [cause for cause in causes if cause.shown]
+    shown = [cause for cause in causes if cause.large]
     significant = significant_causes(causes)
     last = shown.index(significant[-1]) if significant else _MOST
     open_causes = [
@@ -64,7 +64,7 @@ def significant_causes(causes: Sequence[CircleCause]) -> list[CircleCause]:
     """Return the few significant causes with the largest effects, and each further significant
     cause with a large share of all effects.
     """
-    found = [cause for cause in causes if cause.shown and cause.significant]
+    found = [cause for cause in causes if cause.large and cause.significant]
     return found[:_MOST] + [cause for cause in found[_MOST:] if cause.share >= _LARGE]
 
 

@@ -14,6 +14,7 @@ from rich.console import Group, RenderableType
 from rich.rule import Rule
 from rich.table import Table
 
+from compwright.foundations.findings import DOUBTS
 from compwright.reporting.causes import (
     CircleCause,
     findings_in_words,
@@ -49,11 +50,12 @@ def machine_table(machine: Mapping[str, Any]) -> RenderableType:
 
 
 def _result(result: Mapping[str, Any]) -> RenderableType:
+    findings = findings_in_words(result)
+    doubts = [one for one in findings if one["code"] in DOUBTS and one["severity"] != "info"]
     parts: list[RenderableType] = [
         Rule(Text(_title(result), style="bold"), align="left", characters="─"),
+        *([*finding_lines(doubts), Text()] if doubts else []),
         *_facts(result),
-    ]
-    parts += [
         Text(),
         _parameters(result),
         *_printed(result),
@@ -61,8 +63,8 @@ def _result(result: Mapping[str, Any]) -> RenderableType:
         Text(),
         *_causes(result),
     ]
-    if result["findings"]:
-        parts += [Text(), *finding_lines(findings_in_words(result))]
+    if rest := [one for one in findings if one not in doubts]:
+        parts += [Text(), *finding_lines(rest)]
     return Group(*parts, Text())
 
 

@@ -172,6 +172,11 @@ _OF_CIRCLES = {
     "backlash_second": "µm",
     "servo_mismatch": "ms",
 }
+#: A circle of a prediction does not name its axes.
+_LOST_MOTION: Final = {
+    "backlash_first": "lost motion, first axis",
+    "backlash_second": "lost motion, second axis",
+}
 
 
 def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
@@ -196,7 +201,12 @@ def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
             measured = [number(after.get(key), decimals)] if after else []
             limit = _decision(accept.get(key)) if accept else ()
             table.add_row(
-                key.replace("_", " "), number(value, decimals), *cells, *measured, unit, *limit
+                _LOST_MOTION.get(key, key.replace("_", " ")),
+                number(value, decimals),
+                *cells,
+                *measured,
+                unit,
+                *limit,
             )
         shown += [
             Rule(Text(f"circle {name}", style="bold"), align="left", characters="─"),

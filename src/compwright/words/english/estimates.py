@@ -6,17 +6,14 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-D001": (
-        "only one direction was measured, so causes of deviation that depend on the direction"
-        " cannot be separated from the others. Standard errors that become larger because of this:"
-        " {causes:if|{causes}|none}"
+        "only one direction was measured. Causes of deviation that depend on the direction"
+        " cannot be separated from the others. Standard errors that are larger:"
+        " {causes:if|{causes:join|; }|none}"
     ),
-    "CW-D001.cause": (
-        "{cause} (standard error {factor:.0f} times as large, because it cannot be"
-        " separated from {other})"
-    ),
+    "CW-D001.cause": "{cause} {factor:.0f} × (resembles {other})",
     "CW-D002": (
         "an arc of {arc:g}° separates the causes of deviation less well than a full circle."
-        " Standard errors that become larger because of this: {causes:if|{causes}|none}"
+        " Standard errors that are larger: {causes:if|{causes:join|; }|none}"
     ),
     "CW-D003": (
         "the length of the bar was not calibrated, so the scale of single axes is not given. Only"

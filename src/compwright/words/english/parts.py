@@ -108,6 +108,8 @@ SENTENCES: Final[dict[str, str]] = {
         " below half of the value and below {most:g} µm/m. Measure full circles in both directions,"
         " and give all of them. The squareness of bent guideways needs a square"
     ),
-    "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
+    "value_with_error": (
+        "{unit:choose|µm/m={value:+.1f} ± {error:.1f}|={value:+.2f} ± {error:.2f}} {unit}"
+    ),
     "with_and_without": "{parameter}: {value} with these readings, {without} without them",
 }

@@ -70,8 +70,8 @@ SENTENCES: Final[dict[str, str]] = {
         " the axis to be corrected as AXIS."
     ),
     "CW-P109": (
-        "{plane}: the squareness is {squareness} according to {tests}. To correct it, axis"
-        " {output} is moved as a function of axis {input}."
+        "{plane}: the squareness is {squareness} according to {tests}. A correction"
+        " moves axis {output} as a function of axis {input}."
     ),
     "CW-P110": (
         "Plane {plane}: the circles contradict each other about the squareness (µm/m: {values})."
@@ -206,13 +206,14 @@ SENTENCES: Final[dict[str, str]] = {
         " Measure a full circle in both directions, or decide by the test after loading."
     ),
     "CW-P135": (
-        "Circles {circles}, evaluated together, show: {machine:if|{machine}|no error of the"
-        " machine}."
+        "Circles {circles} together. {machine:if|{machine:join| }|They show no error of the"
+        " machine.}"
     ),
     "CW-P135.error": (
-        "{kind:choose|squareness=squareness|scale=scale|lost motion=lost motion} of {of} {value}"
+        "{kind:choose|squareness=Squareness|scale=Scale|lost motion=Lost motion|position"
+        " loop=Time constant of the position loop}: {values}."
     ),
-    "CW-P135.position_loop": "time constant of the position loop of {axis} {value}",
+    "CW-P135.value": "{of} {value}",
     "CW-P136": (
         "{kind:choose|squareness=Squareness|scale=Scale|lost motion=Lost motion|servo"
         " mismatch=Servo mismatch}: the circles contradict each other ({values}). Either the"

@@ -13,8 +13,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-C001.run": "{direction} run {run}",
     "CW-C002": (
         "Only the {direction} direction was measured. So there are no parameters of both"
-        " directions, and squareness, servo mismatch and lost motion cannot be separated. Measure"
-        " the other direction too."
+        " directions, and squareness and servo mismatch cannot be separated. Measure the other"
+        " direction too."
     ),
     "CW-C003": (
         "The length of the bar was not calibrated, so the radial deviation F is not given. D, and"

@@ -6,13 +6,13 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-D001": (
-        "un seul sens a été mesuré, donc les causes qui dépendent du sens ne peuvent être séparées"
-        " des autres. Causes dont l'erreur type augmente de ce fait : {causes:if|{causes}|aucune}"
+        "un seul sens a été mesuré. Les causes qui dépendent du sens ne peuvent être séparées"
+        " des autres. Erreurs types plus grandes : {causes:if|{causes:join| ; }|aucune}"
     ),
-    "CW-D001.cause": "{cause} (erreur type fois {factor:.0f}, inséparable de {other})",
+    "CW-D001.cause": "{cause} {factor:.0f} × (ressemble à : {other})",
     "CW-D002": (
-        "un arc de {arc:g}° sépare moins bien les causes qu'un cercle complet. Causes dont l'erreur"
-        " type augmente de ce fait : {causes:if|{causes}|aucune}"
+        "un arc de {arc:g}° sépare moins bien les causes qu'un cercle complet. Erreurs types"
+        " plus grandes : {causes:if|{causes:join| ; }|aucune}"
     ),
     "CW-D003": (
         "la longueur de l'instrument n'était pas étalonnée, donc l'échelle des axes seuls n'est"

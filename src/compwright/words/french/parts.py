@@ -115,6 +115,8 @@ SENTENCES: Final[dict[str, str]] = {
         " dans les deux sens, et les donner tous. La perpendicularité de guidages courbes"
         " demande une équerre"
     ),
-    "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
+    "value_with_error": (
+        "{unit:choose|µm/m={value:+.1f} ± {error:.1f}|={value:+.2f} ± {error:.2f}} {unit}"
+    ),
     "with_and_without": "{parameter} {value} avec, {without} sans",
 }

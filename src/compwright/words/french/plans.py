@@ -71,8 +71,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {{{plane}: AXE}}}}` avec l'axe à corriger comme AXE."
     ),
     "CW-P109": (
-        "{plane} : la perpendicularité est de {squareness} d'après {tests}. Pour la corriger,"
-        " l'axe {output} est déplacé en fonction de l'axe {input}."
+        "{plane} : la perpendicularité est de {squareness} d'après {tests}. Une correction déplace"
+        " l'axe {output} en fonction de l'axe {input}."
     ),
     "CW-P110": (
         "Plan {plane} : les cercles se contredisent sur la perpendicularité (µm/m : {values})."
@@ -205,14 +205,14 @@ SENTENCES: Final[dict[str, str]] = {
         " Mesurer un cercle entier dans les deux sens, ou décider d'après l'essai après chargement."
     ),
     "CW-P135": (
-        "Cercles {circles}, évalués ensemble, montrent : {machine:if|{machine}|aucune erreur de"
-        " la machine}."
+        "Cercles {circles} ensemble. {machine:if|{machine:join| }|Ils ne montrent aucune erreur"
+        " de la machine.}"
     ),
     "CW-P135.error": (
-        "{kind:choose|squareness=perpendicularité|scale=échelle|lost motion=jeu à l'inversion} de"
-        " {of} {value}"
+        "{kind:choose|squareness=Perpendicularité|scale=Échelle|lost motion=Jeu à"
+        " l'inversion|position loop=Constante de temps de la boucle de position} : {values}."
     ),
-    "CW-P135.position_loop": "constante de temps de la boucle de position de {axis} {value}",
+    "CW-P135.value": "{of} {value}",
     "CW-P136": (
         "{kind:choose|squareness=Perpendicularité|scale=Échelle|lost motion=Jeu à"
         " l'inversion|servo mismatch=Différence d'asservissement} : les cercles se contredisent"

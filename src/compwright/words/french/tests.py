@@ -13,8 +13,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-C001.run": "{direction} parcours {run}",
     "CW-C002": (
         "Seul le sens {direction} a été mesuré. Il n'y a donc pas de paramètres des deux sens, et"
-        " perpendicularité, différence d'asservissement et jeu à l'inversion ne peuvent être"
-        " séparés. Mesurer aussi l'autre sens."
+        " perpendicularité et différence d'asservissement ne peuvent être séparées."
+        " Mesurer aussi l'autre sens."
     ),
     "CW-C003": (
         "La longueur de l'instrument n'était pas étalonnée, donc l'écart radial F n'est pas"

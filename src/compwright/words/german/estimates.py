@@ -6,14 +6,14 @@ from typing import Final
 
 SENTENCES: Final[dict[str, str]] = {
     "CW-D001": (
-        "nur eine Richtung wurde gemessen, deshalb lassen sich Ursachen, die von der Richtung"
-        " abhängen, nicht von den anderen trennen. Ursachen, deren Standardfehler dadurch größer"
-        " werden: {causes:if|{causes}|keine}"
+        "nur eine Richtung wurde gemessen. Ursachen, die von der Richtung abhängen, lassen sich"
+        " nicht von den anderen trennen. Größere Standardfehler: {causes:if|{causes:join|;"
+        " }|keine}"
     ),
-    "CW-D001.cause": "{cause} (Standardfehler mal {factor:.0f}, nicht trennbar von {other})",
+    "CW-D001.cause": "{cause} {factor:.0f} × (ähnelt: {other})",
     "CW-D002": (
-        "ein Bogen von {arc:g}° trennt die Ursachen schlechter als ein Vollkreis. Ursachen, deren"
-        " Standardfehler dadurch größer werden: {causes:if|{causes}|keine}"
+        "ein Bogen von {arc:g}° trennt die Ursachen schlechter als ein Vollkreis. Größere"
+        " Standardfehler: {causes:if|{causes:join|; }|keine}"
     ),
     "CW-D003": (
         "die Länge des Messgeräts war nicht kalibriert, deshalb wird der Maßstab einzelner Achsen"

@@ -112,6 +112,8 @@ SENTENCES: Final[dict[str, str]] = {
         " Richtungen messen und alle angeben. Die Rechtwinkligkeit krummer Führungen braucht einen"
         " Winkel"
     ),
-    "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
+    "value_with_error": (
+        "{unit:choose|µm/m={value:+.1f} ± {error:.1f}|={value:+.2f} ± {error:.2f}} {unit}"
+    ),
     "with_and_without": "{parameter} {value} mit, {without} ohne",
 }

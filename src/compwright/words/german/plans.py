@@ -80,8 +80,8 @@ SENTENCES: Final[dict[str, str]] = {
         " ACHSE}}}}` mit der zu korrigierenden Achse als ACHSE angeben."
     ),
     "CW-P109": (
-        "{plane}: Die Rechtwinkligkeit ist {squareness} nach {tests}. Zur Korrektur wird Achse"
-        " {output} abhängig von Achse {input} bewegt."
+        "{plane}: Die Rechtwinkligkeit ist {squareness} nach {tests}. Eine Korrektur bewegt Achse"
+        " {output} abhängig von Achse {input}."
     ),
     "CW-P110": (
         "Ebene {plane}: Die Kreise widersprechen sich in der Rechtwinkligkeit (µm/m: {values})."
@@ -219,14 +219,14 @@ SENTENCES: Final[dict[str, str]] = {
         " der Prüfung nach dem Laden entscheiden."
     ),
     "CW-P135": (
-        "Kreise {circles}, gemeinsam ausgewertet, zeigen: {machine:if|{machine}|keinen Fehler der"
-        " Maschine}."
+        "Kreise {circles} gemeinsam. {machine:if|{machine:join| }|Sie zeigen keinen Fehler der"
+        " Maschine.}"
     ),
     "CW-P135.error": (
-        "{kind:choose|squareness=Rechtwinkligkeit|scale=Maßstab|lost motion=Umkehrspiel} von {of}"
-        " {value}"
+        "{kind:choose|squareness=Rechtwinkligkeit|scale=Maßstab|lost"
+        " motion=Umkehrspiel|position loop=Zeitkonstante der Lageregelung}: {values}."
     ),
-    "CW-P135.position_loop": "Zeitkonstante der Lageregelung von {axis} {value}",
+    "CW-P135.value": "{of} {value}",
     "CW-P136": (
         "{kind:choose|squareness=Rechtwinkligkeit|scale=Maßstab|lost motion=Umkehrspiel|servo"
         " mismatch=Unterschied der Lageregelung}: Die Kreise widersprechen sich ({values})."

@@ -13,7 +13,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-C001.run": "{direction} Lauf {run}",
     "CW-C002": (
         "Nur die Richtung {direction} wurde gemessen. Kennwerte beider Richtungen gibt es deshalb"
-        " nicht, und Rechtwinkligkeit, Unterschied der Lageregelung und Umkehrspiel lassen sich"
+        " nicht, und Rechtwinkligkeit und Unterschied der Lageregelung lassen sich"
         " nicht trennen. Auch die andere Richtung messen."
     ),
     "CW-C003": (

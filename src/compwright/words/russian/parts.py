@@ -111,6 +111,8 @@ SENTENCES: Final[dict[str, str]] = {
         " быть меньше половины значения и меньше {most:g} мкм/м. Измерьте полные окружности в обоих"
         " направлениях и дайте их все. Для перпендикулярности изогнутых направляющих нужен угольник"
     ),
-    "value_with_error": "{value:+.1f} ± {error:.1f} {unit}",
+    "value_with_error": (
+        "{unit:choose|µm/m={value:+.1f} ± {error:.1f}|={value:+.2f} ± {error:.2f}} {unit}"
+    ),
     "with_and_without": "{parameter} {value} с ними, {without} без них",
 }
