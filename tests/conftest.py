@@ -1,13 +1,14 @@
 """For all tests: pages hold empty frames for figures of circles unless a module or a test says
-`pytest.mark.real_figures`; those about the control's files say `pytest.mark.short_estimate`; random
+`pytest.mark.real_pages`; those about the control's files say `pytest.mark.short_estimate`; random
 cases have fixed seeds.
 
 Circles are looked at in the tests of the reporting room, of the examples and of the plots that
-`evaluate` writes. Most of the time of a run is sampling. Where a measured axis or circle is only the
-way to a control's files, the same stages run with fewer sweeps and fewer fresh tests; what the
-estimate and the prediction say is tested where nothing is brief. Commands estimate the same readings
-and fit the same table once, but in tests that ask for it afresh. Fixed seeds: a test fails every
-time or never; new cases are tried in ``benchmarks/``.
+`evaluate` writes. Where a measured axis or circle is only the way to a control's files, the same
+stages run with fewer sweeps and fewer fresh tests, the report is an empty frame, and no file is
+tried alone for the card (frames.py); what the estimate and the prediction say is tested where
+nothing is brief. Commands estimate the same readings and fit the same table once, but in tests that
+ask for it afresh. Fixed seeds: a test fails every time or never; new cases are tried in
+``benchmarks/``.
 
 No power fails while tests run: nothing waits until it is on the disk. Processes that tests start
 share what one of them has compiled, also where nothing is to be written beside the modules.
@@ -50,7 +51,7 @@ from compwright.planning import (
     wanted_correction,
 )
 from compwright.verification import likelihood as after_tests
-from frames import paint, unpaint
+from frames import frame
 from skips import skipped_line
 
 
@@ -69,8 +70,7 @@ _SAMPLING: Final = (
     (simulated_repeat_tests, "_FEWEST_DRAWS", 160),
     (simulated_repeat_tests, "_SETS", 2),
     (circles, "DRAWS", 12),
-    (point_count_tradeoff, "_SIZES", 2),
-    (point_count_tradeoff, "_MOST", 60),
+    (point_count_tradeoff, "_SIZES", 0),
     # A coarser grid where periods are looked for, and fewer that may be hidden.
     (period_likelihood, "_SMOOTH_STEP", 1.4),
     (period_likelihood, "_LENGTH_STEP", 0.9),
@@ -138,30 +138,35 @@ def compiled(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
 
 @pytest.fixture(autouse=True, scope="module")
 def of_module(request: pytest.FixtureRequest) -> Iterator[None]:
-    """Let tests of a module sample and paint as its marks say."""
+    """Let tests of a module sample and make pages as its marks say."""
     with pytest.MonkeyPatch.context() as patch:
-        if not request.node.get_closest_marker("real_figures"):
-            unpaint(patch)
-        _sample(patch, brief=request.node.get_closest_marker("short_estimate") is not None)
+        _shorten(patch, request.node, brief=_has(request.node, "short_estimate"))
         yield
 
 
 @pytest.fixture(autouse=True)
 def of_test(request: pytest.FixtureRequest) -> Iterator[None]:
-    """Let one test sample and paint as its own marks say: a fixture of the module does not see
+    """Let one test sample and make pages as its own marks say: a fixture of the module does not see
     them.
     """
-    marks = {mark.name for mark in request.node.own_markers}
+    test = request.node
+    marks = {mark.name for mark in test.own_markers}
     with pytest.MonkeyPatch.context() as patch:
-        if "real_figures" in marks:
-            paint(patch)
-        if marks & {"short_estimate", "full_estimate"}:
-            _sample(patch, brief="short_estimate" in marks)
+        if marks & {"short_estimate", "full_estimate", "real_pages"}:
+            brief = _has(test, "short_estimate") and "full_estimate" not in marks
+            _shorten(patch, test, brief=brief)
         yield
 
 
-def _sample(patch: pytest.MonkeyPatch, *, brief: bool) -> None:
-    """Estimate the same readings once; where ``brief``, sample less."""
+def _has(node: pytest.Item | pytest.Collector, mark: str) -> bool:
+    return node.get_closest_marker(mark) is not None
+
+
+def _shorten(
+    patch: pytest.MonkeyPatch, node: pytest.Item | pytest.Collector, *, brief: bool
+) -> None:
+    """Estimate the same readings once; where ``brief``, sample less and make fewer pages."""
+    frame(patch, real=_has(node, "real_pages"), brief=brief)
     for (room, name, less), whole in zip(_SAMPLING, _WHOLE, strict=True):
         patch.setattr(room, name, less if brief else whole)
     for room, name, function in _BRIEF_ESTIMATES if brief else _WHOLE_ESTIMATES:

@@ -66,6 +66,7 @@ def test_every_code_is_a_doubt_a_result_or_a_remark_as_its_page_says() -> None:
 # ---------------------------------------------------------------- run
 
 
+@pytest.mark.real_pages
 def test_a_turned_sign_leaves_limits_undecided_until_it_is_acknowledged(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -85,6 +86,7 @@ def test_a_turned_sign_leaves_limits_undecided_until_it_is_acknowledged(
         assert reason in (tmp_path / "job" / page).read_text(), page
 
 
+@pytest.mark.real_pages
 def test_a_file_that_lost_rows_is_undecided_without_any_limit(tmp_path: Path) -> None:
     """Every second row is gone: each target is left with some of its ten readings."""
     lines = csv_of(TARGETS, READINGS).splitlines(keepends=True)
@@ -112,6 +114,7 @@ def test_a_few_lost_readings_are_no_cut_file(tmp_path: Path) -> None:
     assert (code, document["doubts"]) == (0, [])
 
 
+@pytest.mark.real_pages
 def test_an_acknowledgement_that_nothing_needs_is_reported(tmp_path: Path) -> None:
     (tmp_path / "x.csv").write_text(csv_of(TARGETS, READINGS))
     path = job(tmp_path, "acknowledged: {CW-T031: coarse display}\n")

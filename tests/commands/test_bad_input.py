@@ -409,6 +409,7 @@ def test_without_the_state_of_the_control_there_are_no_tables(
     )
 
 
+@pytest.mark.real_pages
 def test_without_the_report_extra_the_rest_is_written(
     folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

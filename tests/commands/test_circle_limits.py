@@ -235,6 +235,7 @@ def run(folder: Path, accept: str, more: str = "") -> tuple[int, str, Any]:
     return code, told, json.loads(answer.read_text(encoding="utf-8")) if answer.exists() else None
 
 
+@pytest.mark.real_pages
 def test_limits_decide_the_exit_code_and_the_page(tmp_path: Path) -> None:
     G = (RESULT.parameters["G_bidirectional"] or 0.0) / UM
     code, told, answer = run(tmp_path, f"{{G_bidirectional: {2 * G:.3f}, D: 100}}")

@@ -29,7 +29,7 @@ PAGES = {
 WRITTEN = [page for page in sorted(DOCS.rglob("*.md")) if "reference" not in page.parts]
 
 
-@pytest.mark.real_figures
+@pytest.mark.real_pages
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_the_page_is_what_a_reader_gets(
     page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

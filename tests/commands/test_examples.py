@@ -17,7 +17,7 @@ from compwright.cli import run as compwright
 from compwright.jobs.reading import read_job
 from places import PROJECT
 
-pytestmark = pytest.mark.real_figures
+pytestmark = pytest.mark.real_pages
 
 EXAMPLES = PROJECT / "examples"
 #: Folder -> exit code of run, format, after files of the loop (empty where the machine is not

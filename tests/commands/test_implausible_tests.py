@@ -169,6 +169,7 @@ def test_one_measurement_given_twice_is_refused(
 # ---------------------------------------------------------------- doubts
 
 
+@pytest.mark.real_pages
 def test_swapped_directions_stand_first_everywhere(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -192,6 +193,7 @@ def test_swapped_directions_stand_first_everywhere(
     assert shown.index("swapped") < shown.index("Accuracy")
 
 
+@pytest.mark.real_pages
 def test_a_doubt_leaves_limits_undecided(tmp_path: Path) -> None:
     targets, values = readings()
     write(tmp_path / "x.csv", targets, {1: values[-1], -1: values[1]})

@@ -19,7 +19,7 @@ from test_inputs_stay import tree
 from compwright.cli import run as compwright
 from compwright.instruments.header_words import stated_unit
 
-pytestmark = pytest.mark.short_estimate
+pytestmark = [pytest.mark.short_estimate, pytest.mark.real_pages]
 
 HALL = "Prüfung Halle 3"
 SHEET = f"{HALL}/X Achse – vorher.csv"

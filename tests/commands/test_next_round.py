@@ -44,10 +44,9 @@ from compwright.workflow.verify.next_round import (
     refuse_later_rounds,
 )
 from compwright.workflow.verify.verified_axis import verified_axis
-from frames import unpaint
 from loop import Floats, Machine, accuracy, allowed, csv_of
 
-pytestmark = pytest.mark.short_estimate
+pytestmark = [pytest.mark.short_estimate, pytest.mark.real_pages]
 
 ADDRESSES = {"linuxcnc": ("0", "1"), "siemens-840d-sl": ("AX1", "AX2")}
 MACHINES = {"X": Machine(bow=0.008), "Y": Machine(slope=-30e-6, bow=0.008, lost=0.003)}
@@ -139,7 +138,6 @@ def rounds(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
     job = written_job(folder, format_id, "X")
     out, documents, values = folder / "job", [], []
     with pytest.MonkeyPatch.context() as patched:
-        unpaint(patched)
         patched.setattr(verify, "verified_axis", _all_loaded(verified_axis))
         assert compwright(["run", str(job)]) == 0
         for number in (1, 2):
@@ -269,9 +267,7 @@ def pair(tmp_path_factory: pytest.TempPathFactory) -> Pair:
     for number, axis in enumerate(MACHINES):
         measured(folder / f"{axis.lower()}.csv", axis, FEW, 1 + number, None)
     job = written_job(folder, "linuxcnc", "XY")
-    with pytest.MonkeyPatch.context() as patched:
-        unpaint(patched)
-        assert compwright(["run", str(job)]) == 0
+    assert compwright(["run", str(job)]) == 0
     control = folder / "control"
     shutil.copytree(folder / "job" / "tables" / "linuxcnc", control)
     after = [
@@ -433,9 +429,7 @@ def test_an_axis_that_is_well_goes_on_alone(pair: Pair, other: str | None) -> No
 @pytest.fixture(scope="module")
 def made(pair: Pair) -> Round:
     """The next round where both axes are well."""
-    with pytest.MonkeyPatch.context() as patched:
-        unpaint(patched)
-        return pair.next()
+    return pair.next()
 
 
 def test_several_tests_keep_their_names_and_states(made: Round) -> None:

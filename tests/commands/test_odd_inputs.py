@@ -26,7 +26,7 @@ from compwright.foundations.utf8 import visible
 from loop import Machine, csv_of
 from places import PROJECT
 
-pytestmark = pytest.mark.short_estimate
+pytestmark = [pytest.mark.short_estimate, pytest.mark.real_pages]
 
 CONTROL = "siemens-840d-sl"
 JOB = """\

@@ -15,7 +15,7 @@ from compwright.cli import run as compwright
 from compwright.reporting.pdf import pdf_of_page
 from loop import Machine, csv_of
 
-pytestmark = pytest.mark.short_estimate
+pytestmark = [pytest.mark.short_estimate, pytest.mark.real_pages]
 
 JOB = """\
 compwright: 1

@@ -17,6 +17,7 @@ TARGETS = Machine().targets(9)
 
 
 @pytest.mark.parametrize("thermal", ["", "thermal: {alpha_m: 11.5, T_m: 22.0, x_fix: 100}\n"])
+@pytest.mark.real_pages
 def test_single_readings_are_those_of_the_file(tmp_path: Path, thermal: str) -> None:
     """2 K above 20 °C: 23 µm/m are taken off, from 100 mm on (ISO 230-2, 3.1)."""
     readings = Machine().measure(TARGETS, 1)

@@ -124,6 +124,7 @@ def test_the_prediction_has_the_keys_of_the_contract(folder: Path) -> None:
 
 
 @pytest.mark.usefixtures("afresh")
+@pytest.mark.real_pages
 def test_the_same_input_gives_the_same_bytes(folder: Path) -> None:
     path = str(job(folder))
     for name in ("one", "two"):
@@ -770,6 +771,7 @@ def test_both_axes_of_a_gantry_get_the_table(
 @pytest.mark.parametrize(
     ("limit", "decision"), [(20, "undecided"), (30, "accept"), (1, "undecided"), (3, "undecided")]
 )
+@pytest.mark.real_pages
 def test_a_guarded_prediction_uses_the_uncertainty(
     folder: Path, limit: float, decision: str
 ) -> None:
@@ -942,6 +944,7 @@ def test_a_known_wave_that_the_targets_show_as_a_longer_one_leaves_a_limit_undec
         ),
     ],
 )
+@pytest.mark.real_pages
 def test_a_guarded_decision_that_lacks_its_uncertainty_says_what_to_give(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], axis: str, extra: str, told: str
 ) -> None:

@@ -1018,6 +1018,7 @@ def test_what_is_not_needed_is_no_failure(
 # --- a circle that the tables make worse
 
 
+@pytest.mark.real_pages
 def test_a_circle_that_gets_worse_leaves_the_result_undecided(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

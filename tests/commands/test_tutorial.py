@@ -44,7 +44,7 @@ def agrees(said: str, found: str) -> bool:
     return re.fullmatch(pattern, found) is not None
 
 
-@pytest.mark.real_figures
+@pytest.mark.real_pages
 def test_the_tutorial_is_what_a_reader_gets(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

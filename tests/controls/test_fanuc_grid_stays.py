@@ -147,6 +147,7 @@ def test_an_interval_below_the_rule_for_its_feed_stays_and_is_told(tmp_path: Pat
 
 
 @pytest.mark.full_estimate
+@pytest.mark.real_pages
 def test_a_gain_is_offered_with_its_numbers(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -14,7 +14,7 @@ from harm_command import REFUSED, card_of, command
 from harm_measuring import Axis, measure, write_csv
 from places import REAL, needs_shared
 
-pytestmark = [pytest.mark.full_estimate, needs_shared]
+pytestmark = [pytest.mark.short_estimate, pytest.mark.real_pages, needs_shared]
 
 ARCHIVE = REAL / "siemens" / "dmu_840d_sl.arc"
 FORMAT = "siemens-840d-sl"

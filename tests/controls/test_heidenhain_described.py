@@ -255,6 +255,7 @@ def test_where_the_table_has_no_place_the_sheet_comes_as_before(
     assert not (folder / "job" / "tables").exists()
 
 
+@pytest.mark.real_pages
 def test_an_axis_without_a_table_in_the_active_line_gets_the_sheet(
     folder: Path,  # noqa: F811
     capsys: pytest.CaptureFixture[str],

@@ -105,6 +105,7 @@ def told(capsys: pytest.CaptureFixture[str]) -> list[str]:
 # --- a run
 
 
+@pytest.mark.real_pages
 def test_a_definition_of_ones_own_runs_and_everything_says_that_nobody_judged_it(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -18,7 +18,7 @@ from test_fanuc_backup_honoured import POINTS, Bench, added, data, error, said
 
 from compwright.cli import run as compwright
 
-pytestmark = pytest.mark.short_estimate
+pytestmark = [pytest.mark.short_estimate, pytest.mark.real_pages]
 
 
 class NoisyBench(Bench):

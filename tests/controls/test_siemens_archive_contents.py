@@ -88,6 +88,7 @@ def test_the_members_of_a_real_archive_agree() -> None:
     assert "MAX_POINTS[1,AX1]" in str(active_files(edited).faults[0])
 
 
+@pytest.mark.real_pages
 def test_that_the_contents_are_not_verified_is_said_and_compared(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

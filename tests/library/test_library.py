@@ -36,7 +36,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return copy
 
 
-@pytest.mark.real_figures
+@pytest.mark.real_pages
 @pytest.mark.full_estimate
 def test_page_is_what_a_reader_gets(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("pandas")
@@ -58,7 +58,7 @@ def test_page_is_what_a_reader_gets(tmp_path: Path, monkeypatch: pytest.MonkeyPa
         assert f"cw.{name}" in text, f"docs/tutorials/library.md shows no example of {name}"
 
 
-@pytest.mark.real_figures
+@pytest.mark.real_pages
 @pytest.mark.full_estimate
 def test_notebook_runs_from_top_to_bottom(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     shutil.copytree(EXAMPLE, tmp_path / "machine")

@@ -59,6 +59,7 @@ def test_it_is_a_doubt_and_the_difference_of_files_is_none() -> None:
     assert "CW-P163" not in DOUBTS
 
 
+@pytest.mark.real_pages
 def test_on_in_the_file_and_nothing_in_the_state(tmp_path: Path) -> None:
     code, prediction = run(tmp_path, ["# compensation: on\n"])
     (message,) = doubts(prediction)
@@ -118,6 +119,7 @@ def test_off_in_the_file_and_an_active_backlash_in_the_state(tmp_path: Path) -> 
     assert doubts(prediction) == []
 
 
+@pytest.mark.real_pages
 def test_files_of_one_test_that_differ_are_named(tmp_path: Path) -> None:
     texts = [
         "# compensation: off\n# operator: Ada\n# serial: 7\n",

@@ -364,6 +364,7 @@ def test_what_acted_during_the_test_is_taken_off_every_size() -> None:
     assert [one.median / UM for one in worth_of(work)] == pytest.approx([0.0] * 8, abs=0.01)
 
 
+@pytest.mark.full_estimate
 def test_nothing_is_shown_where_there_is_nothing_to_choose() -> None:
     known = both(lambda x: 40 * UM * (x / 1000.0) ** 2)
     work = fitted(known, spacing=50.0)
@@ -372,6 +373,7 @@ def test_nothing_is_shown_where_there_is_nothing_to_choose() -> None:
     assert worth_of(only) == []
 
 
+@pytest.mark.full_estimate
 def test_the_grid_that_is_there_is_marked() -> None:
     known = both(lambda x: 40 * UM * (x / 1000.0) ** 2)
     work = fitted(known, spacing=50.0, there=(0.0, 250.0, 500.0, 750.0, 1000.0))

@@ -25,7 +25,7 @@ from compwright.reporting.panels import known_format
 from compwright.reporting.plots import evaluation_plot
 from compwright.reporting.run_report import run_report
 from compwright.reporting.verify_report import verify_report
-from frames import unpaint
+from frames import frame
 from places import PROJECT, needs_shared
 from reporting_samples import (
     made_up,
@@ -37,7 +37,7 @@ from reporting_samples import (
     verify_view,
 )
 
-pytestmark = pytest.mark.real_figures
+pytestmark = pytest.mark.real_pages
 
 HOSTILE = "<script>alert('x')</script> & \"$\\frac{1}{0}$\" \x00\x0b\ud800\uffff\nnext"
 EXACT = 1e-9  # µm: a number that only passes through
@@ -280,7 +280,7 @@ def test_nothing_to_plot_is_said(results: list[dict[str, Any]]) -> None:
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pages with an empty figure instead of each plot, where a test is about words and numbers."""
-    unpaint(monkeypatch)
+    frame(monkeypatch, real=False, brief=False)
 
 
 words_only = pytest.mark.usefixtures("quick")

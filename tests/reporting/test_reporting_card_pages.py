@@ -86,6 +86,7 @@ def test_a_page_for_the_control_and_one_for_each_axis(
     assert max(pages.values()) <= 1 + count, pages
 
 
+@pytest.mark.real_pages
 def test_entries_of_a_backup_do_not_need_another_page(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -31,7 +31,7 @@ from compwright.reporting.verify_report import verify_report
 from places import STANDARD_TABLES, needs_shared
 from reporting_samples import made_up, run_view, verify_view
 
-pytestmark = pytest.mark.real_figures
+pytestmark = pytest.mark.real_pages
 
 HOSTILE = (
     "#import \"x\": * $x^2$ <label> @ref [b] *b* _i_ `c` // /* \\u{41} \\ ~ --- 'q' & </script>"

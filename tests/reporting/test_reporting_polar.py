@@ -34,7 +34,7 @@ from compwright.reporting.circle_figures import (
 )
 from compwright.reporting.plots import evaluation_plot
 
-pytestmark = pytest.mark.real_figures
+pytestmark = pytest.mark.real_pages
 
 RADIUS = 100.0
 #: µm. Points are laid by geometry in double precision.

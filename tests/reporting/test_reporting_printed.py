@@ -20,7 +20,7 @@ from reporting_samples import made_up, run_view, sample_card, verify_view
 BROWSER = shutil.which("chromium") or shutil.which("chromium-browser")
 
 pytestmark = [
-    pytest.mark.real_figures,
+    pytest.mark.real_pages,
     pytest.mark.skipif(BROWSER is None, reason="no chromium to print pages with"),
 ]
 

@@ -27,7 +27,7 @@ from loop import Machine, csv_of
 from places import PROJECT, REAL, needs_shared
 from reporting_samples import english_words, run_view, verify_view
 
-pytestmark = [pytest.mark.short_estimate, pytest.mark.real_figures]
+pytestmark = [pytest.mark.short_estimate, pytest.mark.real_pages]
 
 LANGUAGES = ("de", "fr", "ru")
 PAGE = evaluation_report.evaluation_report

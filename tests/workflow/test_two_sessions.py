@@ -114,7 +114,7 @@ TASKS = (
 
 def short(task: Task) -> str:
     """Do two short commands: evaluate a test and try to overwrite it; read a control, and a job that
-    is not on the disk yet, and write both.
+    is not on the disk yet, write both, and overwrite what only the first command has read.
     """
     folder, session = Path(task.folder), Session()
     evaluated = evaluate_files(session, [folder / "x.csv"])
@@ -135,6 +135,7 @@ def short(task: Task) -> str:
     read = read_job_inputs(ahead, job, control, folder / "next")
     new_job(session, [folder / "control"], task.format_id, {}, folder / "new.yaml")
     storage.write_files(session, folder / "next", below)
+    storage.write_file(session, folder / "x.csv", b"other readings", force=True)
     readings = read.tests["X"][0].test.positive.tolist()
     return f"{to_json(decoded)} {refused} {readings} {restored}"
 
@@ -248,6 +249,7 @@ def prepared(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.mark.parametrize(
     ("work", "count"), [(short, SHORT), (whole, WHOLE)], ids=["short", "whole"]
 )
+@pytest.mark.real_pages
 def test_two_threads_do_what_each_does_alone(
     tmp_path: Path, prepared: Path, work: Callable[[Task], str], count: int
 ) -> None:

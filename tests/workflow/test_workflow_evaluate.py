@@ -23,7 +23,7 @@ from compwright.workflow.results.answers import to_json
 from next_steps import without_hint
 from places import PROJECT
 
-pytestmark = pytest.mark.real_figures
+pytestmark = pytest.mark.real_pages
 
 GOOD = "# axis: X\n# machine: VMC 850\ntarget_mm,direction,run,deviation_um\n"
 

@@ -33,7 +33,7 @@ from compwright.simulation.circular_files import to_b5r
 from compwright.workflow.commands.evaluate import evaluate_files, evaluation_renderables
 from places import PROJECT, REAL, needs_shared
 
-pytestmark = pytest.mark.real_figures
+pytestmark = pytest.mark.real_pages
 
 BALLBAR = REAL / "ballbar"
 FILES = (
