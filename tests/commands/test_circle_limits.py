@@ -41,8 +41,9 @@ TEST = measured(MACHINE, Setup(noise=0.1), np.random.default_rng(1))
 RESULT = evaluate_circle(TEST)
 BUDGET = CircularBudget(U=0.7, length=0.5, setup=0.3, E_VE=0.6, U_theta=0.5, U_alpha=1.0)
 THERMAL = Thermal(alpha_m=11.0, T_m=22.0)
-FORM = 0.7**2 + 0.3**2 + 0.6**2 / 3  # µm²
-SIZE = FORM + 0.5**2 + (11.0 * 0.15 * 0.5) ** 2 + (2.0 * 0.15 * 1.0) ** 2
+FORM = 0.7**2 + 0.3**2 + 2.0 * 0.6**2 / 3  # µm²; the difference of two readings
+BAR = 0.7**2 + 0.3**2 + 0.6**2 / 3 + 0.5**2  # of one reading
+SIZE = BAR + (11.0 * 0.15 * 0.5) ** 2 + (2.0 * 0.15 * 1.0) ** 2
 
 
 def compwright(*words: str) -> tuple[int, str]:
@@ -261,7 +262,7 @@ def test_a_guarded_decision_takes_the_contributors_of_circles(tmp_path: Path) ->
     budget = "uncertainty: {U_theta: 0.5, circular: {U: 0.7, length: 0.5, setup: 0.3, E_VE: 0.6}}\n"
     code, _, answer = run(tmp_path, "{D: 100}", guarded + budget)
     D = answer["circles"]["xy"]["accept"]["D"]
-    U = np.sqrt(FORM + 0.5**2 + (11.5 * 0.15 * 0.5) ** 2)
+    U = np.sqrt(BAR + (11.5 * 0.15 * 0.5) ** 2)
     assert (code, D["decision"], D["rule"]) == (0, "accept", "guarded")
     assert pytest.approx(U, abs=1e-6) == D["U"]
     evaluation = json.loads((tmp_path / "job" / "evaluation.json").read_text(encoding="utf-8"))

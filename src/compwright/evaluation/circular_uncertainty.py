@@ -10,8 +10,8 @@ declares are combined (GUM), by the definitions of G, H, F and D:
 - Temperature and coefficient of expansion, over the radius. Only in F and D (4.1).
 - Set-up: mounting the instrument again (µm). In every parameter.
 - Environmental variation: range E_VE of the reading of a machine at rest over the duration of the
-  test. Its expanded uncertainty is E_VE / sqrt(3), because a parameter changes by at most this
-  range.
+  test. The expanded uncertainty of a reading is E_VE / sqrt(3) (rectangular distribution: JCGM
+  100:2008, 4.3.7). G and H are differences of two readings: sqrt(2) times as much.
 
 U does not contain the repeatability of the machine, as in ISO 230-2:2006 annex A.
 """
@@ -41,8 +41,9 @@ def circular_uncertainties(
     """
     radius = test.nominal_radius / 1000.0  # m
     of_length = thermal_contributions(radius, budget.U_theta, budget.U_alpha, thermal)
-    form = (budget.U, budget.setup, FROM_RANGE * budget.E_VE)
-    size = (*form, budget.length, *(COVERAGE * one.standard for one in of_length))
+    same, reading = (budget.U, budget.setup), FROM_RANGE * budget.E_VE
+    form = (*same, math.sqrt(2.0) * reading)
+    size = (*same, reading, budget.length, *(COVERAGE * one.standard for one in of_length))
     U_form, U_size = (
         round(math.hypot(*terms) / MICROMETRES_PER_MILLIMETRE, _DIGITS) for terms in (form, size)
     )
