@@ -181,8 +181,12 @@ def test_two_threads_do_not_disturb_each_other(folder: Path) -> None:
 def test_wrong_input_is_one_error_with_every_fault(tmp_path: Path) -> None:
     with pytest.raises(cw.UsageError, match="axes"):
         cw.estimate(cw.simulate(EXAMPLE / "machine.yaml"))
-    with pytest.raises(cw.UsageError, match="more than one test"):
+    with pytest.raises(cw.UsageError, match="one test is evaluated at a time"):
         cw.evaluate(EXAMPLE / "before")
+    tests = cw.read(EXAMPLE / "before")
+    with pytest.raises(cw.UsageError, match="one test is evaluated at a time"):
+        cw.evaluate(tests)
+    assert cw.evaluate(tests[:1]).name == tests[0].name
     (tmp_path / "one.csv").write_text("a,b\n1,2\n")
     (tmp_path / "two.csv").write_text("c\n3\n")
     with pytest.raises(cw.InputError) as error:

@@ -139,7 +139,7 @@ def test_which_one_counts_is_said() -> None:
         (finding,) = checks.findings([circle])
         assert f"value of the {word} is used" in finding.message
         assert (
-            "+5.0 ± 0.0 µm according to the laser, and +9.0 ± 0.5 µm according to circle"
+            "+5.00 ± 0.00 µm according to the laser, and +9.00 ± 0.50 µm according to circle"
             in finding.message
         )
 
@@ -174,7 +174,7 @@ def test_lost_motion_from_the_circle_leaves_the_zero_state_alone(way: str) -> No
     kept = "mean_negative" if way == "-" else "mean_positive"
     np.testing.assert_array_equal(getattr(new, kept), getattr(old, kept))
     assert [finding.code for finding in findings] == ["CW-P117"]
-    assert "from the laser's value by +3.0 ± 0.5 µm" in findings[0].message
+    assert "from the laser's value by +3.00 ± 0.50 µm" in findings[0].message
 
 
 def test_circles_are_weighted_by_their_uncertainty() -> None:
@@ -188,7 +188,7 @@ def test_circles_are_weighted_by_their_uncertainty() -> None:
     works, findings = checks.with_circle_backlash(circles)
     estimate = works["X"].planned.estimate
     np.testing.assert_allclose(estimate.mean_negative - estimate.mean_positive, 7.0 * UM)
-    assert "+2.0 ± 0.9 µm" in findings[0].message
+    assert "+2.00 ± 0.89 µm" in findings[0].message
 
 
 def test_without_the_wish_of_the_job_the_laser_stays() -> None:
@@ -219,3 +219,9 @@ def test_an_axis_without_a_test_has_no_table_to_put_lost_motion_into() -> None:
     assert findings[0].message.startswith(
         "Y: the lost motion that the circles show is not corrected"
     )
+    # A job of circles only: they show the lost motion of both axes.
+    job = job_of(*axes, untested=("X", "Y"), apply=FROM_CIRCLE)
+    _, findings = CircleChecks(job, {}, checks.states).with_circle_backlash([circle])
+    assert [finding.message.partition(" is not ")[2][:9] for finding in findings] == [
+        "corrected"
+    ] * 2

@@ -276,15 +276,16 @@ def test_the_job_that_corrects_what_a_table_can() -> None:
     result = {**RESULT, "sources": [{"file": "zx.b5r"}]}
     lines = job_lines(["squareness", "scale_mismatch", "backlash_first", "vibration"], result)
     (path,) = [yaml.safe_load(line) for line in lines[:1]]
-    assert path == {"circles": [{"file": "zx.b5r"}]}
+    assert path == {"circles": [{"file": "zx.b5r", "centre": ["Z", "X"]}]}
     apply = yaml.safe_load(lines[1])["apply"]
     assert apply == {"squareness": {"ZX": "X"}, "backlash_from": "circle"}
-    assert job_lines(["scale_mismatch"], result) == ["circles: [{file: zx.b5r}]"]
+    assert job_lines(["scale_mismatch"], result) == ["circles: [{file: zx.b5r, centre: [Z, X]}]"]
     assert job_lines(["vibration", "stick_slip_first"], result) == []
     odd = {**RESULT, "sources": [{"file": "a, 1.csv"}]}
-    assert yaml.safe_load(job_lines(["squareness"], odd)[0]) == {"circles": [{"file": "a, 1.csv"}]}
+    (entry,) = yaml.safe_load(job_lines(["squareness"], odd)[0])["circles"]
+    assert entry["file"] == "a, 1.csv"
     two = {**RESULT, "sources": [{"file": "a.csv"}, {"file": "b.csv"}]}
-    assert job_lines(["squareness"], two)[0] == "circles: [{ccw: FILE, cw: FILE}]"
+    assert job_lines(["squareness"], two)[0] == "circles: [{ccw: FILE, cw: FILE, centre: [Z, X]}]"
 
 
 def test_no_name_of_a_key_is_on_the_page() -> None:

@@ -57,13 +57,13 @@ def read(source: PathName | Any, *, profile: PathName | None = None) -> list[Mea
 
 @in_argument_names
 def evaluate(
-    test: MeasuredTest | PathName,
+    test: MeasuredTest | Sequence[MeasuredTest] | PathName,
     standard: str | None = None,
     *,
     spread: Literal["std", "range"] = "std",
 ) -> Evaluation:
-    """Evaluate a test, or a file with one test, to a standard. ``spread``: standard deviations are
-    calculated from all readings (``std``) or from their range (``range``).
+    """Evaluate a test, or a list or file with one test, to a standard. ``spread``: standard
+    deviations are calculated from all readings (``std``) or from their range (``range``).
 
     ``standard``: an id such as ``iso230-2:2014`` (the default of positioning tests), ``gost27843``,
     ``vdi3441`` or ``iso230-4:2005`` (of circular tests). Parameters are in um or arcsec. Raises
@@ -71,12 +71,13 @@ def evaluate(
     standard of the other kind of test, and for a file with several tests.
     """
     if not isinstance(test, PositioningTest | CircularTest):
-        tests = read(test)
-        if len(tests) > 1:
+        tests = test if isinstance(test, list) else read(test)
+        if len(tests) != 1:
+            listed = isinstance(test, list)
             raise UsageError(
                 Fault(
-                    message="the file contains more than one test",
-                    file=str(test),
+                    message="one test is evaluated at a time",
+                    file="" if listed else str(test),
                     found=str(len(tests)),
                     hint="give one of its tests: `evaluate(read(path)[0])`",
                 )

@@ -254,19 +254,22 @@ class JobPlan(DocumentResult):
     _planned: PlannedJob = field(repr=False)
 
     def __repr__(self) -> str:
-        """Return each axis with its accuracy A, as measured before and as predicted, as text."""
+        """Return each axis with its accuracy A, and each circle with its circular deviation G, as
+        measured before and as predicted.
+        """
         return f"JobPlan({self.job.control}: {'; '.join(self._lines())})"
 
     def _lines(self) -> Iterator[str]:
-        for name, axis in self.prediction.items():
-            before = axis["before"].get("A")
-            unit = _micro(axis["table"]["unit"]) if axis.get("table") else ""
-            predicted = axis["predicted"].get("A")
+        axes, circles = self.prediction, self._document["circles"]
+        for name, each in (*axes.items(), *circles.items()):
+            letter, key = ("A", "A") if name in axes else ("G", "G_bidirectional")
+            before, predicted = each["before"].get(key), each["predicted"].get(key)
+            unit = "µm" if letter == "G" else _micro((each.get("table") or {}).get("unit", ""))
             if before is None or predicted is None:
                 yield name
                 continue
             yield (
-                f"{name} A {before:.2f} -> {predicted['median']:.2f}"
+                f"{name} {letter} {before:.2f} -> {predicted['median']:.2f}"
                 f" ({predicted['p05']:.2f} to {predicted['p95']:.2f}) {unit}"
             ).rstrip()
 
@@ -317,11 +320,12 @@ class Verification(DocumentResult):
     """The result of tests after loading, compared with the plan."""
 
     def __repr__(self) -> str:
-        """Return the verdict, and for each axis whether the table is active."""
-        axes = ", ".join(
+        """Return the verdict, and for each axis whether the table is active, then the circles."""
+        parts = [
             f"{name} {axis['loading']['verdict']}" for name, axis in self._document["axes"].items()
-        )
-        return f"Verification({self.verdict}: {axes})"
+        ]
+        parts += [f"circle {name}" for name in self._document["circles"]]
+        return f"Verification({self.verdict}: {', '.join(parts)})"
 
     @property
     def verdict(self) -> str:

@@ -179,11 +179,12 @@ class CircleChecks:
         findings: list[Finding] = []
         if self.job.apply.backlash_from != "circle":
             return works, ()
-        findings += [
+        untested = [
             self._no_test(name)
             for name, entry in self.job.axes.items()
             if not entry.before and _on(circles, name)
         ]
+        findings += untested
         for name, axis in self.works.items():
             shift = self._shift(name, circles)
             if shift is None:
@@ -191,7 +192,7 @@ class CircleChecks:
                 continue
             works[name] = _shifted(axis, shift.value)
             findings.append(Finding.of("CW-P117", "info", axis=name, shift=shift.words(_UM, "µm")))
-        if not any(finding.code == "CW-P117" for finding in findings):
+        if not untested and not any(finding.code == "CW-P117" for finding in findings):
             findings.append(Finding.of("CW-P130.none", "error"))
         return works, tuple(findings)
 

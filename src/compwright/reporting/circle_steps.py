@@ -142,7 +142,8 @@ def _job(
 def _circle_entry(result: Mapping[str, Any]) -> str:
     files = [str(source.get("file")) for source in result.get("sources") or ()]
     # Which of several files holds which direction is not in the result.
-    return f"{{file: {_yaml(files[0])}}}" if len(files) == 1 else "{ccw: FILE, cw: FILE}"
+    given = f"file: {_yaml(files[0])}" if len(files) == 1 else "ccw: FILE, cw: FILE"
+    return f"{{{given}, centre: [{', '.join(result['axes'])}]}}"
 
 
 def _yaml(text: str) -> str:

@@ -97,11 +97,12 @@ def run_report(view: Document, each: Each = in_turn) -> bytes:
 
 def _what_was_done(view: Document, axes: Document) -> Sentence:
     results = (view.get("evaluation") or {}).get("results", [])
+    names = list(axes) or sorted({axis for result in results for axis in result.get("axes") or ()})
     return say(
         "run.done",
         tests=len(results),
-        count=len(axes),
-        axes=_listed(axes),
+        count=len(names),
+        axes=_listed(names),
         standards=sorted({standard_text(result.get("standard", "")) for result in results}),
         control=plain((view.get("format") or {}).get("title", "")),
         tables=not view.get("no_tables"),

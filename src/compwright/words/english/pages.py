@@ -41,7 +41,8 @@ SENTENCES: Final[dict[str, str]] = {
         " causes that can be corrected in this way. To make the job from the control's files:"
         " `compwright new --from FILE... --format ID --out job.yaml`. Name a positioning test of"
         " each axis in it (its slope corrects the scale), add the lines{file:if| and put the file"
-        " of each direction in place of FILE|}, then `compwright run job.yaml`."
+        " of each direction in place of FILE|}. Put the machine coordinates of the centre, mm, in"
+        " place of the axes of `centre`. Then `compwright run job.yaml`."
     ),
     "circle.least_squares": "least-squares circle, radius {base} µm from nominal",
     "circle.magnified": "{setting}\nMagnification {magnification} : 1, rings in µm",

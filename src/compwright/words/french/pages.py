@@ -42,7 +42,8 @@ SENTENCES: Final[dict[str, str]] = {
         " compensation de jeu, les causes qui peuvent l'être ainsi. Créer le dossier de travail"
         " avec `compwright new --from FILE... --format ID --out job.yaml` à partir des fichiers de"
         " la commande, y nommer un essai de positionnement de chaque axe (sa pente corrige"
-        " l'échelle), ajouter les lignes{file:if| avec le fichier de chaque sens pour FILE|}, puis"
+        " l'échelle), ajouter les lignes{file:if| avec le fichier de chaque sens pour FILE|}. Dans"
+        " `centre`, remplacer les axes par les coordonnées machine du centre, en mm. Puis"
         " `compwright run job.yaml`."
     ),
     "circle.least_squares": "cercle des moindres carrés, {base} µm du rayon nominal",

@@ -42,8 +42,9 @@ SENTENCES: Final[dict[str, str]] = {
         " die Ursachen, die sich so korrigieren lassen. Den Auftrag mit `compwright new --from"
         " FILE... --format ID --out job.yaml` aus den Dateien der Steuerung anlegen, für jede Achse"
         " eine Positionierprüfung nennen (ihre Steigung korrigiert den Maßstab), die Zeilen"
-        " ergänzen{file:if| und für FILE die Datei jeder Richtung einsetzen|}, dann `compwright run"
-        " job.yaml`."
+        " ergänzen{file:if| und für FILE die Datei jeder Richtung einsetzen|}. In `centre` die"
+        " Maschinenkoordinaten des Mittelpunkts in mm statt der Achsen einsetzen. Dann `compwright"
+        " run job.yaml`."
     ),
     "circle.least_squares": "Ausgleichskreis, {base} µm vom Sollradius",
     "circle.magnified": "{setting}\nVergrößerung {magnification} : 1, Kreise in µm",

@@ -61,10 +61,9 @@ def run_view(
     state: str | list[str] | None = None
     if stated:
         state = list(state_files) or "none"
+    axes = list(works) or list(job.axes)
     return {
-        "title": say(
-            "report.compensation", axes=list(works) if len(works) < 6 else (), count=len(works)
-        ),
+        "title": say("report.compensation", axes=axes if len(axes) < 6 else (), count=len(axes)),
         "machine": dict(job.machine),
         "format": {"id": control.id, "title": ControlText(control.definition.title, {})},
         "axes": {name: {**axis_view(work, loaded), "state": state} for name, work in works.items()},
