@@ -19,7 +19,7 @@ import compwright as cw
 from circle_machine import Machine, Setup, measured
 from compwright.cli import run
 from compwright.simulation.circular_files import to_circular_csv
-from places import PROJECT
+from places import PROJECT, REAL, needs_shared
 
 PAGE = PROJECT / "docs" / "tutorials" / "library.md"
 EXAMPLE = PROJECT / "examples" / "linuxcnc-two-axes"
@@ -192,6 +192,31 @@ def test_wrong_input_is_one_error_with_every_fault(tmp_path: Path) -> None:
     with pytest.raises(cw.InputError) as error:
         cw.read(tmp_path)
     assert {Path(fault.file).name for fault in error.value.faults} == {"one.csv", "two.csv"}
+
+
+@needs_shared
+@pytest.mark.real_pages
+def test_a_job_of_circles_only_names_its_circles_and_axes(tmp_path: Path) -> None:
+    file = REAL / "ballbar" / "ballbar_qc20w_150mm_XY.b5r"
+    (tmp_path / "job.yaml").write_text(
+        "compwright: 1\n"
+        "controller: {format: siemens-840d-sl,"
+        " options: {cec: available, cec_sign: correction, cec_tables: [0]}}\n"
+        "states: {as_found: none}\n"
+        "axes:\n"
+        "  X: {travel: [0, 800], address: AX1, before: []}\n"
+        "  Y: {travel: [0, 800], address: AX2, before: []}\n"
+        f"circles: [{{file: '{file}', name: xy, centre: [400, 400]}}]\n"
+        "apply: {squareness: {XY: Y}}\n"
+    )
+    plan = cw.plan(tmp_path / "job.yaml")
+    assert re.search(r"siemens-840d-sl: xy G 5.07 -> [\d.]+ \(", repr(plan))
+    plan.write(tmp_path / "out")
+    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "Compensation of X, Y" in page
+    assert "axes X and Y" in page
+    card = (tmp_path / "out" / "card" / "card.md").read_text(encoding="utf-8")
+    assert "column Old" not in card  # no parameter of an axis is changed
 
 
 def test_import_loads_nothing() -> None:

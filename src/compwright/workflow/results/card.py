@@ -88,7 +88,7 @@ def card_document(
             control,
             old.files,
             back,
-            steps=bool(restoring),
+            steps=bool(restoring) or not (written or old.files),
             between=between.written or bool(between.sheets),
         ),
         "restore_steps": restoring,
