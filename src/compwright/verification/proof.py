@@ -42,6 +42,9 @@ _COMPARED_WITH_FIRST: Final = frozenset({"CW-T030"})
 _OF_READINGS: Final = frozenset({"CW-R006", "CW-T010", "CW-T015", "CW-T016"})
 #: Warnings about the uncertainty count only where it decides.
 _OF_UNCERTAINTY: Final = frozenset({"CW-T023"})
+#: A circle repeats another one if radius and feed agree within these parts of their values, and the
+#: ends of an arc within these degrees. Bars have fixed lengths, a feed is set in steps of 10 %.
+_SAME_RADIUS, _SAME_FEED, _SAME_ARC = 0.01, 0.1, 5.0
 #: Changed values outside of the plan that are named; of the others the number is given.
 _MOST_NAMED: Final = 3
 
@@ -261,6 +264,35 @@ def unproven_circle(
     if share_a_file(first.sources, after.sources):
         yield Finding.of("CW-V025", "warning", circle=name)
     yield from origin_findings(after, first, serial, name)
+
+
+def other_circle(first: CircularTest, after: CircularTest, name: str) -> Iterator[Finding]:
+    """Yield the finding CW-V034 if the test ``after`` loading of the circle ``name`` has another
+    radius, feed or arc than the ``first`` test.
+
+    Deviations depend on all three, so that its limits are not decided by such a test. Its
+    squareness is an angle, and remains comparable.
+    """
+    what = []
+    if abs(after.nominal_radius - first.nominal_radius) > _SAME_RADIUS * first.nominal_radius:
+        what.append(say("CW-V034.radius", now=after.nominal_radius, was=first.nominal_radius))
+    if abs(after.feed - first.feed) > _SAME_FEED * first.feed:
+        what.append(say("CW-V034.feed", now=after.feed, was=first.feed))
+    (start, extent), (was_start, was_extent) = after.arc, first.arc
+    turned = abs((start - was_start + 180.0) % 360.0 - 180.0)
+    both_full = after.full_circle and first.full_circle
+    if not both_full and max(turned, abs(extent - was_extent)) > _SAME_ARC:
+        what.append(
+            say(
+                "CW-V034.arc",
+                start=start,
+                end=start + extent,
+                was_start=was_start,
+                was_end=was_start + was_extent,
+            )
+        )
+    if what:
+        yield Finding.of("CW-V034", "warning", circle=name, what=what)
 
 
 # ---------------------------------------------------------------- what was read back

@@ -139,6 +139,17 @@ SENTENCES: Final[dict[str, str]] = {
         "What was read back from the control leaves a doubt: {doubts:join|; }. Read back all files"
         " of the control again, and give all of them with --loaded."
     ),
+    "CW-V034": (
+        "Circle {circle} after loading is not the circle of the first test: {what:join|; }."
+        " Deviations depend on radius, feed and arc, so its limits stay undecided. The squareness"
+        " is compared all the same. Measure the circle as the first time."
+    ),
+    "CW-V034.arc": (
+        "it runs from {start:.0f}° to {end:.0f}° (the first one from {was_start:.0f}° to"
+        " {was_end:.0f}°)"
+    ),
+    "CW-V034.feed": "its feed is {now:g} mm/min (of the first one {was:g} mm/min)",
+    "CW-V034.radius": "its radius is {now:g} mm (of the first one {was:g} mm)",
     "headline.active": "Table{tables:plural||s} active. No limits given.",
     "headline.bad": "Bad: see the {circles:if|circles|axes} below",
     "headline.good": (

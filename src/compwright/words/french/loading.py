@@ -143,6 +143,17 @@ SENTENCES: Final[dict[str, str]] = {
         "Ce qui a été relu de la commande laisse un doute : {doubts:join| ; }. Relire tous les"
         " fichiers de la commande, et les donner tous avec --loaded."
     ),
+    "CW-V034": (
+        "Le cercle {circle} après chargement n'est pas celui du premier essai : {what:join| ; }."
+        " Les écarts dépendent du rayon, de l'avance et de l'arc, ses limites restent donc"
+        " indécises. La perpendicularité est comparée malgré tout. Mesurer le cercle comme la"
+        " première fois."
+    ),
+    "CW-V034.arc": (
+        "il va de {start:.0f}° à {end:.0f}° (le premier de {was_start:.0f}° à {was_end:.0f}°)"
+    ),
+    "CW-V034.feed": "son avance est de {now:g} mm/min (celle du premier {was:g} mm/min)",
+    "CW-V034.radius": "son rayon est de {now:g} mm (celui du premier {was:g} mm)",
     "headline.active": "{tables:plural|Table active|Tables actives}. Aucune limite donnée.",
     "headline.bad": "Mauvais : voir les {circles:if|cercles|axes} ci-dessous",
     "headline.good": (

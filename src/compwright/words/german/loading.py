@@ -146,6 +146,18 @@ SENTENCES: Final[dict[str, str]] = {
         "Das aus der Steuerung Zurückgelesene lässt einen Zweifel: {doubts:join|; }. Alle Dateien"
         " der Steuerung noch einmal zurücklesen und alle mit --loaded angeben."
     ),
+    "CW-V034": (
+        "Der Kreis {circle} nach dem Laden ist nicht der Kreis der ersten Messung: {what:join|; }."
+        " Die Abweichungen hängen von Radius, Vorschub und Bogen ab, seine Grenzwerte bleiben"
+        " daher offen. Die Rechtwinkligkeit wird trotzdem verglichen. Den Kreis wie beim ersten"
+        " Mal messen."
+    ),
+    "CW-V034.arc": (
+        "er geht von {start:.0f}° bis {end:.0f}° (der erste von {was_start:.0f}° bis"
+        " {was_end:.0f}°)"
+    ),
+    "CW-V034.feed": "sein Vorschub ist {now:g} mm/min (des ersten {was:g} mm/min)",
+    "CW-V034.radius": "sein Radius ist {now:g} mm (des ersten {was:g} mm)",
     "headline.active": "{tables:plural|Tabelle|Tabellen} aktiv. Keine Grenzwerte angegeben.",
     "headline.bad": "Nicht gut: siehe die {circles:if|Kreise|Achsen} unten",
     "headline.good": (

@@ -46,6 +46,7 @@ from compwright.verification.proof import (
     changed_limits,
     copied_tests,
     not_measured,
+    other_circle,
     read_back_findings,
     unproven_circle,
 )
@@ -242,8 +243,15 @@ def _verified(
         *(
             finding
             for name, test in measured.items()
-            for finding in unproven_circle(
-                plan.circles[name].test, test, job.machine.get("serial", ""), name
+            for finding in (
+                *unproven_circle(
+                    plan.circles[name].test, test, job.machine.get("serial", ""), name
+                ),
+                *(
+                    other_circle(plan.circles[name].test, test, name)
+                    if circles[name].accept
+                    else ()
+                ),
             )
         ),
         *_between(control, plan, as_found, read_back),

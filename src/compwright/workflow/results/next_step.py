@@ -77,9 +77,12 @@ def after_verify(
     active = all(axis["loading"]["verdict"] == "loaded" for axis in axes) and all(
         plane["decision"] == "accept" for plane in planes
     )
-    if active and any(finding["code"] == "CW-V023" for finding in document["findings"]):
-        return "Next: measure what CW-V023 names, then type: " + _command(
-            "verify", job, *again, "--after", _AFTER, *given, *loaded, "--force"
+    found = {finding["code"] for finding in document["findings"]}
+    lacking = sorted({"CW-V023", "CW-V034"} & found)
+    if active and lacking:
+        kept = () if "CW-V034" in lacking else again
+        return f"Next: measure what {' and '.join(lacking)} names, then type: " + _command(
+            "verify", job, *kept, "--after", _AFTER, *given, *loaded, "--force"
         )
     if not read_back:
         return f"Next: save the control's files to {READ_BACK}, then type: " + _command(

@@ -53,7 +53,7 @@ FOLDER: Final = "next"
 #: Findings, in addition to doubts, that name a proof that the test of an axis lacks.
 LACKING: Final = frozenset({"CW-V020", "CW-V021", "CW-V024", "CW-V029", "CW-V032"})
 #: Findings that name a circle which was not measured after loading.
-_UNPROVEN: Final = frozenset({"CW-V025", "CW-V029", "CW-V032"})
+_UNPROVEN: Final = frozenset({"CW-V025", "CW-V029", "CW-V032", "CW-V034"})
 _NOT_FROM_HERE: Final = frozenset({"CW-V011", "CW-S087", "CW-V022", "CW-V033"})
 
 

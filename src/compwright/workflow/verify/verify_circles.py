@@ -45,7 +45,12 @@ from compwright.records.job import Acknowledged, Job
 from compwright.records.plan import Plan, PlannedCircle
 from compwright.records.positioning import PositioningTest
 from compwright.records.prediction import AcceptDecision
-from compwright.verification.proof import doubt_warnings, doubts_after, unproven_circle
+from compwright.verification.proof import (
+    doubt_warnings,
+    doubts_after,
+    other_circle,
+    unproven_circle,
+)
 from compwright.workflow.inputs.circles import read_circle
 
 
@@ -56,8 +61,8 @@ def split_after(
     by the name of the circle that they repeat.
 
     ``TEST=FILE`` names the circle, in whose plane the file must be; else the plane decides, and of
-    several circles of one plane the radius. Raises UsageError where the plan holds no such circle,
-    InputError for circular files that cannot be read.
+    several circles of one plane radius and feed. Raises UsageError where the plan holds no such
+    circle, InputError for circular files that cannot be read.
     """
     others: list[str | PositioningTest] = []
     circles: dict[str, list[Path | CircularTest]] = {}
@@ -102,11 +107,12 @@ def _circle(
 
 def _repeated(circles: Mapping[str, PlannedCircle], test: CircularTest, spec: str) -> str:
     """Return the name of the planned circle that a test repeats: of those in the same plane, the
-    one with the nearest radius.
+    one with the nearest radius, and of these the one with the nearest feed.
     """
 
-    def apart(name: str) -> float:
-        return abs(circles[name].test.nominal_radius - test.nominal_radius)
+    def apart(name: str) -> tuple[float, float]:
+        first = circles[name].test
+        return abs(first.nominal_radius - test.nominal_radius), abs(first.feed - test.feed)
 
     axes = {name.upper() for name in test.axes}
     known = [
@@ -196,7 +202,11 @@ def _verified(
                 corrected=1e6 * bent.squareness,
             )
     accept, lacking, acknowledged = _judged(
-        job, before, result, corrected=check is not None, unproven=unproven
+        job,
+        before,
+        result,
+        corrected=check is not None,
+        unproven=unproven or any(other_circle(circle.test, after, name)),
     )
     return VerifiedCircle(
         prediction=prediction,
