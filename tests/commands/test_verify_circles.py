@@ -64,6 +64,13 @@ def loaded(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
     return folder, planned(folder)
 
 
+@pytest.fixture(scope="module")
+def unlimited(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
+    """The same without limits."""
+    folder = tmp_path_factory.mktemp("unlimited")
+    return folder, planned(folder, accept="")
+
+
 @pytest.mark.parametrize(
     ("setup", "named"),
     [
@@ -98,11 +105,79 @@ def test_a_limit_is_that_of_the_circle_that_was_measured_first(
     assert "Next: measure what CW-V034 names" in capsys.readouterr().out
 
 
-def test_a_circle_without_limits_may_have_another_radius(tmp_path: Path) -> None:
+def test_a_circle_without_limits_may_have_another_radius(unlimited: tuple[Path, str]) -> None:
     """A squareness is an angle."""
-    job = planned(tmp_path, accept="")
+    folder, job = unlimited
     after = circle(
-        tmp_path / "after.csv", replace(BENT, squareness=0.0), replace(FIRST, radius=100.0), 7
+        folder / "after.csv", replace(BENT, squareness=0.0), replace(FIRST, radius=100.0), 7
     )
-    code, answer = verified(tmp_path, job, after)
+    code, answer = verified(folder, job, after)
     assert (code, answer["verdict"], answer["doubts"]) == (0, "good", [])
+
+
+LOADED = ("job", "tables", "siemens-840d-sl")
+
+
+@pytest.mark.parametrize(
+    ("left", "named", "decision", "factor"),
+    [
+        (0.0, None, "accept", 1.0),
+        (3.0, "loaded", "accept", 0.925),
+        (12.0, "scaled", "accept", 0.7),
+        (24.0, "scaled", "reject", 0.4),
+        (40.0, "not_active", "reject", 0.0),
+        (80.0, "inverted", "reject", -1.0),
+        (-40.0, "scaled", "reject", 2.0),
+    ],
+)
+def test_what_is_left_of_a_squareness_is_named(
+    unlimited: tuple[Path, str],
+    left: float,
+    named: str | None,
+    decision: str,
+    factor: float,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """40 µm/m were corrected; so much is left on the machine after loading."""
+    folder, job = unlimited
+    after = circle(folder / "after.csv", replace(BENT, squareness=left), FIRST, 7)
+    code, answer = verified(folder, job, after)
+    check = answer["circles"]["xy"]["squareness"]
+    assert check["decision"] == decision
+    assert check["factor"] == pytest.approx(factor, abs=0.03)
+    assert check["active"] is (decision == "accept")
+    good = decision == "accept"
+    assert (code, answer["verdict"]) == ((0, "good") if good else (1, "bad"))
+    found = [one for one in answer["circles"]["xy"]["findings"] if one["code"] == "CW-V035"]
+    assert [one["values"]["verdict"] for one in found] == ([] if named is None else [named])
+    assert [one["code"] for one in answer["doubts"]] == ([] if good else ["CW-V035"])
+    shown = " ".join(capsys.readouterr().out.split())
+    assert ("CW-V035" in shown) is (named is not None)
+    assert f"µm/m 0.0 ± {check['U']:.1f} {decision}" in shown
+    page = (folder / "v" / "verification.html").read_text(encoding="utf-8")
+    assert "Verification of Circle xy" in page
+    assert "see the axes" not in page
+    assert "at least one limit is undecided" not in page
+
+
+def test_a_small_correction_that_is_not_active_is_not_negligible(tmp_path: Path) -> None:
+    """10 µm/m, corrected and left, are below what needs a correction, but nothing is active."""
+    bent = replace(BENT, squareness=10.0)
+    job = planned(tmp_path, bent, accept="")
+    code, answer = verified(tmp_path, job, circle(tmp_path / "after.csv", bent, FIRST, 7))
+    assert (code, answer["verdict"]) == (1, "bad")
+    assert answer["circles"]["xy"]["squareness"]["verdict"] == "not_active"
+
+
+@pytest.mark.parametrize(("left", "written"), [(12.0, True), (24.0, False), (80.0, False)])
+def test_a_further_round_needs_an_active_correction(
+    unlimited: tuple[Path, str], left: float, written: bool, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder, job = unlimited
+    after = circle(folder / "after.csv", replace(BENT, squareness=left), FIRST, 7)
+    tables = str(folder.joinpath(*LOADED))
+    _, answer = verified(folder, job, after, "--loaded", tables, "--update")
+    assert answer["next"]["written"] is written
+    assert ("squareness of XY is active as planned" in answer["next"]["reason"]) is not written
+    shown = " ".join(capsys.readouterr().out.split())
+    assert ("a new table was written for squareness" in shown) is written

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, Literal
+from typing import Any, Final, Literal
 
 from compwright.documents.findings import finding_documents
 from compwright.documents.prediction import (
@@ -20,13 +20,16 @@ from compwright.foundations.findings import Finding, doubts_of
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularResult
-from compwright.records.correction_need import MOST_UNCERTAIN
+from compwright.records.correction_need import MOST_UNCERTAIN, NEGLIGIBLE
 from compwright.records.job import Acknowledged
 from compwright.records.prediction import AcceptDecision, CirclePrediction, Decision, Quantiles
 from compwright.records.result import ExpandedUncertainty, PositioningResult
 from compwright.words.sentences import SentenceText, say
 
 SCHEMA = "compwright/verification/1"
+#: A loading fault of a squareness is named if U is below this part of the correction: the nearest
+#: faults (not active, opposite sign) are a whole correction apart.
+_CLEAR: Final = 0.25
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,21 +66,83 @@ class VerifiedAxis:
 
 @dataclass(frozen=True, slots=True)
 class SquarenessCheck:
-    """The squareness (µm/m) after loading compared with the prediction."""
+    """The squareness (µm/m) after loading compared with the prediction.
+
+    ``before``: before loading. ``U`` (k = 2): of the difference between ``value`` and ``expected``,
+    from the noise of the two tests. It does not hold the set-up of the instrument.
+    """
 
     value: float | None
     expected: float
     U: float
-    corrected: float
+    before: float
+
+    @property
+    def factor(self) -> float | None:
+        """The part of the planned correction that is active; None if the tests do not show it."""
+        planned = self.before - self.expected
+        if self.value is None or _CLEAR * abs(planned) <= self.U:
+            return None
+        return (self.before - self.value) / planned
+
+    @property
+    def verdict(self) -> Literal["loaded", "not_active", "inverted", "scaled", "undecided"]:
+        """The name of the loading verdict to which ``factor`` belongs, as of an axis."""
+        if self.factor is None:
+            return "undecided"
+        planned = abs(self.before - self.expected)
+        near = max(self.U, min(NEGLIGIBLE, _CLEAR * planned)) / planned
+        if abs(self.factor - 1.0) <= near:
+            return "loaded"
+        if abs(self.factor) <= near:
+            return "not_active"
+        if abs(self.factor + 1.0) <= near:
+            return "inverted"
+        return "scaled" if self.factor > 0.0 else "undecided"
+
+    @property
+    def active(self) -> bool:
+        """Whether the correction is active: closer to the planned one than to none."""
+        if self.value is None:
+            return False
+        off = abs(self.value - self.expected)
+        return self.decision == "accept" or off + self.U < 0.5 * abs(self.before - self.expected)
 
     @property
     def decision(self) -> Decision:
-        """The decision on squareness: reject if it differs from the prediction by more than U."""
+        """The decision on squareness.
+
+        Accept if it differs from the prediction by no more than U, or if a negligible squareness is
+        left by a correction of which more than half is active.
+        """
         if self.value is None:
             return "undecided"
-        if abs(self.value - self.expected) > self.U:
-            return "reject"
-        return "accept" if min(abs(self.corrected), MOST_UNCERTAIN) > self.U else "undecided"
+        off, planned = abs(self.value - self.expected), abs(self.before - self.expected)
+        if off <= self.U:
+            return "accept" if min(planned, MOST_UNCERTAIN) > self.U else "undecided"
+        negligible = abs(self.value) + self.U < NEGLIGIBLE and off + self.U < 0.5 * planned
+        return "accept" if negligible else "reject"
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """A tuple with the finding CW-V035 if the squareness is not as predicted, else empty."""
+        if self.decision == "undecided":
+            return (Finding.of("CW-V035.open", "warning"),)
+        accepted = self.decision == "accept"
+        if self.value is None or abs(self.value - self.expected) <= self.U:
+            return ()
+        return (
+            Finding.of(
+                "CW-V035",
+                "info" if accepted else "warning",
+                value=self.value,
+                expected=self.expected,
+                U=self.U,
+                verdict=self.verdict,
+                percent=100.0 * (self.factor or 0.0),
+                negligible=NEGLIGIBLE if accepted else 0.0,
+            ),
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -140,8 +205,9 @@ def _headline(
 ) -> str:
     """Return the verdict as a sentence; limits are mentioned only if the job has limits."""
     if verdict == "bad":
-        limits = (entry.decision for one in circles.values() for entry in one.accept.values())
-        return SentenceText(say("headline.bad", circles="reject" in limits))
+        decisions = [entry.decision for one in circles.values() for entry in one.accept.values()]
+        decisions += [one.squareness.decision for one in circles.values() if one.squareness]
+        return SentenceText(say("headline.bad", circles="reject" in decisions or not axes))
     if verdict == "undecided":
         return SentenceText(say("headline.undecided"))
     without = [name for name, axis in axes.items() if not axis.accept]
@@ -212,6 +278,9 @@ def _circle(circle: VerifiedCircle) -> dict[str, Any]:
                 "U": check.U,
                 "unit": "um/m",
                 "decision": check.decision,
+                "verdict": check.verdict,
+                "factor": check.factor,
+                "active": check.active,
             }
         ),
         "accept": _accept(

@@ -9,7 +9,7 @@ from typing import Any, Final
 from compwright.reporting import paper, sections
 from compwright.reporting.causes import findings_in_words, ranked_causes
 from compwright.reporting.circle_figures import polar_figure
-from compwright.reporting.circular_parameters import parameter_words
+from compwright.reporting.circular_parameters import parameter_words, squareness_limit
 from compwright.reporting.numbers import decimals_of_unit, number, plain
 from compwright.reporting.page import inline_figure
 from compwright.reporting.sections import Document
@@ -83,21 +83,37 @@ class CircleFigure:
 
 
 def limit_rows(circles: Mapping[str, Document]) -> list[dict[str, Any]]:
-    """Return a table row for each limit of each predicted or verified circular test."""
+    """Return a table row for each limit of each predicted or verified circular test, and one for
+    each squareness that was corrected and measured again.
+    """
     return [
-        _limit_row(index, name, circle, key)
+        _limit_row(index, name, circle, key, limit)
         for index, (name, circle) in enumerate(circles.items(), 1)
-        for key in circle.get("accept") or {}
+        for key, limit in {**(circle.get("accept") or {}), **squareness_limit(circle)}.items()
     ]
 
 
-def _limit_row(index: int, name: str, circle: Document, key: str) -> dict[str, Any]:
-    before, band, limit = (
-        circle["before"].get(key),
-        circle["predicted"].get(key),
-        circle["accept"][key],
-    )
+def _limit_row(
+    index: int, name: str, circle: Document, key: str, limit: Document
+) -> dict[str, Any]:
+    before, band = circle["before"].get(key), circle["predicted"].get(key)
     after = (circle.get("after") or {}).get(key)
+    if key == "squareness":
+        decimals = decimals_of_unit("µm/m")
+        return {
+            "axis": say("report.circle", plane=plain(name), name=""),
+            "anchor": f"circle-{index}",
+            "loading": sections.loading_mark(limit["verdict"]),
+            "symbol": say("cause.kind", kind=key, first="", second="", axis=""),
+            "before": number(before, decimals),
+            "unit": "µm/m",
+            "median": number((band or {}).get("median"), decimals),
+            "spread": sections.spread_text(band, decimals),
+            "after": number(after, decimals),
+            "limit": limit["limit"],
+            "mark": sections.decision_mark(limit["decision"]),
+            "bar": None,
+        }
     # The table of a verification has a column for the unit.
     unit = "" if "after" in circle else "µm"
     return {
@@ -140,11 +156,12 @@ def _table(circle: Document, result: Document | None) -> dict[str, Any]:
         circle.get("predicted") or {},
         circle.get("after"),
     )
-    limits, stated = circle.get("accept") or {}, (result or {}).get("uncertainty") or {}
+    accept = circle.get("accept") or {}
+    limits, stated = {**accept, **squareness_limit(circle)}, (result or {}).get("uncertainty") or {}
     causes = [] if result is None else ranked_causes(result)[:_MOST_CAUSES]
     names = [
         (name, parameter_words(name), "µm")
-        for name in dict.fromkeys((*_PARAMETERS, *limits))
+        for name in dict.fromkeys((*_PARAMETERS, *accept))
         if before.get(name) is not None
     ]
     names += [(cause.name, cause.words, cause.unit_text) for cause in causes]
@@ -172,4 +189,8 @@ def _table(circle: Document, result: Document | None) -> dict[str, Any]:
 def _decision(limit: Document | None) -> list[str | Sentence]:
     if limit is None:
         return ["", ""]
-    return [number(limit["limit"]), sections.decision_mark(limit["decision"])["text"]]
+    value = limit["limit"]
+    return [
+        value if isinstance(value, Sentence) else number(value),
+        sections.decision_mark(limit["decision"])["text"],
+    ]

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
-from compwright.reporting.numbers import plain
+from compwright.reporting.numbers import decimals_of_unit, number, plain
 from compwright.words.sentences import Sentence, say
 
 #: Rows of the parameter table: letter, whether about the least-squares centre, keys for ccw, cw
@@ -98,3 +98,15 @@ def parameter_words(key: str) -> Sentence:
         sense=sense,
         centre=letter if key.endswith("_lsc") else "",
     )
+
+
+def squareness_limit(circle: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the check of the corrected squareness of a verified circle in the form of a limit, by
+    the name of the cause: the expected value with its uncertainty. Empty without such a check.
+    """
+    check = circle.get("squareness") if "after" in circle else None
+    if not check:
+        return {}
+    decimals = decimals_of_unit("µm/m")
+    expected, U = (number(check[key], decimals) for key in ("expected", "U"))
+    return {"squareness": {**check, "limit": say("label.value_error", value=expected, error=U)}}

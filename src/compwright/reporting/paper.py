@@ -77,7 +77,7 @@ def conformity(decisions: Sequence[str], *, proven: bool) -> Sentence:
     if "reject" in decisions:
         return say("report.not_conform")
     if "undecided" in decisions or not proven:
-        return say("report.conformity_open")
+        return say("report.conformity_open", undecided="undecided" in decisions)
     return say("report.conform")
 
 

@@ -14,6 +14,7 @@ from rich.rule import Rule
 from rich.table import Table
 
 from compwright.foundations.findings import DOUBTS_FIRST, next_step
+from compwright.reporting.circular_parameters import squareness_limit
 from compwright.reporting.limiting import limits_line
 from compwright.reporting.numbers import (
     MISSING,
@@ -186,10 +187,11 @@ def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
     shown: list[RenderableType] = []
     for name, circle in circles.items():
         after, accept = circle.get("after"), circle.get("accept") or {}
+        limits = {**accept, **squareness_limit(circle)}
         table = plain_table()
         table.add_column("", no_wrap=True)
         headings = ["before", "predicted", "5 to 95 %", *(["after"] if after else []), ""]
-        for heading in (*headings, *(["limit", ""] if accept else [])):
+        for heading in (*headings, *(["limit", ""] if limits else [])):
             table.add_column(heading, justify="right", no_wrap=True)
         for key, unit in {**_OF_CIRCLES, **dict.fromkeys(accept, "µm")}.items():
             value, band = circle["before"].get(key), (circle.get("predicted") or {}).get(key)
@@ -199,7 +201,7 @@ def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
             spread = spread_text(band, decimals)
             cells = [number(band["median"], decimals), str(spread)] if band else [MISSING, ""]
             measured = [number(after.get(key), decimals)] if after else []
-            limit = _decision(accept.get(key)) if accept else ()
+            limit = _decision(limits.get(key)) if limits else ()
             table.add_row(
                 _LOST_MOTION.get(key, key.replace("_", " ")),
                 number(value, decimals),
@@ -335,6 +337,14 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     return [
         *shown,
         *circle_tables(document["circles"]),
+        *finding_lines(
+            [
+                {**one, "message": f"Circle {name}: {one['message']}"}
+                for name, circle in document["circles"].items()
+                for one in circle["findings"]
+                if one["code"] == "CW-V035" and not is_first(one["message"])
+            ]
+        ),
         *finding_lines([one for one in document["findings"] if one["severity"] == "error"]),
         _verdict(document["verdict"], document["headline"]),
     ]

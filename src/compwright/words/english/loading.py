@@ -150,6 +150,20 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V034.feed": "its feed is {now:g} mm/min (of the first one {was:g} mm/min)",
     "CW-V034.radius": "its radius is {now:g} mm (of the first one {was:g} mm)",
+    "CW-V035": (
+        "The squareness after loading is {value:.1f} µm/m. {expected:.1f} µm/m was predicted,"
+        " ± {U:.1f} µm/m from the noise of the two tests (k = 2)."
+        " {verdict:choose|loaded=The correction is active; a new set-up of the instrument or a"
+        " change of the machine can leave this rest|not_active=The correction is not active. Check"
+        " that its table is loaded and switched on|inverted=The correction is active with the"
+        " opposite sign. Check the sign of its table, and load it again|scaled={percent:.0f} % of"
+        " the planned correction is active|undecided=No known loading fault explains"
+        " this}.{negligible:if| Below {negligible:.0f} µm/m it is accepted.|}"
+    ),
+    "CW-V035.open": (
+        "The circle after loading does not determine the squareness well enough to show that its"
+        " correction is active. Measure the full circle again in both directions."
+    ),
     "headline.active": "Table{tables:plural||s} active. No limits given.",
     "headline.bad": "Bad: see the {circles:if|circles|axes} below",
     "headline.good": (
@@ -349,6 +363,11 @@ SENTENCES: Final[dict[str, str]] = {
         " loading, and give its test with --after together with the circles|To correct it further,"
         " make a new job: give the files that were read back as as_found, and the circles that"
         " were measured after loading}"
+    ),
+    "next.squareness_not_active": (
+        "no new table: the circles do not show that the correction of the squareness of {planes}"
+        " is active as planned, and a further one could be added to a fault. Correct this first,"
+        " and measure the circle again"
     ),
     "next.stop": (
         "stop here: the gain of another correction round for {axes} would be too small to show"

@@ -237,8 +237,9 @@ SENTENCES: Final[dict[str, str]] = {
     "report.conditions": "Conditions of the test, {standard}",
     "report.conform": "The machine conforms to every limit of the table above.",
     "report.conformity_open": (
-        "Conformity is not stated: at least one limit is undecided, or a finding that a decision"
-        " depends on is not yet checked."
+        "Conformity is not stated: {undecided:if|at least one limit is undecided|it is not proven"
+        " that the tables are active as planned}, or a finding that a decision depends on is not"
+        " yet checked."
     ),
     "report.customer": "Customer",
     "report.date": "Date of the test",

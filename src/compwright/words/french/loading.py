@@ -154,6 +154,21 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V034.feed": "son avance est de {now:g} mm/min (celle du premier {was:g} mm/min)",
     "CW-V034.radius": "son rayon est de {now:g} mm (celui du premier {was:g} mm)",
+    "CW-V035": (
+        "La perpendicularité après chargement est de {value:.1f} µm/m. La prévision était de"
+        " {expected:.1f} µm/m, ± {U:.1f} µm/m dus au bruit des deux essais (k = 2)."
+        " {verdict:choose|loaded=La correction est active ; un nouveau montage de l'instrument ou"
+        " un changement de la machine peut laisser ce reste|not_active=La correction n'est pas"
+        " active. Vérifier que sa table est chargée et activée|inverted=La correction est active"
+        " avec le signe opposé. Vérifier le signe de sa table et la charger de"
+        " nouveau|scaled={percent:.0f} % de la correction prévue sont actifs|undecided=Aucun défaut"
+        " de chargement connu ne l'explique}.{negligible:if| Au-dessous de {negligible:.0f} µm/m"
+        " elle est acceptée.|}"
+    ),
+    "CW-V035.open": (
+        "Le cercle après chargement ne détermine pas assez bien la perpendicularité pour montrer"
+        " que sa correction est active. Mesurer de nouveau le cercle entier dans les deux sens."
+    ),
     "headline.active": "{tables:plural|Table active|Tables actives}. Aucune limite donnée.",
     "headline.bad": "Mauvais : voir les {circles:if|cercles|axes} ci-dessous",
     "headline.good": (
@@ -370,6 +385,11 @@ SENTENCES: Final[dict[str, str]] = {
         " moins un axe qui a une table, et donner son essai par --after avec les cercles|Pour la"
         " corriger davantage, créer un nouveau dossier de travail : donner les fichiers relus"
         " comme as_found, et les cercles mesurés après chargement}"
+    ),
+    "next.squareness_not_active": (
+        "pas de nouvelle table : les cercles ne montrent pas que la correction de la"
+        " perpendicularité de {planes} est active comme prévu, et une autre pourrait s'ajouter à un"
+        " défaut. Corriger d'abord cela, puis mesurer de nouveau le cercle"
     ),
     "next.stop": (
         "arrêter ici : le gain d'une autre table pour {axes} serait trop petit pour se voir dans"

@@ -256,8 +256,9 @@ SENTENCES: Final[dict[str, str]] = {
     "report.conditions": "Conditions d'essai, {standard}",
     "report.conform": "La machine respecte toutes les limites du tableau ci-dessus.",
     "report.conformity_open": (
-        "La conformité n'est pas déclarée : au moins une limite est non décidée, ou un constat dont"
-        " une décision dépend n'est pas encore vérifié."
+        "La conformité n'est pas déclarée : {undecided:if|au moins une limite est non décidée|il"
+        " n'est pas prouvé que les tables soient actives comme prévu}, ou un constat dont une"
+        " décision dépend n'est pas encore vérifié."
     ),
     "report.customer": "Client",
     "report.date": "Date de l'essai",

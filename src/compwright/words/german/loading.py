@@ -158,6 +158,21 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V034.feed": "sein Vorschub ist {now:g} mm/min (des ersten {was:g} mm/min)",
     "CW-V034.radius": "sein Radius ist {now:g} mm (des ersten {was:g} mm)",
+    "CW-V035": (
+        "Die Rechtwinkligkeit nach dem Laden ist {value:.1f} µm/m. Vorhergesagt waren"
+        " {expected:.1f} µm/m, ± {U:.1f} µm/m aus dem Rauschen der beiden Messungen (k = 2)."
+        " {verdict:choose|loaded=Die Korrektur ist aktiv; ein neues Einrichten des Messgeräts oder"
+        " eine Änderung der Maschine kann diesen Rest lassen|not_active=Die Korrektur ist nicht"
+        " aktiv. Prüfen, ob ihre Tabelle geladen und eingeschaltet ist|inverted=Die Korrektur ist"
+        " mit umgekehrtem Vorzeichen aktiv. Das Vorzeichen ihrer Tabelle prüfen und sie neu"
+        " laden|scaled={percent:.0f} % der geplanten Korrektur sind aktiv|undecided=Kein bekannter"
+        " Ladefehler erklärt das}.{negligible:if| Unter {negligible:.0f} µm/m wird sie"
+        " angenommen.|}"
+    ),
+    "CW-V035.open": (
+        "Der Kreis nach dem Laden bestimmt die Rechtwinkligkeit nicht gut genug, um zu zeigen, dass"
+        " ihre Korrektur aktiv ist. Den vollen Kreis in beiden Richtungen neu messen."
+    ),
     "headline.active": "{tables:plural|Tabelle|Tabellen} aktiv. Keine Grenzwerte angegeben.",
     "headline.bad": "Nicht gut: siehe die {circles:if|Kreise|Achsen} unten",
     "headline.good": (
@@ -378,6 +393,11 @@ SENTENCES: Final[dict[str, str]] = {
         " Tabelle nach dem Laden messen und ihre Prüfung zusammen mit den Kreisen mit --after"
         " angeben|Für eine weitere Korrektur einen neuen Auftrag anlegen: die zurückgelesenen"
         " Dateien als as_found und die nach dem Laden gemessenen Kreise angeben}"
+    ),
+    "next.squareness_not_active": (
+        "keine neue Tabelle: Die Kreise zeigen nicht, dass die Korrektur der Rechtwinkligkeit von"
+        " {planes} wie geplant aktiv ist, und eine weitere käme vielleicht zu einem Fehler dazu."
+        " Zuerst das beheben und den Kreis neu messen"
     ),
     "next.stop": (
         "hier aufhören: Der Gewinn einer weiteren Tabelle für {axes} wäre zu klein, um sich in"

@@ -245,8 +245,9 @@ SENTENCES: Final[dict[str, str]] = {
     "report.conditions": "Prüfbedingungen, {standard}",
     "report.conform": "Die Maschine hält alle Grenzwerte der obigen Tabelle ein.",
     "report.conformity_open": (
-        "Es wird keine Konformität erklärt: Mindestens ein Grenzwert ist nicht entschieden, oder"
-        " ein Befund, von dem die Entscheidung abhängt, ist noch nicht geprüft."
+        "Es wird keine Konformität erklärt: {undecided:if|Mindestens ein Grenzwert ist nicht"
+        " entschieden|Es ist nicht bewiesen, dass die Tabellen wie geplant aktiv sind}, oder ein"
+        " Befund, von dem die Entscheidung abhängt, ist noch nicht geprüft."
     ),
     "report.customer": "Kunde",
     "report.date": "Prüfdatum",

@@ -75,7 +75,7 @@ def after_verify(
     axes, circles = document["axes"].values(), document["circles"].values()
     planes = [circle["squareness"] for circle in circles if circle["squareness"]]
     active = all(axis["loading"]["verdict"] == "loaded" for axis in axes) and all(
-        plane["decision"] == "accept" for plane in planes
+        plane["active"] for plane in planes
     )
     found = {finding["code"] for finding in document["findings"]}
     lacking = sorted({"CW-V023", "CW-V034"} & found)

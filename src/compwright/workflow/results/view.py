@@ -162,7 +162,14 @@ def verify_view(
     ``axes``: those of the verification document. ``options``: the words of the command line.
     """
     return {
-        "title": say("report.verification", axes=list(axes)),
+        "title": say(
+            "report.verification",
+            axes=list(axes)
+            or [
+                say("report.circle", plane=name, name="")
+                for name in documents["verification"]["circles"]
+            ],
+        ),
         "machine": dict(job.machine),
         "format": {"id": control.id, "title": ControlText(control.definition.title, {})},
         "axes": {

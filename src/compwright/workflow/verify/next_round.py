@@ -177,6 +177,15 @@ def _no_axis(found: Verified) -> str:
     """Return the message that no axis can be corrected further, and so no squareness either."""
     if not (found.circles and found.job.apply.squareness):
         return SentenceText(say("next.no_axis"))
+    faulty = sorted(
+        {
+            circle.after.test.plane
+            for circle in found.circles.values()
+            if circle.squareness is not None and not circle.squareness.active
+        }
+    )
+    if faulty:
+        return SentenceText(say("next.squareness_not_active", planes=faulty))
     axes = found.plan.axes.values()
     measured = any(entry.fitted is not None and entry.tests for entry in axes)
     return SentenceText(say("next.squareness_alone", measured=measured))
@@ -297,7 +306,7 @@ def _squareness(found: Verified, axes: Collection[str]) -> Iterator[str]:
     axes that can be corrected further.
 
     A plane is yielded if its circle was measured again and no axis of it has a table in doubt. If
-    its squareness was corrected before, the correction must have had the expected effect.
+    its squareness was corrected before, this correction must be active.
     """
     doubted = {
         name
@@ -313,10 +322,7 @@ def _squareness(found: Verified, axes: Collection[str]) -> Iterator[str]:
             if frozenset(found.plan.circles[name].test.axes) == pair
         ]
         corrected = [entry for entry in found.plan.cross if entry.pair == pair]
-        proven = all(
-            circle.squareness is not None and circle.squareness.decision == "accept"
-            for circle in again
-        )
+        proven = all(circle.squareness is not None and circle.squareness.active for circle in again)
         if again and not pair & doubted and (proven or not corrected):
             yield plane
 

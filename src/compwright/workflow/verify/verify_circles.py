@@ -189,17 +189,19 @@ def _verified(
         for entry in plan.cross
         if entry.delivered and entry.source == "circle" and not unproven
     )
-    bent = next((entry for entry in corrected if entry.pair == frozenset(circle.test.axes)), None)
     check = None
-    if bent is not None:
-        was, now = effect_of(prediction.expected, "squareness"), effect_of(result, "squareness")
-        if was is not None:
-            error = was.std_error if now is None else float(np.hypot(was.std_error, now.std_error))
+    if any(entry.pair == frozenset(circle.test.axes) for entry in corrected):
+        was, expected, now = (
+            effect_of(each, "squareness") for each in (before, prediction.expected, result)
+        )
+        if was is not None and expected is not None:
+            error = expected.std_error
+            error = error if now is None else float(np.hypot(error, now.std_error))
             check = SquarenessCheck(
                 value=None if now is None else now.value,
-                expected=was.value,
+                expected=expected.value,
                 U=SIGNIFICANT * error,
-                corrected=1e6 * bent.squareness,
+                before=was.value,
             )
     accept, lacking, acknowledged = _judged(
         job,
@@ -214,7 +216,7 @@ def _verified(
         squareness=check,
         accept=accept,
         acknowledged=acknowledged,
-        findings=lacking,
+        findings=(*lacking, *(() if check is None else check.findings)),
     )
 
 
