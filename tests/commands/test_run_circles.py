@@ -937,11 +937,18 @@ def test_circles_of_one_plane_that_disagree(
         path.read_text().replace("circles: [", "circles: [{file: other.csv, centre: [400, -250]}, ")
     )
     assert compwright(["run", str(path)]) == 1
-    assert "CW-P110" in codes(capsys)
+    shown = codes(capsys)
+    assert "CW-P110" in shown
+    assert "acknowledge CW-P110" in shown
+    assert read_plan((folder / "job" / "plan.json").read_bytes(), "").cross == ()
+    assert document(folder / "job" / "prediction.json")["axes"]["X"]["accept"]["A"]["decision"] == (
+        "undecided"
+    )
+    path.write_text(path.read_text() + "acknowledged: {CW-P110: the floor was relevelled}\n")
+    assert compwright(["run", str(path), "--force"]) == 1
     prediction = document(folder / "job" / "prediction.json")
     # 50 ± 10 µm/m: below 25 in 0.6 % of cases
-    assert [one["code"] for one in prediction["doubts"]] == ["CW-P110", "CW-P166"]
-    assert prediction["axes"]["X"]["accept"]["A"]["decision"] == "undecided"
+    assert [one["code"] for one in prediction["doubts"]] == ["CW-P166"]
     (cross,) = read_plan((folder / "job" / "plan.json").read_bytes(), "").cross
     assert cross.squareness == pytest.approx(50e-6, abs=3e-6)  # rad: the weighted mean of two alike
     assert cross.std_error == pytest.approx(

@@ -181,3 +181,19 @@ def test_a_further_round_needs_an_active_correction(
     assert ("squareness of XY is active as planned" in answer["next"]["reason"]) is not written
     shown = " ".join(capsys.readouterr().out.split())
     assert ("a new table was written for squareness" in shown) is written
+
+
+def test_nothing_is_predicted_where_the_causes_are_unknown(tmp_path: Path) -> None:
+    """Ten samples in each direction: a repetition of the test is not known to a hundredth."""
+    job = planned(tmp_path, BENT, LIMIT.replace("5", "50"), replace(FIRST, samples=10))
+    prediction = json.loads((tmp_path / "job" / "prediction.json").read_text(encoding="utf-8"))
+    found = prediction["circles"]["xy"]
+    assert found["before"]["G_bidirectional"] > 1.0
+    assert found["predicted"]["G_bidirectional"] is None
+    assert "samples" in found["not_applicable"]["predicted"]
+    assert found["accept"]["G_bidirectional"]["decision"] == "undecided"
+    after = circle(tmp_path / "after.csv", replace(BENT, squareness=0.0), FIRST, 7)
+    code, answer = verified(tmp_path, job, after)
+    assert answer["circles"]["xy"]["within_prediction"]["G_bidirectional"] is None
+    decision = answer["circles"]["xy"]["accept"]["G_bidirectional"]["decision"]
+    assert (code, decision, answer["verdict"]) == (1, "accept", "undecided")  # no table

@@ -211,10 +211,10 @@ def test_no_document_of_a_circle_holds_a_minus_zero() -> None:
 
 @pytest.mark.parametrize(
     ("value", "decision"),
-    [(10.0, "accept"), (12.5, "accept"), (7.5, "accept"), (12.6, "reject"), (7.4, "reject")],
+    [(40.0, "accept"), (42.5, "accept"), (37.5, "accept"), (42.6, "reject"), (37.4, "reject")],
 )
 def test_squareness_is_kept_within_its_uncertainty(value: float, decision: str) -> None:
-    check = SquarenessCheck(value=value, expected=10.0, U=2.5, corrected=-40.0)
+    check = SquarenessCheck(value=value, expected=40.0, U=2.5, before=0.0)
     assert check.decision == decision
 
 
@@ -230,7 +230,7 @@ def test_squareness_is_kept_within_its_uncertainty(value: float, decision: str) 
 def test_a_test_that_cannot_miss_a_correction_proves_nothing(
     value: float | None, U: float, decision: str
 ) -> None:
-    check = SquarenessCheck(value=value, expected=0.0, U=U, corrected=-60.0)
+    check = SquarenessCheck(value=value, expected=0.0, U=U, before=60.0)
     assert check.decision == decision
 
 

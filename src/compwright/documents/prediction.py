@@ -89,11 +89,13 @@ def cross_outside(entry: CrossCompensation) -> dict[str, Any]:
 
 def circle_outside(circle: CirclePrediction) -> dict[str, Any]:
     """Return a circular test for JSON: its parameters (µm) and error causes as measured and as
-    predicted.
+    predicted. If nothing is predicted, ``not_applicable`` gives the reason.
     """
+    reason = circle.before.not_applicable.get("diagnosis", "")
     return {
         "before": circle_values(circle.before),
         "predicted": circle_quantiles(circle),
+        **({} if circle.predicted else {"not_applicable": {"predicted": reason}}),
         "accept": _accept(circle.accept),
     }
 
@@ -116,10 +118,13 @@ def circle_values(result: CircularResult) -> dict[str, float | None]:
     return {**values, **causes}
 
 
-def circle_quantiles(circle: CirclePrediction) -> dict[str, dict[str, float]]:
+def circle_quantiles(circle: CirclePrediction) -> dict[str, dict[str, float] | None]:
     """Return the predicted quantiles of the parameters and error causes of a circular test, by JSON
-    name.
+    name: None for each measured parameter if nothing is predicted.
     """
+    if not circle.predicted:
+        given = circle.before.parameters.items()
+        return {name: None for name, value in given if value is not None}
     return {
         **quantiles_outside(circle.predicted, AxisKind.LINEAR),
         **{

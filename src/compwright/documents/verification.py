@@ -296,8 +296,12 @@ def _circle(circle: VerifiedCircle) -> dict[str, Any]:
     }
 
 
-def _within(value: float | None, band: Mapping[str, float], guard: float = 0.0) -> bool | None:
-    """Return whether a value is in the predicted 90 % interval, widened by ``guard``; None if there
-    is no value.
+def _within(
+    value: float | None, band: Mapping[str, float] | None, guard: float = 0.0
+) -> bool | None:
+    """Return whether a value is in the predicted 90 % interval, widened by ``guard``; None without
+    a value or a prediction.
     """
-    return None if value is None else band["p05"] - guard <= value <= band["p95"] + guard
+    if value is None or band is None:
+        return None
+    return band["p05"] - guard <= value <= band["p95"] + guard

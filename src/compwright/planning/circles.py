@@ -255,8 +255,8 @@ def undecided_circle_findings(predictions: Mapping[str, CirclePrediction]) -> tu
     """Return a finding for every circular test that has limits, but whose causes of deviation are
     unknown.
 
-    Its predicted band then contains the noise of the samples alone, and is too narrow: of simulated
-    repetitions on short arcs only 0 to 52 % were within the 90 % bands.
+    Nothing is predicted for it. A band from the noise of the samples alone would be too narrow: of
+    simulated repetitions on short arcs only 0 to 52 % were within such 90 % bands.
     """
     return tuple(
         Finding.of("CW-P134", "warning", causes=_without_causes(name, circle.before.test))

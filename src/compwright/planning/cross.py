@@ -59,12 +59,14 @@ _PPM = 1e6
 class Squareness:
     """The squareness of a plane under the present corrections, rad, with its standard error, the
     names of the circular tests that show it, and the largest diameter of these tests, mm.
+    ``contradictory``: these tests contradict each other, so that the mean is right for none.
     """
 
     value: float
     std_error: float
     tests: tuple[str, ...]
     diameter: float
+    contradictory: bool = False
 
     @property
     def words(self) -> Sentence:
@@ -280,6 +282,10 @@ class _Planner:
                 self._not_corrected(plane, pair, angle)
             elif need == "negligible":
                 self.find("CW-P107", "info", plane=plane, angle_words=angle.words)
+            elif angle.contradictory and not all(
+                self.job.acknowledgement("CW-P110", axis) for axis in pair
+            ):
+                self.find("CW-P106.contradictory", "error", plane=plane)
             else:
                 yield self._ramp(other, bent, angle)
         for pair, angle in self.angles.items():
@@ -367,12 +373,13 @@ class _Planner:
         if free and scatter > free:
             # The error of values that scatter more grows with it (Birge, Physical Review 40, 1932).
             error *= float(np.sqrt(scatter / free))
-        if free and contradictory(scatter, free):
+        contradicts = bool(free) and contradictory(scatter, free)
+        if contradicts:
             names = (work.name for work in works)
             each = zip(names, (float(value) * _PPM for value in values), strict=True)
             self.findings.append(squareness_contradiction(works[0].planned.test.axes, each))
         diameter = max(2.0 * work.planned.test.nominal_radius for work in works)
-        return Squareness(mean, error, tuple(work.name for work in works), diameter)
+        return Squareness(mean, error, tuple(work.name for work in works), diameter, contradicts)
 
     def _as_found(self, work: CircleWork) -> tuple[float, float]:
         """Return the squareness (rad) from one circular test, converted to the present corrections,

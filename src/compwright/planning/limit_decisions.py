@@ -87,7 +87,7 @@ def _predicted(
         stated = (uncertainty or {}).get(name) if rule == "guarded" else None
         guard = 0.0 if stated is None else stated.U
         decision: Decision = "undecided"
-        if rule == "simple" or stated is not None:
+        if name in predicted and (rule == "simple" or stated is not None):
             decision = decide_prediction(magnitude(predicted[name]), limit / factor, guard)
         new = (elsewhere or {}).get(name)
         if decision == "accept" and new and magnitude(new).p95 + guard > limit / factor:

@@ -106,11 +106,14 @@ def predict_circle(
 
     Parameters come from ``draws`` tests with fresh noise. Causes are linear in the readings, so
     their prediction follows from the standard errors of both tests. A parameter that ``before``
-    does not have is left out. Predicted amplitudes are never below zero.
+    does not have is left out. Predicted amplitudes are never below zero. Nothing is predicted where
+    the causes are unknown: the path of a new test is then unknown as well.
     """
-    test = expected.test
+    test, diagnosis = expected.test, expected.diagnosis
+    if diagnosis is None:
+        return CirclePrediction(before=before, expected=expected, predicted={}, causes={})
     rows: dict[str, list[float]] = {}
-    for deviations in _fresh_tests(test, expected.diagnosis, rng, draws):
+    for deviations in _fresh_tests(test, diagnosis, rng, draws):
         runs = tuple(
             replace(run, deviations=each) for run, each in zip(test.runs, deviations, strict=True)
         )
@@ -123,7 +126,7 @@ def predict_circle(
         before=before,
         expected=expected,
         predicted={name: _quantiles(np.array(values)) for name, values in rows.items()},
-        causes={} if expected.diagnosis is None else dict(_causes(expected.diagnosis)),
+        causes=dict(_causes(diagnosis)),
     )
 
 
@@ -173,13 +176,13 @@ def _parabolas(values: FloatArray) -> FloatArray:
 
 
 def _fresh_tests(
-    test: CircularTest, diagnosis: Diagnosis | None, rng: np.random.Generator, draws: int
+    test: CircularTest, diagnosis: Diagnosis, rng: np.random.Generator, draws: int
 ) -> Iterator[list[FloatArray]]:
     """Yield the deviations (n,) mm of every run for each of ``draws`` simulated tests. The
-    simulated path is the path fitted by the ``diagnosis``; without one it is the smoothed measured
-    path.
+    simulated path is the path fitted by the ``diagnosis``; if that has none it is the smoothed
+    measured path.
     """
-    fresh = () if diagnosis is None else diagnosis.fresh()
+    fresh = diagnosis.fresh()
     paths = [
         _along(run, each.angles, each.paths)
         for run, each in zip(test.runs, fresh, strict=bool(fresh))

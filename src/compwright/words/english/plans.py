@@ -54,6 +54,10 @@ SENTENCES: Final[dict[str, str]] = {
         " measurement that is wrong."
     ),
     "CW-P105": "{measured}. {tests} confirms it ({circle}).",
+    "CW-P106.contradictory": (
+        "The squareness of plane {plane} is not corrected, because its circles contradict each"
+        " other (CW-P110). Repeat the circle that deviates, or acknowledge CW-P110 in the job."
+    ),
     "CW-P106.no_circle": (
         "The squareness of plane {plane} is not corrected: the job has no circle of this plane."
         " Measure one in both directions."
@@ -201,8 +205,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P133.parameter": "{parameter} {value} (limit {limit:g})",
     "CW-P133.period": "every {period:.5g} {unit} ({probability:.0%})",
     "CW-P134": (
-        "The causes of the deviation of a circle are unknown (circle {causes}). The predicted band"
-        " is therefore too narrow to decide the limits of this circle, and they stay undecided."
+        "The causes of the deviation of a circle are unknown (circle {causes}). Therefore nothing"
+        " is predicted for this circle, and its limits stay undecided."
         " Measure a full circle in both directions, or decide by the test after loading."
     ),
     "CW-P135": (

@@ -55,6 +55,11 @@ SENTENCES: Final[dict[str, str]] = {
         " répéter la mesure fausse."
     ),
     "CW-P105": "{measured}. {tests} le confirme ({circle}).",
+    "CW-P106.contradictory": (
+        "La perpendicularité du plan {plane} n'est pas corrigée, car ses cercles se contredisent"
+        " (CW-P110). Répéter le cercle qui s'écarte, ou acquitter CW-P110 dans le dossier de"
+        " travail."
+    ),
     "CW-P106.no_circle": (
         "La perpendicularité du plan {plane} n'est pas corrigée : le dossier de travail n'a pas de"
         " cercle de ce plan. En mesurer un dans les deux sens."
@@ -200,8 +205,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P133.parameter": "{parameter} {value} (limite {limit:g})",
     "CW-P133.period": "tous les {period:.5g} {unit} ({probability:.0%})",
     "CW-P134": (
-        "Les causes de l'écart d'un cercle sont inconnues (cercle {causes}). La bande prévue est"
-        " donc trop étroite pour décider des limites de ce cercle, qui restent non décidées."
+        "Les causes de l'écart d'un cercle sont inconnues (cercle {causes}). Rien n'est donc"
+        " prévu pour ce cercle, et ses limites restent non décidées."
         " Mesurer un cercle entier dans les deux sens, ou décider d'après l'essai après chargement."
     ),
     "CW-P135": (

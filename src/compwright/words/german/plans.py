@@ -62,6 +62,11 @@ SENTENCES: Final[dict[str, str]] = {
         " und die falsche Messung wiederholen."
     ),
     "CW-P105": "{measured}. {tests} bestätigt es ({circle}).",
+    "CW-P106.contradictory": (
+        "Die Rechtwinkligkeit der Ebene {plane} wird nicht korrigiert, denn ihre Kreise"
+        " widersprechen sich (CW-P110). Den Kreis wiederholen, der abweicht, oder CW-P110 im"
+        " Auftrag bestätigen."
+    ),
     "CW-P106.no_circle": (
         "Die Rechtwinkligkeit der Ebene {plane} wird nicht korrigiert: Der Auftrag hat keinen"
         " Kreis dieser Ebene. Einen in beiden Richtungen messen."
@@ -213,10 +218,9 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P133.parameter": "{parameter} {value} (Grenzwert {limit:g})",
     "CW-P133.period": "alle {period:.5g} {unit} ({probability:.0%})",
     "CW-P134": (
-        "Die Ursachen der Abweichung eines Kreises sind unbekannt (Kreis {causes}). Das"
-        " vorhergesagte Band ist deshalb zu schmal, um über die Grenzwerte dieses Kreises zu"
-        " entscheiden; sie bleiben offen. Einen vollen Kreis in beiden Richtungen messen, oder nach"
-        " der Prüfung nach dem Laden entscheiden."
+        "Die Ursachen der Abweichung eines Kreises sind unbekannt (Kreis {causes}). Deshalb wird"
+        " für diesen Kreis nichts vorhergesagt, und seine Grenzwerte bleiben offen. Einen vollen"
+        " Kreis in beiden Richtungen messen, oder nach der Prüfung nach dem Laden entscheiden."
     ),
     "CW-P135": (
         "Kreise {circles} gemeinsam. {machine:if|{machine:join| }|Sie zeigen keinen Fehler der"
