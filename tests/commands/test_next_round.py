@@ -14,6 +14,7 @@ import shutil
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -353,7 +354,7 @@ def test_what_cannot_be_compared_is_not_built_upon(pair: Pair) -> None:
 def test_squareness_alone_is_answered_in_words(pair: Pair) -> None:
     """Circles after loading and no test of an axis: what to give, or what to run."""
     job = replace(pair.found.job, apply=replace(pair.found.job.apply, squareness={"XY": "Y"}))
-    circles: Any = {"xy": None}
+    circles: Any = {"xy": SimpleNamespace(squareness=None)}
     bare = {name: replace(axis, fitted=None) for name, axis in pair.found.plan.axes.items()}
     for axes, said in (
         (pair.found.plan.axes, "measure at least one axis that has a table after loading"),

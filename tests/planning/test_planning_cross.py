@@ -12,7 +12,7 @@ from compwright.planning.circles import CircleWork
 from compwright.planning.cross import CrossPlan, angle_of, plan_cross
 from compwright.prediction.active_corrections import NO_CORRECTIONS, ActiveCorrections
 from compwright.records.axis import Axis, AxisKind
-from compwright.records.job import ApplyRequest, CrossRequest
+from compwright.records.job import Acknowledgement, ApplyRequest, CrossRequest
 from compwright.records.plan import PlannedCross
 from planning_samples import MINUS, PLUS, PPM, UM, axis_of, by_slope, circle_of, job_of
 
@@ -107,9 +107,14 @@ def test_a_circle_of_another_state_is_brought_to_what_acts_now() -> None:
 
 def test_circles_of_a_plane_are_weighted() -> None:
     """30 ± 2 and 45 ± 4 µm/m: 33, ± 1.79; the chi-square of 11.25 at one degree of freedom says that
-    they disagree, so ± 6.
+    they disagree, so ± 6. Nothing is corrected until this is acknowledged.
     """
-    found = plan(square(30.0, 2.0, name="a"), square(45.0, 4.0, name="b"), apply=BEND_Y)
+    circles = square(30.0, 2.0, name="a"), square(45.0, 4.0, name="b")
+    refused = plan(*circles, apply=BEND_Y)
+    assert refused.planned == ()
+    assert codes(refused) == ["CW-P110", "CW-P106"]
+    known = (Acknowledgement(code="CW-P110", reason="the floor was relevelled"),)
+    found = plan(*circles, apply=BEND_Y, acknowledged=known)
     planned = only(found)
     assert planned.squareness == pytest.approx(33.0 * PPM)
     assert planned.std_error == pytest.approx(6.0 * PPM)

@@ -165,9 +165,11 @@ def test_a_parameter_that_the_test_does_not_have_is_not_predicted() -> None:
         measured(Machine(), Setup(noise=0.3, samples=360), np.random.default_rng(2)),
         calibrated=False,
     )
-    before = evaluate_circle(test)
+    bare = evaluate_circle(test)
+    before = replace(bare, diagnosis=diagnose(test))
+    nothing = predict_circle(bare, bare, np.random.default_rng(1), 5)
+    assert (nothing.predicted, nothing.causes) == ({}, {})  # no diagnosis was made
     prediction = predict_circle(before, before, np.random.default_rng(1), 5)
-    assert prediction.causes == {}  # no diagnosis was made
     assert "F_max_ccw" not in prediction.predicted
     assert "H" not in prediction.predicted
     assert {"G_ccw", "G_cw", "G_bidirectional", "D"} <= set(prediction.predicted)

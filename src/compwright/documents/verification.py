@@ -123,27 +123,6 @@ class SquarenessCheck:
         negligible = abs(self.value) + self.U < NEGLIGIBLE and off + self.U < 0.5 * planned
         return "accept" if negligible else "reject"
 
-    @property
-    def findings(self) -> tuple[Finding, ...]:
-        """A tuple with the finding CW-V035 if the squareness is not as predicted, else empty."""
-        if self.decision == "undecided":
-            return (Finding.of("CW-V035.open", "warning"),)
-        accepted = self.decision == "accept"
-        if self.value is None or abs(self.value - self.expected) <= self.U:
-            return ()
-        return (
-            Finding.of(
-                "CW-V035",
-                "info" if accepted else "warning",
-                value=self.value,
-                expected=self.expected,
-                U=self.U,
-                verdict=self.verdict,
-                percent=100.0 * (self.factor or 0.0),
-                negligible=NEGLIGIBLE if accepted else 0.0,
-            ),
-        )
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VerifiedCircle:

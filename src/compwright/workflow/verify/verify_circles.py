@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -41,6 +41,7 @@ from compwright.planning.value_with_error import SIGNIFICANT
 from compwright.prediction.active_corrections import ActiveCorrections
 from compwright.records.axis import Axis
 from compwright.records.circular import CircularResult, CircularTest
+from compwright.records.correction_need import NEGLIGIBLE
 from compwright.records.job import Acknowledged, Job
 from compwright.records.plan import Plan, PlannedCircle
 from compwright.records.positioning import PositioningTest
@@ -216,8 +217,26 @@ def _verified(
         squareness=check,
         accept=accept,
         acknowledged=acknowledged,
-        findings=(*lacking, *(() if check is None else check.findings)),
+        findings=(*lacking, *(() if check is None else _not_as_predicted(check))),
     )
+
+
+def _not_as_predicted(check: SquarenessCheck) -> Iterator[Finding]:
+    """Yield the finding CW-V035 if the squareness after loading is not as predicted."""
+    if check.value is None or check.decision == "undecided":
+        yield Finding.of("CW-V035.open", "warning")
+    elif abs(check.value - check.expected) > check.U:
+        accepted = check.decision == "accept"
+        yield Finding.of(
+            "CW-V035",
+            "info" if accepted else "warning",
+            value=check.value,
+            expected=check.expected,
+            U=check.U,
+            verdict=check.verdict,
+            percent=100.0 * (check.factor or 0.0),
+            negligible=NEGLIGIBLE if accepted else 0.0,
+        )
 
 
 def _loaded(plan: Plan, axes: Sequence[str]) -> list[str]:

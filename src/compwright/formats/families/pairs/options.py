@@ -133,7 +133,10 @@ def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[i
     if allowed and found:
         given = control_text("{found} in `cec_tables` ({allowed})", **values)
     elif allowed:
-        given = control_text("none in `cec_tables` ({allowed})", **values)
+        given = control_text(
+            "none in `cec_tables` ({allowed}); those that this job writes for its axes are used",
+            **values,
+        )
     if needed == 1:
         message = control_text(
             "axis {name}: {control} needs a CEC table that is free or already belongs to this axis",

@@ -109,7 +109,10 @@ TEXTS: Final[dict[str, str]] = {
         "aucun pas constant ne contient ses points et ceux de la correction"
     ),
     "none: the option is not given": "aucun : l'option n'est pas donnée",
-    "none in `cec_tables` ({allowed})": "aucun dans `cec_tables` ({allowed})",
+    "none in `cec_tables` ({allowed}); those that this job writes for its axes are used": (
+        "aucun dans `cec_tables` ({allowed}) ; ceux que ce dossier de travail écrit pour ses axes"
+        " sont utilisés"
+    ),
     "one curve": "une seule courbe",
     "one other axis": "un seul autre axe",
     "other indices in the option cec_tables": "d'autres indices dans l'option cec_tables",

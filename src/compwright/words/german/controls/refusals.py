@@ -111,7 +111,9 @@ TEXTS: Final[dict[str, str]] = {
         "kein gleichmäßiger Abstand enthält ihre Punkte und die der Korrektur"
     ),
     "none: the option is not given": "keine: die Option ist nicht angegeben",
-    "none in `cec_tables` ({allowed})": "keine in `cec_tables` ({allowed})",
+    "none in `cec_tables` ({allowed}); those that this job writes for its axes are used": (
+        "keine in `cec_tables` ({allowed}); die dieses Auftrags für seine Achsen sind belegt"
+    ),
     "one curve": "eine Kurve",
     "one other axis": "eine andere Achse",
     "other indices in the option cec_tables": "andere Indizes in der Option cec_tables",

@@ -102,7 +102,10 @@ TEXTS: Final[dict[str, str]] = {
         "ни один постоянный шаг не содержит её точек и точек коррекции"
     ),
     "none: the option is not given": "нет: опция не задана",
-    "none in `cec_tables` ({allowed})": "ни одного в `cec_tables` ({allowed})",
+    "none in `cec_tables` ({allowed}); those that this job writes for its axes are used": (
+        "ни одного в `cec_tables` ({allowed}); таблицы, которые это задание пишет для своих осей,"
+        " заняты"
+    ),
     "one curve": "одна кривая",
     "one other axis": "одна другая ось",
     "other indices in the option cec_tables": "другие индексы в опции cec_tables",
