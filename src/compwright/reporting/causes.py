@@ -5,7 +5,7 @@ and report.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
@@ -99,10 +99,11 @@ class CircleCause:
         """Return the name of the cause with its note in brackets, if it has one."""
         return say("cause.noted", cause=self.words, note=self.note) if self.note else self.words
 
-    @property
-    def printed_text(self) -> str:
-        """Return the software's values as text, in brackets if it calls them not valid."""
-        text = " / ".join(self.text(value) for value in self.printed)
+    def printed_text(self, write: Callable[[float], str]) -> str:
+        """Return the software's values as text, in brackets if it calls them not valid. ``write``
+        returns one value as text.
+        """
+        text = " / ".join(write(value) for value in self.printed)
         return f"({text})" if text and self.doubtful else text
 
     @property

@@ -177,7 +177,7 @@ def _any_printed(causes: Sequence[CircleCause]) -> bool:
 
 
 def _values(cause: CircleCause, *, printed: bool) -> list[str | Sentence]:
-    software = [NumberText(cause.printed_text), _comparison(cause)]
+    software = [NumberText(cause.printed_text(cause.text)), _comparison(cause)]
     return [cause.value_text, cause.unit_text, *(software if printed else [])]
 
 

@@ -217,7 +217,7 @@ def _row(cause: CircleCause, words: str, *, printed: bool, whole: bool = True) -
     cells += [number(cause.effect), f"{100.0 * cause.share:.0f} %"] if whole else ["", ""]
     cells.append(cause.text(cause.plain))
     if printed:
-        cells.append(cause.printed_text)
+        cells.append(cause.printed_text(plain))
     return cells
 
 
