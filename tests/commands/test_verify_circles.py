@@ -105,6 +105,39 @@ def test_a_limit_is_that_of_the_circle_that_was_measured_first(
     assert "Next: measure what CW-V034 names" in capsys.readouterr().out
 
 
+@pytest.fixture(scope="module")
+def updated(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
+    """The folder and job of a machine whose existing table corrects 38 of 50 µm/m. Its first circle
+    was measured without this table.
+    """
+    folder = tmp_path_factory.mktemp("updated")
+    job = Path(planned(folder, replace(BENT, squareness=38.0), accept=""))
+    (folder / "job" / "tables" / "siemens-840d-sl" / "AX2_CROSS.INI").rename(
+        folder / "AX2_CROSS.INI"
+    )
+    circle(folder / "xy.csv", replace(BENT, squareness=50.0), FIRST, 2)
+    text = job.read_text().replace("{as_found: none}", "{as_found: [AX2_CROSS.INI], without: none}")
+    job.write_text(text.replace("[400, 400]}", "[400, 400], measured_in: without}"))
+    compwright(["run", str(job), "--force"])
+    return folder, str(job)
+
+
+@pytest.mark.parametrize(
+    ("left", "code", "decision", "verdict"),
+    [(0.0, 0, "accept", "loaded"), (12.0, 1, "reject", "not_active")],
+)
+def test_a_change_of_an_existing_table_is_judged_by_the_change(
+    updated: tuple[Path, str], left: float, code: int, decision: str, verdict: str
+) -> None:
+    """12 of 50 µm/m are added to the table: 12 are left if the new table is not loaded."""
+    folder, job = updated
+    after = circle(folder / "after.csv", replace(BENT, squareness=left), FIRST, 3)
+    found, answer = verified(folder, job, after)
+    check = answer["circles"]["xy"]["squareness"]
+    assert (found, check["decision"], check["verdict"]) == (code, decision, verdict)
+    assert abs(check["expected"]) < 1.0
+
+
 def test_a_circle_without_limits_may_have_another_radius(unlimited: tuple[Path, str]) -> None:
     """A squareness is an angle."""
     folder, job = unlimited

@@ -234,6 +234,24 @@ def test_a_test_that_cannot_miss_a_correction_proves_nothing(
     assert check.decision == decision
 
 
+@pytest.mark.parametrize(
+    ("check", "found"),
+    [
+        # A correction that is not active lies within U by chance, if U is more than half of it.
+        (SquarenessCheck(value=12.0, expected=0.0, U=13.0, before=20.0), ("undecided", False)),
+        # What is accepted has no other name, however wide U is.
+        (SquarenessCheck(value=1.0, expected=0.0, U=12.0, before=40.0), ("loaded", True)),
+        # On top of a table that was loaded with a wrong factor there is no second one.
+        (SquarenessCheck(value=40.0, expected=0.0, U=2.0, before=100.0), ("scaled", False)),
+        (SquarenessCheck(value=30.0, expected=20.0, U=2.0, before=100.0), ("loaded", True)),
+    ],
+)
+def test_only_a_correction_that_is_active_as_planned_counts_as_active(
+    check: SquarenessCheck, found: tuple[str, bool]
+) -> None:
+    assert (check.verdict, check.active) == found
+
+
 CIRCLE = measured(Machine(), Setup(samples=30))
 
 

@@ -20,7 +20,7 @@ from compwright.foundations.findings import Finding, doubts_of
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularResult
-from compwright.records.correction_need import MOST_UNCERTAIN, NEGLIGIBLE
+from compwright.records.correction_need import NEGLIGIBLE, most_uncertain
 from compwright.records.job import Acknowledged
 from compwright.records.prediction import AcceptDecision, CirclePrediction, Decision, Quantiles
 from compwright.records.result import ExpandedUncertainty, PositioningResult
@@ -68,8 +68,9 @@ class VerifiedAxis:
 class SquarenessCheck:
     """The squareness (µm/m) after loading compared with the prediction.
 
-    ``before``: before loading. ``U`` (k = 2): of the difference between ``value`` and ``expected``,
-    from the noise of the two tests. It does not hold the set-up of the instrument.
+    ``before``: before loading, under the corrections that the control had as found; the plan
+    changes it from there to ``expected``. ``U`` (k = 2): of the difference between ``value`` and
+    ``expected``, from the noise of the two tests. It does not hold the set-up of the instrument.
     """
 
     value: float | None
@@ -89,7 +90,7 @@ class SquarenessCheck:
     def verdict(self) -> Literal["loaded", "not_active", "inverted", "scaled", "undecided"]:
         """The name of the loading verdict to which ``factor`` belongs, as of an axis."""
         if self.factor is None:
-            return "undecided"
+            return "loaded" if self.decision == "accept" else "undecided"
         planned = abs(self.before - self.expected)
         near = max(self.U, min(NEGLIGIBLE, _CLEAR * planned)) / planned
         if abs(self.factor - 1.0) <= near:
@@ -102,24 +103,22 @@ class SquarenessCheck:
 
     @property
     def active(self) -> bool:
-        """Whether the correction is active: closer to the planned one than to none."""
-        if self.value is None:
-            return False
-        off = abs(self.value - self.expected)
-        return self.decision == "accept" or off + self.U < 0.5 * abs(self.before - self.expected)
+        """Whether the correction is active as planned, so that a further one may be added."""
+        return self.decision == "accept" or self.verdict == "loaded"
 
     @property
     def decision(self) -> Decision:
         """The decision on squareness.
 
-        Accept if it differs from the prediction by no more than U, or if a negligible squareness is
-        left by a correction of which more than half is active.
+        Accept if it differs from the prediction by no more than U, and U is small enough for a
+        correction. Accept if a negligible squareness is left by a correction of which more than
+        half is active.
         """
         if self.value is None:
             return "undecided"
         off, planned = abs(self.value - self.expected), abs(self.before - self.expected)
         if off <= self.U:
-            return "accept" if min(planned, MOST_UNCERTAIN) > self.U else "undecided"
+            return "accept" if most_uncertain(planned) > self.U else "undecided"
         negligible = abs(self.value) + self.U < NEGLIGIBLE and off + self.U < 0.5 * planned
         return "accept" if negligible else "reject"
 

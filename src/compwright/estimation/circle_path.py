@@ -51,11 +51,15 @@ def absent_causes(test: CircularTest, given: Container[str]) -> dict[str, Senten
         reasons[f"scale_error_{axis}"] = say("undetermined.bar")
         reasons[f"cyclic_{axis}"] = say("undetermined.pitch")
         missing = by_full_circle(say("undetermined.no_end", axis=name))
-        for end in ENDS:
-            reasons[f"lateral_play_{axis}_at_{end}"] = say("undetermined.both_directions")
         for kind in ("backlash", "reversal_spike"):
             for part in ("", *(f"_at_{end}" for end in ENDS)):
                 reasons[f"{kind}_{axis}{part}"] = missing
+        if "radius_change" not in given:
+            missing = say("undetermined.both_directions")
+        elif any(f"backlash_{axis}_at_{end}" in given for end in ENDS):
+            missing = by_full_circle(say("undetermined.one_reversal"))
+        for end in ENDS:
+            reasons[f"lateral_play_{axis}_at_{end}"] = missing
     return {cause: reason for cause, reason in reasons.items() if cause not in given}
 
 

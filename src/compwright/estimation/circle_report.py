@@ -218,7 +218,7 @@ def _lateral_play(solution: Solution, axis: str) -> Iterator[ReportedCause]:
     unseen = solution.draws.least_error[change] ** 2  # that of a change which is not found
     for end, side in zip(ENDS, (1.0, -1.0), strict=True):
         cause = linear_cause(solution, f"{name}_at_{end}", {name: 1.0, change: side}, detail=True)
-        if end == ENDS[0]:
+        if end == ENDS[0]:  # with the change, this curve is that of the whole axis
             yield replace(mean, curve=cause.curve)
         missing = max(mean.std_error**2 + unseen - cause.std_error**2, 0.0)
         yield replace(cause, curve=cause.curve * (side * along > 0.0), variance=missing)

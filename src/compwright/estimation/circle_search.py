@@ -277,7 +277,7 @@ def _odds(new: CircleStart, old: CircleStart, places: float) -> float:
     """Return the logarithm of the odds of a fit with a wave against one without. The wave may be at
     any of so many ``places`` with equal probability: independent frequencies of all its kinds.
     """
-    return new.evidence - old.evidence - float(np.log(places))
+    return new.evidence - old.evidence - float(np.log(max(places, 1.0)))
 
 
 def _with_vibration(start: CircleStart, found: Vibration) -> CircleStart:

@@ -86,12 +86,12 @@ def stick_slip(solution: Solution, axis: str) -> tuple[float, float] | None:
     amplitude = float(np.sqrt(2.0 * excess))
     # Near zero the root is not straight: there the amplitude of one standard error counts.
     near = float(min(error / max(amplitude, 1e-12), np.sqrt(2.0 * error)))
-    sizes = [
-        np.mean(spike.curve, axis=0) * (spike.reversal.axis == axis)
-        for spike in solution.draws.spikes
+    spikes = [  # of each direction
+        [spike.curve[sense] * (spike.reversal.axis == axis) for spike in solution.draws.spikes]
+        for sense in (0, -1)
     ]
-    spikes = problem.spike_curves(np.array([sizes]))[0] / UM
-    taken = float(np.sqrt(2.0 * _NO_SPIKE * np.mean(spikes[slow] ** 2)))
+    readings = problem.spike_curves(np.array(spikes))[:, slow] / UM
+    taken = float(np.sqrt(2.0 * _NO_SPIKE * np.mean(readings**2)))
     return amplitude, math.hypot(near, _OWN_SHAPE * amplitude, taken)
 
 

@@ -71,9 +71,9 @@ def evaluate(
     standard of the other kind of test, and for a file with several tests.
     """
     if not isinstance(test, PositioningTest | CircularTest):
-        tests = test if isinstance(test, list) else read(test)
+        tests = test if isinstance(test, list | tuple) else read(test)
         if len(tests) != 1:
-            listed = isinstance(test, list)
+            listed = isinstance(test, list | tuple)
             raise UsageError(
                 Fault(
                     message="one test is evaluated at a time",

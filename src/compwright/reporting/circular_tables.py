@@ -204,8 +204,15 @@ def _causes(result: Mapping[str, Any]) -> list[RenderableType]:
     lines: list[RenderableType] = [table] if shown else []
     if small:
         lines.append(Text(f"Below 1 % or 0.005 µm each: {small}", style="dim"))
-    if any(item.doubtful for cause in shown for item in (cause, *cause.parts)):
-        lines.append(Text("(…) the instrument's software itself calls it not valid", style="dim"))
+    items = [item for cause in shown for item in (cause, *cause.parts)] + sums
+    notes = {
+        "(…) the instrument's software itself calls it not valid": any(
+            item.doubtful for item in items
+        ),
+        "The software defines spikes, cyclic errors, centre changes and the positional tolerance in"
+        " its own way": any(item.printed and not item.comparable for item in items),
+    }
+    lines += [Text(note, style="dim") for note, applies in notes.items() if applies]
     steps = steps_for(causes, result["axes"])
     if steps:
         lines += [Text(), Text("Check first", style="bold"), *(Text(str(step)) for step in steps)]

@@ -44,7 +44,8 @@ _OF_READINGS: Final = frozenset({"CW-R006", "CW-T010", "CW-T015", "CW-T016"})
 _OF_UNCERTAINTY: Final = frozenset({"CW-T023"})
 #: A circle repeats another one if radius and feed agree within these parts of their values, and the
 #: ends of an arc within these degrees. Bars have fixed lengths, a feed is set in steps of 10 %.
-_SAME_RADIUS, _SAME_FEED, _SAME_ARC = 0.01, 0.1, 5.0
+SAME_RADIUS: Final = 0.01
+_SAME_FEED, _SAME_ARC = 0.05, 5.0
 #: Changed values outside of the plan that are named; of the others the number is given.
 _MOST_NAMED: Final = 3
 
@@ -274,7 +275,7 @@ def other_circle(first: CircularTest, after: CircularTest, name: str) -> Iterato
     squareness is an angle, and remains comparable.
     """
     what = []
-    if abs(after.nominal_radius - first.nominal_radius) > _SAME_RADIUS * first.nominal_radius:
+    if abs(after.nominal_radius - first.nominal_radius) > SAME_RADIUS * first.nominal_radius:
         what.append(say("CW-V034.radius", now=after.nominal_radius, was=first.nominal_radius))
     if abs(after.feed - first.feed) > _SAME_FEED * first.feed:
         what.append(say("CW-V034.feed", now=after.feed, was=first.feed))

@@ -158,7 +158,8 @@ SENTENCES: Final[dict[str, str]] = {
         " that its table is loaded and switched on|inverted=The correction is active with the"
         " opposite sign. Check the sign of its table, and load it again|scaled={percent:.0f} % of"
         " the planned correction is active|undecided=No known loading fault explains"
-        " this}.{negligible:if| Below {negligible:.0f} µm/m it is accepted.|}"
+        " this|uncertain=The tests are too uncertain to name the fault. Measure the full circle"
+        " again in both directions}.{negligible:if| Below {negligible:.0f} µm/m it is accepted.|}"
     ),
     "CW-V035.open": (
         "The circle after loading does not determine the squareness well enough to show that its"

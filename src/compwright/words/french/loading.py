@@ -162,8 +162,9 @@ SENTENCES: Final[dict[str, str]] = {
         " active. Vérifier que sa table est chargée et activée|inverted=La correction est active"
         " avec le signe opposé. Vérifier le signe de sa table et la charger de"
         " nouveau|scaled={percent:.0f} % de la correction prévue sont actifs|undecided=Aucun défaut"
-        " de chargement connu ne l'explique}.{negligible:if| Au-dessous de {negligible:.0f} µm/m"
-        " elle est acceptée.|}"
+        " de chargement connu ne l'explique|uncertain=Les essais sont trop incertains pour"
+        " nommer le défaut. Mesurer de nouveau le cercle entier dans les deux"
+        " sens}.{negligible:if| Au-dessous de {negligible:.0f} µm/m elle est acceptée.|}"
     ),
     "CW-V035.open": (
         "Le cercle après chargement ne détermine pas assez bien la perpendicularité pour montrer"

@@ -166,8 +166,9 @@ SENTENCES: Final[dict[str, str]] = {
         " aktiv. Prüfen, ob ihre Tabelle geladen und eingeschaltet ist|inverted=Die Korrektur ist"
         " mit umgekehrtem Vorzeichen aktiv. Das Vorzeichen ihrer Tabelle prüfen und sie neu"
         " laden|scaled={percent:.0f} % der geplanten Korrektur sind aktiv|undecided=Kein bekannter"
-        " Ladefehler erklärt das}.{negligible:if| Unter {negligible:.0f} µm/m wird sie"
-        " angenommen.|}"
+        " Ladefehler erklärt das|uncertain=Die Messungen sind zu unsicher, um den Fehler zu nennen."
+        " Den vollen Kreis in beiden Richtungen neu messen}.{negligible:if| Unter"
+        " {negligible:.0f} µm/m wird sie angenommen.|}"
     ),
     "CW-V035.open": (
         "Der Kreis nach dem Laden bestimmt die Rechtwinkligkeit nicht gut genug, um zu zeigen, dass"

@@ -47,6 +47,7 @@ from compwright.records.plan import Plan, PlannedCircle
 from compwright.records.positioning import PositioningTest
 from compwright.records.prediction import AcceptDecision
 from compwright.verification.proof import (
+    SAME_RADIUS,
     doubt_warnings,
     doubts_after,
     other_circle,
@@ -108,12 +109,14 @@ def _circle(
 
 def _repeated(circles: Mapping[str, PlannedCircle], test: CircularTest, spec: str) -> str:
     """Return the name of the planned circle that a test repeats: of those in the same plane, the
-    one with the nearest radius, and of these the one with the nearest feed.
+    one with the nearest radius, and of those with the same radius the one with the nearest feed.
     """
 
     def apart(name: str) -> tuple[float, float]:
         first = circles[name].test
-        return abs(first.nominal_radius - test.nominal_radius), abs(first.feed - test.feed)
+        off = abs(first.nominal_radius - test.nominal_radius)
+        same = off <= SAME_RADIUS * first.nominal_radius
+        return 0.0 if same else off, abs(first.feed - test.feed)
 
     axes = {name.upper() for name in test.axes}
     known = [
@@ -152,7 +155,7 @@ def verify_circles(
     """Evaluate the circular tests after loading (``files``: their files by the name of the circle),
     and return their comparison with the plan by the name of the circle. Raises InputError.
     """
-    axes = {name: entry.axis for name, entry in plan.axes.items()}
+    axes = plan.every_axis
     then = _planned(plan, as_found, axes)
     errors: list[CompwrightError] = []
     verified: dict[str, VerifiedCircle] = {}
@@ -185,24 +188,23 @@ def _verified(
     prediction = predicted_circle(before, circle, during, then)
     serial, name = job.machine.get("serial", ""), circle.test.name
     unproven = any(unproven_circle(circle.test, after, serial, name))
-    corrected = (
-        entry
+    removed = [
+        entry.squareness
         for entry in plan.cross
         if entry.delivered and entry.source == "circle" and not unproven
-    )
+        if entry.pair == frozenset(circle.test.axes)
+    ]
     check = None
-    if any(entry.pair == frozenset(circle.test.axes) for entry in corrected):
-        was, expected, now = (
-            effect_of(each, "squareness") for each in (before, prediction.expected, result)
-        )
-        if was is not None and expected is not None:
+    if removed:
+        expected, now = (effect_of(each, "squareness") for each in (prediction.expected, result))
+        if expected is not None:
             error = expected.std_error
             error = error if now is None else float(np.hypot(error, now.std_error))
             check = SquarenessCheck(
                 value=None if now is None else now.value,
                 expected=expected.value,
                 U=SIGNIFICANT * error,
-                before=was.value,
+                before=expected.value + 1e6 * sum(removed),
             )
     accept, lacking, acknowledged = _judged(
         job,
@@ -233,7 +235,7 @@ def _not_as_predicted(check: SquarenessCheck) -> Iterator[Finding]:
             value=check.value,
             expected=check.expected,
             U=check.U,
-            verdict=check.verdict,
+            verdict="uncertain" if check.factor is None else check.verdict,
             percent=100.0 * (check.factor or 0.0),
             negligible=NEGLIGIBLE if accepted else 0.0,
         )
