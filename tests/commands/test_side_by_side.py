@@ -260,6 +260,7 @@ class Named(pickle.Unpickler):
 
 
 @pytest.mark.short_estimate
+@pytest.mark.real_pages
 def test_work_on_an_axis_loads_neither_formats_nor_commands(tmp_path: Path) -> None:
     (tmp_path / "machine.yaml").write_text(MACHINE)
     (tmp_path / "job.yaml").write_text(JOB)
