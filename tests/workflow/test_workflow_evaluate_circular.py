@@ -381,9 +381,9 @@ def test_one_standard_per_kind(tmp_path: Path, capsys: pytest.CaptureFixture[str
         evaluate_files(Session(), [tmp_path], ["iso230-4:1996", "iso230-4:2005", "vdi3441"])
     assert len(caught.value.faults) == 1
     assert compwright(["evaluate", str(tmp_path), "--standard", "iso230-4:2015"]) == 2
-    told = capsys.readouterr().err
-    assert "iso230-4:1996, iso230-4:2005, found iso230-4:2015" in told
-    assert "Next: give `--standard iso230-4:2005`" in told
+    error = capsys.readouterr().err
+    assert "iso230-4:1996, iso230-4:2005, found iso230-4:2015" in error
+    assert "Next: give `--standard iso230-4:2005`" in error
 
 
 def test_without_a_diagnosis_the_rest_is_given(

@@ -161,9 +161,10 @@ SENTENCES: Final[dict[str, str]] = {
         " un changement de la machine peut laisser ce reste|not_active=La correction n'est pas"
         " active. Vérifier que sa table est chargée et activée|inverted=La correction est active"
         " avec le signe opposé. Vérifier le signe de sa table et la charger de"
-        " nouveau|scaled={percent:.0f} % de la correction prévue sont actifs|undecided=Aucun défaut"
-        " de chargement connu ne l'explique|uncertain=Les essais sont trop incertains pour"
-        " nommer le défaut. Mesurer de nouveau le cercle entier dans les deux"
+        " nouveau|scaled={percent:.0f} % de la correction prévue sont actifs. Comparer ce qui est"
+        " chargé avec le plan|undecided=Aucun défaut de chargement connu ne l'explique. Comparer"
+        " ce qui est chargé avec le plan et mesurer de nouveau le cercle|uncertain=Les essais sont"
+        " trop incertains pour nommer le défaut. Mesurer de nouveau le cercle entier dans les deux"
         " sens}.{negligible:if| Au-dessous de {negligible:.0f} µm/m elle est acceptée.|}"
     ),
     "CW-V035.open": (

@@ -165,10 +165,11 @@ SENTENCES: Final[dict[str, str]] = {
         " eine Änderung der Maschine kann diesen Rest lassen|not_active=Die Korrektur ist nicht"
         " aktiv. Prüfen, ob ihre Tabelle geladen und eingeschaltet ist|inverted=Die Korrektur ist"
         " mit umgekehrtem Vorzeichen aktiv. Das Vorzeichen ihrer Tabelle prüfen und sie neu"
-        " laden|scaled={percent:.0f} % der geplanten Korrektur sind aktiv|undecided=Kein bekannter"
-        " Ladefehler erklärt das|uncertain=Die Messungen sind zu unsicher, um den Fehler zu nennen."
-        " Den vollen Kreis in beiden Richtungen neu messen}.{negligible:if| Unter"
-        " {negligible:.0f} µm/m wird sie angenommen.|}"
+        " laden|scaled={percent:.0f} % der geplanten Korrektur sind aktiv. Das Geladene mit dem"
+        " Plan vergleichen|undecided=Kein bekannter Ladefehler erklärt das. Das Geladene mit dem"
+        " Plan vergleichen und den Kreis neu messen|uncertain=Die Messungen sind zu unsicher, um"
+        " den Fehler zu nennen. Den vollen Kreis in beiden Richtungen neu messen}.{negligible:if|"
+        " Unter {negligible:.0f} µm/m wird sie angenommen.|}"
     ),
     "CW-V035.open": (
         "Der Kreis nach dem Laden bestimmt die Rechtwinkligkeit nicht gut genug, um zu zeigen, dass"
