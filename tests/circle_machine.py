@@ -113,8 +113,9 @@ def distance(machine: Machine, setup: Setup, theta: Array, sense: float) -> Arra
     # The first axis is where it was told to be half the lag difference ago, the second where it
     # will be.
     late = sense * speed / R * 0.5e-3 * machine.servo_mismatch
-    actual_x = R * np.cos(theta - late) * (1.0 + 1e-6 * machine.scale_error_first)
-    actual_y = R * np.sin(theta + late) * (1.0 + 1e-6 * machine.scale_error_second)
+    along_x, along_y = R * np.cos(theta - late), R * np.sin(theta + late)
+    actual_x = along_x * (1.0 + 1e-6 * machine.scale_error_first)
+    actual_y = along_y * (1.0 + 1e-6 * machine.scale_error_second)
     actual_x = actual_x - 1e-6 * machine.squareness * y
     lost_x = np.where(
         x > 0.0, machine.backlash_first_at_positive, machine.backlash_first_at_negative
@@ -134,8 +135,14 @@ def distance(machine: Machine, setup: Setup, theta: Array, sense: float) -> Arra
     actual_x = actual_x + um * machine.s_shape_second * (2.0 * w**3 - 1.2 * w)
     actual_y = actual_y + um * machine.s_shape_first * (2.0 * u**3 - 1.2 * u)
     for axis, along, height, decay, points in (
-        ("x", x, machine.reversal_spike_first, machine.decay_first, (0.0, np.pi)),
-        ("y", y, machine.reversal_spike_second, machine.decay_second, (0.5 * np.pi, 1.5 * np.pi)),
+        ("x", along_x, machine.reversal_spike_first, machine.decay_first, (0.0, np.pi)),
+        (
+            "y",
+            along_y,
+            machine.reversal_spike_second,
+            machine.decay_second,
+            (0.5 * np.pi, 1.5 * np.pi),
+        ),
     ):
         since = np.min(
             [R * np.mod(sense * (theta - point), 2.0 * np.pi) for point in points], axis=0

@@ -52,6 +52,8 @@ from compwright.records.circular import (
 LEAST_ARC: Final = 90.0
 #: Samples of one run below which the causes cannot be distinguished from the noise.
 LEAST_SAMPLES: Final = 24
+#: Standard errors from which a lag is told.
+_CLEAR_LAG: Final = 2.0
 #: Samples of one run that are fitted: five times those of the finest ballbar; a million would fill
 #: the memory and tell no more.
 MOST_SAMPLES: Final = 4_000
@@ -79,13 +81,13 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
     frequencies, findings = _visible_periods(test, samples, periods or {})
     measured, plain, grid = samples, harmonic_regression(samples), angle_grid(samples)
     start = start_fit(samples, grid, common_lag(every))
-    samples = start.problem.samples
-    if samples.lag:
-        findings.append(_lag_finding(samples))
     fast = Vibration()
     if averaged > 1:
         start, fast = without_fast_vibration(start, every)
     solution = solve(start, frequencies, fast)
+    samples = solution.problem.samples
+    if samples.lag > _CLEAR_LAG * samples.lag_std:
+        findings.append(_lag_finding(samples))
     reasons = undetermined_causes(test, samples)
     effects, correlation, undetermined, noticed = report_effects(test, solution, reasons)
     return Diagnosis(

@@ -102,7 +102,8 @@ class CircleProblem:
     weights ``mixture`` (q, m) are the spike shapes. ``target`` (n,): linearised readings, mm.
     ``towards_x``, ``towards_y`` (n,): direction of the bar. ``rows``, ``curves`` and ``aims`` have
     one array each for the sum and the difference: ``slopes`` (size, p), ``spikes`` (size, r * q)
-    and readings (size,), mm, transformed. ``products``: those of rows and curves.
+    and readings (size,), mm, transformed. ``products``: those of rows and curves. ``removed``: a
+    vibration, mm, that is already subtracted from ``target``.
     """
 
     samples: CircleSamples
@@ -120,6 +121,7 @@ class CircleProblem:
     reversals: tuple[Reversal, ...]
     spikes: FloatArray
     mixture: FloatArray
+    removed: FloatArray | float
 
     def spiked(self, right: FloatArray) -> FloatArray:
         """Return ``right`` with one column per spike shape instead of those of common curves."""
@@ -182,11 +184,16 @@ class CircleProblem:
         )
 
 
-def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
-    """Return the equations of a circular test, without cyclic errors and vibration."""
+def circle_problem(
+    samples: CircleSamples, grid: AngleGrid, removed: FloatArray | float = 0.0
+) -> CircleProblem:
+    """Return the equations of a circular test, without cyclic errors and vibration. ``removed``: a
+    vibration (n,), mm, to subtract from the readings.
+    """
     readings, first = readings_near_reversals(samples)
     fixed = [mean_column(column, first) for column in fixed_columns(readings)]
     towards, target, known = _linear(samples, fixed)
+    target = target - removed
     fixed += (*changeover_columns(samples), *early_columns(samples))
     if samples.lag_std > 0.0:
         fixed.append(lag_column(samples, fixed, known))
@@ -219,6 +226,7 @@ def circle_problem(samples: CircleSamples, grid: AngleGrid) -> CircleProblem:
         reversals=reversals,
         spikes=curves,
         mixture=mixture,
+        removed=removed,
     )
 
 

@@ -101,9 +101,8 @@ def common_lag(samples: CircleSamples) -> Lag:
     (`SOFTEST_LOOP`) is 1.3 standard deviations. Without reversal points the prior remains.
     """
     spacing = samples.arc[1] * np.unique(samples.run).size / samples.theta.size
-    softest = samples.speed / (SOFTEST_LOOP * samples.radius)
-    usual = _USUAL * softest
-    low, high = -1, int(np.ceil(_MOST * softest / spacing)) + 1
+    usual = _USUAL * samples.speed / (SOFTEST_LOOP * samples.radius)
+    low, high = -1, int(np.ceil(most_lag(samples) / spacing)) + 1
     group = -(-high // _MOST_SPAN)
     found = None
     if group > 1:
@@ -138,6 +137,11 @@ def with_undetected_lag(samples: CircleSamples, lag: Lag) -> CircleSamples:
     clear: the root mean square of its distribution about zero.
     """
     return replace(samples, lag_std=float(np.hypot(lag.angle, lag.doubt)))
+
+
+def most_lag(samples: CircleSamples) -> float:
+    """Return the most lag, rad, that is looked for."""
+    return _MOST * samples.speed / (SOFTEST_LOOP * samples.radius)
 
 
 def shrink_uncertainty(samples: CircleSamples) -> float:

@@ -14,7 +14,12 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_cyclic import cyclic_columns, mean_position, search_cyclic
+from compwright.estimation.circle_cyclic import (
+    cyclic_columns,
+    likeliest_delay,
+    mean_position,
+    search_cyclic,
+)
 from compwright.estimation.circle_equations import CircleProblem, circle_problem, scaled_inverse
 from compwright.estimation.circle_fit import (
     CircleFit,
@@ -28,7 +33,7 @@ from compwright.estimation.circle_fit import (
     white_problems,
 )
 from compwright.estimation.circle_lag import Lag, at_actual_angles, with_undetected_lag
-from compwright.estimation.circle_model import AXES, CircleSamples
+from compwright.estimation.circle_model import AXES, PRIORS, CauseColumn, CircleSamples
 from compwright.estimation.circle_noise import AngleGrid, sum_and_difference
 from compwright.estimation.circle_reversal import choose_shapes, draw_shapes
 from compwright.estimation.circle_shapes import SpikeShapes
@@ -45,12 +50,27 @@ from compwright.records.axis import FloatArray
 _TUNING_ROUNDS: Final = 4
 #: Frequencies that are tuned again, at most, after a wave was added.
 _TUNINGS: Final = 3
+#: The doubt of the lag by a cyclic error, relative to that before, up to which it is used.
+_SURER: Final = 0.5
 #: Log odds, a thousand to one, of a cyclic error that is not clear by the threshold of its search.
 _CLEAR_ODDS: Final = np.log(1e3)
 #: The noise is estimated again, so often at most, while its density at order zero still changes by
 #: this share.
 _NOISE_ROUNDS: Final = 3
 _NOISE_STEADY: Final = 0.25
+
+
+@dataclass(frozen=True, slots=True)
+class _Wave:
+    """Where a cyclic error is in a model: its ``frequency``, 1/mm, the delay ``late`` of the axis,
+    mm, with its standard deviation ``doubt`` over all delays, and whether the frequency is
+    ``known``, not searched.
+    """
+
+    frequency: float
+    late: float
+    doubt: float
+    known: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,7 +141,7 @@ def without_fast_vibration(
         return start, found
     target = problem.target - wave
     aims = sum_and_difference(problem.grid, target)
-    return _likeliest(replace(problem, target=target, aims=aims), start), found
+    return _likeliest(replace(problem, target=target, aims=aims, removed=wave), start), found
 
 
 def solve(start: CircleStart, given: dict[str, float], fast: Vibration) -> Solution:
@@ -135,16 +155,18 @@ def solve(start: CircleStart, given: dict[str, float], fast: Vibration) -> Solut
     vibration therefore has to make the model more probable than noise alone and than the likeliest
     cyclic error do. If this cyclic error is more probable by far, it is added, clear or not.
     """
-    frequencies = dict(given)
+    waves: dict[str, _Wave] = {}
     for axis, frequency in given.items():
-        start, _ = _with_cyclic(start, axis, frequency, known=True)
+        late, doubt = likeliest_delay(start.problem, start.fitted, axis, frequency)
+        start, waves[axis] = _with_cyclic(start, axis, _Wave(frequency, late, doubt, known=True))
     slow, hidden, changed = Vibration(), dict[str, float](), True
+    start, waves = _at_delay(start, waves, slow)
     while changed:
         changed = False
         found = search_vibration(start.problem.samples, start.residual)
         slow = replace(slow, hidden=found.hidden)
         cyclic = search_cyclic(
-            start.problem, start.fitted, [axis for axis in AXES if axis not in frequencies]
+            start.problem, start.fitted, [axis for axis in AXES if axis not in waves]
         )
         hidden, odds, cyclic_odds = dict(cyclic.hidden), 0.0, -np.inf
         shown = found.frequency is not None and slow.frequency is None
@@ -153,16 +175,18 @@ def solve(start: CircleStart, given: dict[str, float], fast: Vibration) -> Solut
             odds = _odds(with_vibration, start, found.places)
         # A cyclic error that is not clear cannot compete with a much more probable vibration.
         if cyclic.axis is not None and (cyclic.clear or (shown and odds < cyclic.threshold)):
-            with_cyclic, frequency = _with_cyclic(start, cyclic.axis, cyclic.frequency)
-            with_cyclic, tuned = _tuned(with_cyclic, {**frequencies, cyclic.axis: frequency})
+            wave = _Wave(cyclic.frequency, cyclic.late, cyclic.doubt)
+            with_cyclic, wave = _with_cyclic(start, cyclic.axis, wave)
+            with_cyclic, tuned = _tuned(with_cyclic, {**waves, cyclic.axis: wave})
             cyclic_odds = _odds(with_cyclic, start, cyclic.places)
             least = 0.0 if cyclic.clear else _CLEAR_ODDS
             if cyclic_odds > max(odds, least) or (cyclic.clear and odds <= 0.0):
-                start, frequencies, changed = with_cyclic, tuned, True
+                start, waves = _at_delay(with_cyclic, tuned, slow)
+                changed = True
                 continue
         if odds > max(cyclic_odds, 0.0):
             slow, changed = found, True
-            start, frequencies = _tuned(with_vibration, frequencies)
+            start, waves = _tuned(with_vibration, waves)
         elif shown:
             slow = replace(slow, hidden=_hidden(with_vibration, found))
     problem, shapes, fitted = start.problem, start.shapes, start.fitted
@@ -175,7 +199,7 @@ def solve(start: CircleStart, given: dict[str, float], fast: Vibration) -> Solut
         problem=problem,
         fitted=fitted,
         draws=draws,
-        frequencies=frequencies,
+        frequencies={axis: wave.frequency for axis, wave in waves.items()},
         given=frozenset(given),
         hidden=hidden,
         vibration=slow.or_stronger(fast),
@@ -206,24 +230,21 @@ def _fit_with_noise(weighted: WeightedProblem, shapes: SpikeShapes) -> CircleFit
     return replace(fitted, spectra=spectra)
 
 
-def _with_cyclic(
-    start: CircleStart, axis: str, frequency: float, *, known: bool = False
-) -> tuple[CircleStart, float]:
-    """Return a fit with a cyclic error of an axis added, and its frequency, 1/mm. The ``frequency``
-    is a start value unless it is ``known``. A cyclic error that is already there is replaced.
+def _with_cyclic(start: CircleStart, axis: str, wave: _Wave) -> tuple[CircleStart, _Wave]:
+    """Return a fit with a cyclic error of an axis added, and its frequency and delay. Those of
+    ``wave`` are start values. A cyclic error that is already there is replaced.
 
     The cyclic error is fitted together with the delay of the axis, under the spike shapes and the
     noise of ``start`` (Gauss-Newton: Seber and Wild 1989, chapter 2). Then all is fitted again.
     """
     problem, spectra = start.problem, start.fitted.spectra
-    samples, amplitudes, late = problem.samples, (0.0, 0.0), 0.0
-    own = [c.name for c in cyclic_columns(samples, axis, frequency, amplitudes)]
+    samples, amplitudes = problem.samples, (0.0, 0.0)
+    own = [c.name for c in _columns(samples, axis, wave, amplitudes)]
     replaced = [index for index, name in enumerate(problem.names) if name in own]
-    without, active = own[2] if known else "", np.setdiff1d(start.fitted.active, replaced)
+    active = np.setdiff1d(start.fitted.active, replaced)
     others = problem.rows_of(active)
     for step in range(_TUNING_ROUNDS):
-        columns = cyclic_columns(samples, axis, frequency, amplitudes, late)
-        fitted = [c for c in columns[: None if step else 2] if c.name != without]
+        fitted = _columns(samples, axis, wave, amplitudes)[: None if step else 2]
         rows = sum_and_difference(problem.grid, problem.seen(fitted))
         gram, right = normal_equations(
             problem, spectra, [np.column_stack(pair) for pair in zip(rows, others, strict=True)]
@@ -233,44 +254,94 @@ def _with_cyclic(
         values = (scaled_inverse(gram) @ right).tolist()
         value = dict(zip([c.name for c in fitted], values, strict=False))
         shift = value.get(f"_frequency_{axis}", 0.0)
-        wave = complex(value[f"_cyclic_cos_{axis}"], value[f"_cyclic_sin_{axis}"])
-        wave *= np.exp(-2j * np.pi * shift * mean_position(samples, axis))
-        amplitudes, frequency = (wave.real, wave.imag), frequency + shift
-        late += value.get(f"_late_{axis}", 0.0)
-    columns = cyclic_columns(samples, axis, frequency, amplitudes, late)
-    problem = problem.with_columns([c for c in columns if c.name != without])
-    return _likeliest(problem, start), frequency
+        both = complex(value[f"_cyclic_cos_{axis}"], value[f"_cyclic_sin_{axis}"])
+        both *= np.exp(-2j * np.pi * shift * mean_position(samples, axis))
+        amplitudes = both.real, both.imag
+        late = wave.late + value.get(f"_late_{axis}", 0.0)
+        wave = replace(wave, frequency=wave.frequency + shift, late=late)
+    problem = problem.with_columns(_columns(samples, axis, wave, amplitudes))
+    return _likeliest(problem, start), wave
 
 
-def _tuned(
-    start: CircleStart, frequencies: dict[str, float]
-) -> tuple[CircleStart, dict[str, float]]:
-    """Return a fit with tuned ``frequencies`` of the cyclic errors, 1/mm, by axis.
+def _at_delay(
+    start: CircleStart, waves: dict[str, _Wave], vibration: Vibration
+) -> tuple[CircleStart, dict[str, _Wave]]:
+    """Return a fit at the actual angles of the axes, if a cyclic error tells their common lag much
+    better than the reversals did, and this fit is the more probable one.
+
+    A cyclic error shows the delay of its axis. The common lag differs from it by half of the servo
+    mismatch. What a loop delays may differ by so much again: by half of the prior of the mismatch.
+    """
+    problem = start.problem
+    samples = problem.samples
+    delays = {axis: _fitted(start, f"_late_{axis}") for axis in waves}
+    doubts = {axis: np.hypot(delays[axis][1], waves[axis].doubt) for axis in waves}
+    axis = min(doubts, key=lambda each: float(doubts[each]), default=None)
+    unequal = 5e-4 * PRIORS["servo_mismatch"] * samples.speed
+    before = samples.lag_std * samples.radius
+    if axis is None or np.hypot(doubts[axis], unequal) > _SURER * before:
+        return start, waves
+    side = -1.0 if axis == AXES[0] else 1.0
+    late = waves[axis].late + delays[axis][0]
+    late += 5e-4 * side * _fitted(start, "servo_mismatch")[0] * samples.speed
+    late = max(late, -samples.lag * samples.radius)
+    doubt = float(np.hypot(doubts[axis], unequal)) / samples.radius
+    lag = Lag(samples.lag + late / samples.radius, doubt, clear=True)
+    samples = at_actual_angles(replace(samples, theta=samples.commanded), lag)
+    moved, columns = {}, []
+    for each, wave in waves.items():
+        own = [_fitted(start, f"_{part}_{each}")[0] for part in ("frequency", "late")]
+        sizes = [_fitted(start, f"_cyclic_{part}_{each}")[0] for part in ("cos", "sin")]
+        both = complex(*sizes) * np.exp(-2j * np.pi * own[0] * mean_position(samples, each))
+        found = replace(wave, frequency=wave.frequency + own[0], late=wave.late + own[1] - late)
+        moved[each] = found
+        columns += _columns(samples, each, found, (both.real, both.imag))
+    if vibration.frequency is not None:
+        columns += vibration_columns(samples, vibration)
+    fresh = circle_problem(samples, problem.grid, problem.removed)
+    there = _likeliest(fresh.with_columns(columns), start)
+    return (there, moved) if there.evidence > start.evidence else (start, waves)
+
+
+def _columns(
+    samples: CircleSamples, axis: str, wave: _Wave, amplitudes: tuple[float, float]
+) -> list[CauseColumn]:
+    """Return the model columns of a cyclic error; a known frequency has none."""
+    columns = cyclic_columns(samples, axis, wave.frequency, amplitudes, wave.late)
+    return [c for c in columns if not (wave.known and c.name == f"_frequency_{axis}")]
+
+
+def _tuned(start: CircleStart, waves: dict[str, _Wave]) -> tuple[CircleStart, dict[str, _Wave]]:
+    """Return a fit with tuned frequencies of the cyclic errors ``waves``, by axis.
 
     A wave that is not in the model yet counts as noise, and disturbs the tuning of the others. A
     frequency is therefore tuned again while the fit of all causes changes it by more than its
     standard error.
     """
-    found = dict(frequencies)
+    found = dict(waves)
     for _ in range(_TUNINGS):
-        shifts = {axis: _shift(start, axis) for axis in found}
-        axis = max(shifts, key=lambda each: shifts[each][1], default=None)
-        if axis is None or shifts[axis][1] <= 1.0:
+        shifts = {axis: _fitted(start, f"_frequency_{axis}") for axis in found}
+        axis = max(shifts, key=lambda each: abs(shifts[each][0]) / shifts[each][1], default=None)
+        if axis is None or abs(shifts[axis][0]) <= shifts[axis][1]:
             break
-        start, found[axis] = _with_cyclic(start, axis, found[axis] + shifts[axis][0])
+        wave = replace(
+            found[axis],
+            frequency=found[axis].frequency + shifts[axis][0],
+            late=found[axis].late + _fitted(start, f"_late_{axis}")[0],
+        )
+        start, found[axis] = _with_cyclic(start, axis, wave)
     return start, found
 
 
-def _shift(start: CircleStart, axis: str) -> tuple[float, float]:
-    """Return the change of the frequency of a cyclic error in a fit, 1/mm, and its size in standard
-    errors. Both are 0 for a known frequency.
+def _fitted(start: CircleStart, name: str) -> tuple[float, float]:
+    """Return the size of a cause in a fit and its standard error: 0 and infinite if it is not
+    there.
     """
-    name, fitted = f"_frequency_{axis}", start.fitted
+    fitted = start.fitted
     if name not in start.problem.names:
-        return 0.0, 0.0
+        return 0.0, np.inf
     (at,) = np.flatnonzero(fitted.active == start.problem.names.index(name))
-    shift = float(fitted.values[at])
-    return shift, abs(shift) / float(np.sqrt(fitted.covariance[at, at]))
+    return float(fitted.values[at]), float(np.sqrt(fitted.covariance[at, at]))
 
 
 def _odds(new: CircleStart, old: CircleStart, places: float) -> float:
