@@ -11,6 +11,7 @@ import pytest
 
 from circle_machine import Machine, Setup, measured, truth
 from compwright.estimation.circle import diagnose
+from compwright.estimation.circle_model import ENDS
 
 ARCS = [(70.0, 220.0), (250.0, 220.0), (0.0, 180.0), (100.0, 266.0)]
 
@@ -85,3 +86,53 @@ def test_a_changeover_that_takes_a_time_is_no_scale_mismatch(time: float, ramp: 
     assert abs(found["master_slave"].value - 3.0) < 2.0 * found["master_slave"].std_error
     assert abs(found["scale_mismatch"].value) < 2.0 * found["scale_mismatch"].std_error
     assert found["scale_mismatch"].std_error < 1.0
+
+
+@pytest.mark.parametrize("axis", ["first", "second"])
+@pytest.mark.parametrize(("lost", "reach"), [(4.0, 20.0), (1.5, 40.0), (10.0, 95.0)])
+def test_lost_motion_that_is_taken_up_gradually_is_no_inward_spike(
+    axis: str, lost: float, reach: float
+) -> None:
+    """Friction slips: exp(-travel / reach) of the lost motion, µm, is missing (Dahl 1968)."""
+    setup = Setup(noise=0.1)
+    steps = np.radians((np.arange(setup.samples) + 0.5) * 360.0 / setup.samples)
+    extra = {}
+    for sense, theta in (("ccw", steps), ("cw", 2.0 * np.pi - steps)):
+        own = np.cos(theta) if axis == "first" else np.sin(theta)
+        turned = np.mod(steps if axis == "first" else steps - 0.5 * np.pi, np.pi)
+        missing = np.exp(-1e3 * setup.radius * (1.0 - np.cos(turned)) / reach)
+        moves = np.sign(np.sin(theta) if axis == "first" else -np.cos(theta))
+        moves = moves if sense == "ccw" else -moves
+        extra[sense] = 0.5 * lost * moves * (1.0 - 2.0 * missing) * own
+    test = measured(Machine(), replace(setup, extra=extra), np.random.default_rng(3))
+    found = diagnose(test).effects
+    for end in ENDS:
+        spike = found[f"reversal_spike_{axis}_at_{end}"]
+        assert abs(spike.value) < 2.0 * spike.std_error
+        assert spike.std_error < 0.5 * lost
+        play = found[f"backlash_{axis}_at_{end}"]
+        assert abs(play.value - lost) < 3.0 * play.std_error
+
+
+@pytest.mark.parametrize("pitch", [100.0, 200.0])
+def test_a_spike_of_an_axis_that_sticks_and_slips_has_the_error_of_this_motion(
+    pitch: float,
+) -> None:
+    """The second axis lags and jumps by 3 µm at standstill, each ``pitch`` µm of its travel, before
+    and after its reversals, and has no spike. At a tenth of the path speed 1/e of it is left.
+    """
+    setup = Setup(radius=50.0, feed=500.0, noise=0.1)
+    steps = np.radians((np.arange(setup.samples) + 0.5) * 360.0 / setup.samples)
+    extra, near = {}, np.abs(np.cos(steps)) < np.sin(np.radians(3.0))
+    for sense, theta in (("ccw", steps), ("cw", 2.0 * np.pi - steps)):
+        place = 1e3 * setup.radius * np.sin(theta)
+        slip = np.mod(place / pitch + 0.3 * np.sin(7.3e-3 * place), 1.0) - 0.5
+        moves = np.sign(np.cos(theta)) * (1.0 if sense == "ccw" else -1.0)
+        slip *= -3.0 * moves * np.exp(-((np.cos(theta) / 0.1) ** 2))
+        extra[sense] = slip * np.sin(theta)
+    test = measured(Machine(), replace(setup, extra=extra), np.random.default_rng(1))
+    found, moved = diagnose(test).effects, float(np.std(extra["ccw"][near]))
+    for end in ENDS:
+        spike = found[f"reversal_spike_second_at_{end}"]
+        assert abs(spike.value) < 2.0 * spike.std_error
+        assert 0.7 * moved < spike.std_error < 2.0 * moved

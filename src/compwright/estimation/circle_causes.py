@@ -35,10 +35,9 @@ class ReportedCause:
     """One cause as reported: its value, random draws of the value, and its radial deviations.
 
     ``drawn`` (d,): random draws of the value from its posterior. ``curve`` (n,): its radial
-    deviation, mm. ``variance``: variance of the value that the draws do not contain. ``of_shape``:
-    the part of this variance from the unknown shape of a spike. ``upwards``: the part by which the
-    value can only be too small. ``reason``: why the cause is not reported. ``axis``: the axis that
-    vibrates.
+    deviation, mm. ``variance``: variance of the value that the draws do not contain. ``upwards``:
+    the part of it by which the value can only be too small. ``reason``: why the cause is not
+    reported. ``axis``: the axis that vibrates.
     """
 
     name: str
@@ -48,7 +47,6 @@ class ReportedCause:
     detail: bool = False
     positive: bool = False
     variance: float = 0.0
-    of_shape: float = 0.0
     upwards: float = 0.0
     more: Mapping[str, float | None] = field(default_factory=dict)
     reason: Sentence | None = None

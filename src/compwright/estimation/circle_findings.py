@@ -109,7 +109,7 @@ def _shape_findings(test: CircularTest, solution: Solution) -> Iterator[Finding]
         ]
         if inward:
             depth, spike = max(inward, key=lambda each: each[0])
-            travel = _taken_up_over(solution, spike)
+            travel = taken_up_over(solution, spike)
             if travel is None:
                 yield Finding.of("CW-D008.inward", "warning", name=name, inward=depth)
             else:
@@ -127,18 +127,20 @@ def _depth_error(spike: SpikeDraws) -> float:
     return float(np.hypot(np.std(np.mean(spike.depths, axis=1)), spike.least_error))
 
 
-def _taken_up_over(solution: Solution, spike: SpikeDraws) -> float | None:
+def taken_up_over(solution: Solution, spike: SpikeDraws) -> float | None:
     """Return the travel, um, after which 1/e of the inward deviation of a ``spike`` remains, if it
     is lost motion that the axis takes up gradually; None if it is something else.
 
     While lost motion is taken up, the path lies inside by no more than this lost motion: never
-    inside the path before the reversal. After an arc s the axis has moved by s² / 2R.
+    inside the path before the reversal. More than twice the lost motion is something else, however
+    uncertain it is. After an arc s the axis has moved by s² / 2R.
     """
     if float(np.mean(spike.depths)) <= INWARD * float(np.mean(spike.heights)):
         return None
     lost = solution.draws.values[:, spike.lost]
-    over = np.mean(spike.depths, axis=1) - lost
-    if float(np.mean(over)) > _CLEAR * float(np.hypot(np.std(over), spike.least_error)):
+    over = np.mean(spike.depths + spike.deeper, axis=1) - lost
+    clear = _CLEAR * float(np.hypot(np.std(over), spike.least_error))
+    if float(np.mean(over)) > min(clear, float(np.mean(lost))):
         return None
     arc = float(np.median(spike.rise + spike.decay))
     return arc**2 / (2.0 * solution.problem.samples.radius) * MICROMETRES_PER_MILLIMETRE

@@ -19,7 +19,7 @@ from compwright.estimation.circle_causes import (
     squareness,
 )
 from compwright.estimation.circle_centre import radial_ranges
-from compwright.estimation.circle_findings import diagnosis_findings
+from compwright.estimation.circle_findings import diagnosis_findings, taken_up_over
 from compwright.estimation.circle_lag import shrink_uncertainty
 from compwright.estimation.circle_model import (
     AXES,
@@ -34,6 +34,7 @@ from compwright.estimation.circle_path import absent_causes, by_full_circle
 from compwright.estimation.circle_reversal import INWARD, SpikeDraws
 from compwright.estimation.circle_solution import Solution
 from compwright.estimation.circle_symptoms import (
+    irregular_motion,
     lobes,
     positional_tolerance,
     raw_peak,
@@ -61,6 +62,9 @@ _NO_SPIKE: Final = 5.0
 _RESPONSE: Final = 0.003
 #: The same in samples: instruments filter at about the rate at which they sample.
 _FILTER: Final = 0.3
+#: Prior probability that an inward deviation about as large as the lost motion is a spike, not
+#: lost motion that is taken up gradually. A smaller one may equally be both with a spike outward.
+_INSIDE: Final = 0.1
 #: Share of its height that a sum of two decays cuts off a spike with an edge, which an axis makes
 #: that stands still until its drive moves it (9 to 26 % by least squares).
 _EDGE: Final = 0.17
@@ -197,10 +201,10 @@ def _lost_motion_ends(
             solution, name, {name if name in parts else f"backlash_{axis}": 1.0}, detail=True
         )
         if (axis, end) in spikes:
-            peak = _spike(solution, spikes[axis, end])
-            both = np.cov(cause.drawn, peak.drawn, bias=True)
+            peak, of_shape, _ = _peak(spikes[axis, end], slice(None))
+            both = np.cov(cause.drawn, peak, bias=True)
             slope = float(both[0, 1] / max(both[1, 1], 1e-12))
-            cause = replace(cause, variance=slope**2 * peak.of_shape)
+            cause = replace(cause, variance=slope**2 * of_shape)
         yield cause
 
 
@@ -260,36 +264,38 @@ def _spike(
     """Return the spike at one reversal point, positive outward. ``index`` selects a direction
     (None: mean of both); ``suffix``: end of the name of the result.
 
-    Its variance includes three unknowns. The time from the reversal to the first sample is unknown
+    Its variance includes five unknowns. The time from the reversal to the first sample is unknown
     (lag). The rise may be that of the spike or of the instrument's limited bandwidth. A spike may
-    be too small to be found.
+    be too small to be found. An inward deviation of at most the lost motion is probably lost motion
+    that is taken up gradually: the value and the variance are those of both possibilities. A peak
+    of irregular motion looks like a spike.
     """
     samples = solution.problem.samples
     pick = slice(None) if index is None else slice(index, index + 1)
-    heights = np.mean(spike.heights[:, pick], axis=1)
-    depths = np.mean(spike.depths[:, pick], axis=1)
-    slow, unseen = np.mean(spike.extrapolated[:, pick], axis=1), spike.unseen[:, pick]
-    doubt = np.hypot(np.std(depths), (1.0 - spike.there) * spike.least_error)
-    if float(np.mean(depths)) > INWARD * max(float(np.mean(heights)), float(doubt)):
-        heights = slow = -depths
-        unseen = 2.0 * spike.deeper[:, pick]  # uniform from the depth on, not about it
+    deviation, of_shape, inside = _peak(spike, pick)
+    outward, chance = np.mean(spike.heights[:, pick], axis=1), 1.0
+    if inside and taken_up_over(solution, spike) is not None:
+        deepest = np.mean(spike.depths + spike.deeper, axis=1)
+        left = solution.draws.values[:, spike.lost] - deepest
+        doubt = np.hypot(np.std(left), np.hypot(spike.least_error, _EDGE * np.mean(deepest)))
+        chance = _INSIDE if float(np.mean(left)) < 2.0 * float(doubt) else 0.5
+    of_cause = chance * (1.0 - chance) * float(np.mean((deviation - outward) ** 2))
+    heights = chance * deviation + (1.0 - chance) * outward
     value = float(np.mean(heights))
     decay = np.where(spike.decay > 0.0, spike.decay, np.inf)
     response = max(_RESPONSE * samples.speed, _FILTER * sample_spacing(samples))
     late = np.hypot(samples.lag_std * samples.radius, response) / decay
     # Of a spike that is gone before the first sample, the prior alone says how high it may be.
     before = np.minimum(np.abs(heights) * late, PRIORS["_spike"])
-    edge = np.where(spike.rise > 0.0, _EDGE, 0.0)  # a decay without a rise has its edge
-    of_shape = (
-        float(np.mean((heights * edge) ** 2)) / 3.0
-        + float(np.mean((slow - heights) ** 2)) / 12.0
-        + float(np.mean(unseen**2)) / 12.0
-    )
+    axis, end = spike.reversal.axis, spike.reversal.end
     variance = (
-        of_shape + float(np.mean(before**2)) / 3.0 + (1.0 - spike.there) * spike.least_error**2
+        chance**2 * of_shape
+        + of_cause
+        + irregular_motion(solution, axis)
+        + float(np.mean(before**2)) / 3.0
+        + (1.0 - spike.there) * spike.least_error**2
     )
     error = float(np.sqrt(np.var(heights) + variance))
-    axis, end = spike.reversal.axis, spike.reversal.end
     time = 1e3 / samples.speed
     sense = None if index is None else (1.0, -1.0)[index]
     likely = spike.there > 0.5
@@ -311,10 +317,30 @@ def _spike(
         detail=True,
         positive=value >= 0.0,
         variance=variance,
-        of_shape=of_shape,
         more=more,
         reason=_unseen_spike(value, error),
     )
+
+
+def _peak(spike: SpikeDraws, pick: slice) -> tuple[FloatArray, float, bool]:
+    """Return the draws (d,) of the largest deviation after a reversal, um, positive outward; the
+    variance of its shape; and whether it is inward. ``pick``: directions of which it is the mean.
+    """
+    heights = np.mean(spike.heights[:, pick], axis=1)
+    depths = np.mean(spike.depths[:, pick], axis=1)
+    slow, unseen = np.mean(spike.extrapolated[:, pick], axis=1), spike.unseen[:, pick]
+    doubt = np.hypot(np.std(depths), (1.0 - spike.there) * spike.least_error)
+    inside = float(np.mean(depths)) > INWARD * max(float(np.mean(heights)), float(doubt))
+    if inside:
+        heights = slow = -depths
+        unseen = 2.0 * spike.deeper[:, pick]  # uniform from the depth on, not about it
+    edge = np.where(spike.rise > 0.0, _EDGE, 0.0)  # a decay without a rise has its edge
+    of_shape = (
+        float(np.mean((heights * edge) ** 2)) / 3.0
+        + float(np.mean((slow - heights) ** 2)) / 12.0
+        + float(np.mean(unseen**2)) / 12.0
+    )
+    return heights, of_shape, inside
 
 
 def _unseen_spike(value: float, error: float) -> Sentence | None:

@@ -9,16 +9,23 @@ from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from compwright.estimation.circle_causes import scale_mismatch
 from compwright.estimation.circle_lag import shrink_uncertainty
-from compwright.estimation.circle_model import AXES, ENDS, UM
+from compwright.estimation.circle_model import AXES, ENDS, UM, CircleSamples, since_reversal
 from compwright.estimation.circle_solution import Solution
 from compwright.records.axis import FloatArray
 
 #: Arc, rad, after a reversal in which its peak lies, and about it in which an axis is slow.
 _PEAK: Final = np.radians(10.0)
 _SLOW: Final = np.radians(12.0)
+#: Arcs, rad, before a reversal in which an axis may move irregularly, and standard errors from
+#: which this is clear.
+_BEFORE: Final = np.radians([1.5, 3.0, 6.0, 12.0])
+_CLEAR: Final = 3.0
+#: Fewest independent samples of a variance.
+_FEWEST: Final = 5.0
 #: Share of the irregular motion that may be a spike of a shape that no decays make.
 _OWN_SHAPE: Final = 0.5
 #: Prior probability that what was fitted as reversal spikes is irregular motion.
@@ -70,15 +77,10 @@ def stick_slip(solution: Solution, axis: str) -> tuple[float, float] | None:
     samples, residual = problem.samples, solution.residual / UM
     if not any(samples.reversals(axis)):
         return None
-    own, other = np.sin(samples.theta), np.cos(samples.theta)
-    if axis == "second":
-        own, other = other, own
-    slow, fast = np.abs(own) < np.sin(_SLOW), np.abs(other) >= np.sin(_SLOW)
-    fast &= ~slow
-    densities = [each.density for each in solution.fitted.spectra]
-    length = float(np.mean([np.mean(f**2) / np.mean(f) ** 2 for f in densities]))
-    counts = [float(np.sum(part)) / length for part in (slow, fast)]
-    if min(counts) < 5.0:
+    own = np.sin(samples.theta) if axis == "first" else np.cos(samples.theta)
+    slow, fast = np.abs(own) < np.sin(_SLOW), _away(samples)
+    counts = [float(np.sum(part)) / _correlated(solution) for part in (slow, fast)]
+    if min(counts) < _FEWEST:
         return None
     variances = [float(np.mean(residual[part] ** 2)) for part in (slow, fast)]
     error = np.sqrt(sum(2.0 * v**2 / n for v, n in zip(variances, counts, strict=True)))
@@ -93,6 +95,40 @@ def stick_slip(solution: Solution, axis: str) -> tuple[float, float] | None:
     readings = problem.spike_curves(np.array(spikes))[:, slow] / UM
     taken = float(np.sqrt(2.0 * _NO_SPIKE * np.mean(readings**2)))
     return amplitude, math.hypot(near, _OWN_SHAPE * amplitude, taken)
+
+
+def irregular_motion(solution: Solution, axis: str) -> float:
+    """Return the variance, um², of irregular motion at the reversals of an axis: a peak of
+    stick-slip looks like a spike.
+
+    An axis is as slow before a reversal as after it, and no spike is fitted there. The variance is
+    that of the residuals so far before the reversals minus that away from all reversals, at the
+    angle at which it is largest. It is 0 where it is not clear.
+    """
+    samples, residual, found = solution.problem.samples, solution.residual / UM, 0.0
+    until, away = np.pi - since_reversal(samples, axis) / samples.radius, _away(samples)
+    usual = float(np.mean(residual[away] ** 2)) if np.any(away) else np.inf
+    for angle in _BEFORE:
+        near = until < angle
+        count = float(np.sum(near)) / _correlated(solution)
+        if count >= _FEWEST:
+            local = float(np.mean(residual[near] ** 2))
+            error = usual * math.sqrt(2.0 / count)
+            found = max(found, local - usual) if local - usual > _CLEAR * error else found
+    return found
+
+
+def _away(samples: CircleSamples) -> NDArray[np.bool_]:
+    """Return which samples (n,) are away from the reversals of both axes."""
+    nearest = np.minimum(np.abs(np.sin(samples.theta)), np.abs(np.cos(samples.theta)))
+    found: NDArray[np.bool_] = nearest >= np.sin(_SLOW)
+    return found
+
+
+def _correlated(solution: Solution) -> float:
+    """Return the number of neighbouring residuals that tell as much as one independent residual."""
+    densities = [each.density for each in solution.fitted.spectra]
+    return float(np.mean([np.mean(f**2) / np.mean(f) ** 2 for f in densities]))
 
 
 def lobes(solution: Solution, order: int) -> tuple[float, float]:
