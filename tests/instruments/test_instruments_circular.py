@@ -183,10 +183,25 @@ def test_a_hole_in_the_circle_is_told_and_stays_a_circle() -> None:
     assert "from 95.76 deg on, over 3.84 deg" in next(
         f.message for f in test.findings if f.code == "CW-R034"
     )
-    wide = read(csv(rows([0.24 * k for k in range(1500) if not 400 <= k < 500])))
-    assert wide.arc == pytest.approx(
-        (120.0, 360.0 - 24.24)
-    )  # wider than any hole: an arc of its own
+
+
+@pytest.mark.parametrize("sense", ["ccw", "cw"])
+@pytest.mark.parametrize("first", [0, 400, 1100])
+def test_a_wide_gap_is_named_and_an_arc_is_not(sense: str, first: int) -> None:
+    """The path passes 60.24° without samples, wherever its first sample is; an arc of the same
+    angles does not pass them.
+    """
+    circle = [0.24 * ((first + k) % 1500) for k in range(1500)]
+    gap = [angle for angle in circle if not 100.0 < angle < 160.0]
+    arc = [160.08 + 0.24 * k for k in range(1250)]
+    for angles, named in ((gap, ["CW-R034"]), (arc, []), ([a % 360.0 for a in arc], [])):
+        way = angles if sense == "ccw" else angles[::-1]
+        test = read(csv(rows(way, sense)))
+        assert test.arc == pytest.approx((160.08, 360.0 - 60.24))
+        found = [finding for finding in test.findings if finding.code == "CW-R034"]
+        assert [finding.code for finding in found if finding.is_doubt] == named
+        for finding in found:
+            assert "no samples from 99.84° to 160.08°" in finding.message
 
 
 def test_runs_may_differ_by_a_sample_but_not_by_more() -> None:

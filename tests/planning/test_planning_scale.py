@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ import pytest
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.planning.axis_work import AxisWork, CapacityOf
 from compwright.planning.circle_checks import CircleChecks
+from compwright.planning.circle_network import network_findings
 from compwright.planning.circles import CircleWork
 from compwright.planning.scale import ScaleCorrection, correct_scales, scale_steps, shrinking
 from compwright.prediction.active_corrections import NO_CORRECTIONS, ActiveCorrections
@@ -115,39 +117,63 @@ def test_a_circle_of_another_state_is_brought_to_what_acts_now() -> None:
     assert "scale error +20.0 ± 2.0 µm/m" in scaled(circle, states=turned).finding.message
 
 
-def test_two_feeds_tell_what_the_lag_takes_away() -> None:
-    """A scale of 40 µm/m; the loop takes k at one feed and 4k at twice the feed: 40 - k, 40 - 4k."""
-    k = 18.0
-    slow = circle_of({"scale_error_second": (40.0 - k, 1.0)}, feed=1000.0, name="slow")
-    fast = circle_of({"scale_error_second": (40.0 - 4.0 * k, 1.0)}, feed=2000.0, name="fast")
-    found = scaled(slow, fast)
-    assert "scale error +40.0 ± " in found.finding.message
-    assert (
-        "according to circular tests slow and fast at two feeds, extrapolated to feed zero"
-        in found.finding.message
-    )
-    assert slope_of(scaled(fast, slow)) == pytest.approx(-40.0 * PPM, abs=0.3 * PPM)
-
-
-def test_the_uncertainty_of_two_feeds_is_that_of_the_extrapolation() -> None:
-    """Weights 4/3 and -1/3; of each standard error the doubt of its lag (uniform) is taken out: left
-    are 3 µm/m, so sqrt(16 + 1) = 4.12, stated twice.
+def fed(name: str, feed: float, *, axes: tuple[str, str] = ("X", "Y"), **more: Any) -> CircleWork:
+    """A circle of a machine with scale errors X 10, Y 40, Z -5 µm/m whose position loops lag by 30,
+    36 and 42 ms: each shrinks its axis by (ω T)² / 2. The fit leaves 0.3 µm/m open.
     """
-    feeds = (1000.0, 2000.0)
-    circles = []
-    for feed in feeds:
-        doubt = shrinking(circle_of({}, feed=feed)) / np.sqrt(3.0) / PPM
-        error = float(np.hypot(3.0, doubt))
-        circles.append(circle_of({"scale_error_second": (100.0, error)}, feed=feed))
-    assert "scale error +100.0 ± 4.1 µm/m" in scaled(*circles).finding.message
+    radius = more.setdefault("radius", 100.0)
+    turning = feed / 60.0 / radius * 1e-3
+    first, second = (
+        {"X": 10.0, "Y": 40.0, "Z": -5.0}[axis]
+        - 0.5e6 * (turning * {"X": 30.0, "Y": 36.0, "Z": 42.0}[axis]) ** 2
+        for axis in axes
+    )
+    doubt = shrinking(circle_of({}, axes, feed=feed, radius=radius)) / np.sqrt(3.0) / PPM
+    across = 2e-3 * radius
+    found = {
+        "scale_mismatch": (across * (first - second), across * 0.3),
+        "scale_error_first": (first, float(np.hypot(0.3, doubt))),
+        "scale_error_second": (second, float(np.hypot(0.3, doubt))),
+    }
+    return circle_of(found, axes, feed=feed, name=name, **more)
 
 
-def test_circles_about_two_places_are_not_one_pair_of_feeds() -> None:
-    slow = circle_of({"scale_error_second": (22.0, 1.0)}, feed=1000.0)
-    fast = circle_of({"scale_error_second": (-32.0, 1.0)}, feed=2000.0, centre=(500.0, 400.0))
-    found = scaled(slow, fast)
+@pytest.mark.parametrize(
+    "circles",
+    [
+        (fed("a", 1000.0), fed("b", 2000.0)),
+        (fed("a", 1000.0), fed("b", 1000.0, radius=50.0)),  # two radii turn the loops differently
+        (fed("a", 150.0), fed("b", 4000.0), fed("c", 4000.0, centre=(300.0, 500.0))),
+        (fed("a", 1000.0), fed("b", 3000.0), fed("c", 1000.0, axes=("Y", "Z"))),
+    ],
+)
+def test_circles_together_tell_scale_from_lag(circles: tuple[CircleWork, ...]) -> None:
+    """Each circle shows Y smaller by 18 µm/m at 1000 mm/min, 288 at 4000: the table corrects the 40
+    of the machine, with the value and error that the finding about all circles states.
+    """
+    found = scaled(*circles)
+    assert found.finding.code == "CW-P120"
+    assert slope_of(found) == pytest.approx(-40.0 * PPM, abs=1.5 * PPM)
+    names = ", ".join(work.name for work in circles)
+    assert f"according to circular tests {names} together" in found.finding.message
+    (together,) = (one for one in network_findings(circles) if one.code == "CW-P135")
+    stated = together.message.split(" Y ")[1].split(" µm/m")[0]
+    assert f"scale error {stated} µm/m" in found.finding.message
+
+
+def test_circles_that_tell_no_scale_together_ask_for_a_low_feed() -> None:
+    """At 300 mm/min on 150 mm (200 on 100) a loop of 16.7/s takes 2 µm/m."""
+    found = scaled(fed("a", 3000.0), fed("b", 3000.0))
     assert (found.planned, found.finding.code) == (None, "CW-P119")
-    assert "may make the circle smaller by 50 µm/m" in found.finding.message
+    assert "measure a circle at 200 mm/min or slower" in found.finding.message
+    assert scaled(fed("a", 3000.0), fed("b", 200.0)).finding.code == "CW-P120"
+
+
+def test_circles_together_are_brought_to_what_is_active_now() -> None:
+    """Measured while the control drew back 30 µm/m, Y showed 40; now nothing is active: 70."""
+    states = {"as_found": NO_CORRECTIONS, "before": ActiveCorrections({"Y": by_slope(-30e-6)}, {})}
+    circles = [fed(name, feed, measured_in="before") for name, feed in (("a", 500.0), ("b", 3e3))]
+    assert slope_of(scaled(*circles, states=states)) == pytest.approx(-70.0 * PPM, abs=1.5 * PPM)
 
 
 @pytest.mark.parametrize(("axes", "cause"), [(("X", "Y"), -4.0), (("Y", "X"), 4.0)])

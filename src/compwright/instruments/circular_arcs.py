@@ -34,7 +34,8 @@ class Sweep:
 
     The first angle a is in 0 <= a < 360. ``step``: the median distance of neighbouring samples,
     deg. ``gap``: the widest distance of two neighbouring samples, and the angle at which it begins,
-    deg.
+    deg. ``passed``: whether the run goes on after the part of the circle outside the arc, so that
+    samples are missing there.
     """
 
     sense: Sense
@@ -43,6 +44,7 @@ class Sweep:
     angles: FloatArray
     step: float
     gap: tuple[float, float]
+    passed: bool = False
 
     @property
     def extent(self) -> float:
@@ -67,7 +69,8 @@ def sweep_of(sense: Sense, number: int, angles: FloatArray, faults: FaultList) -
 
     Angles may be counted modulo 360, so that an arc through 0 is in two pieces. Therefore the
     widest gap on the circle counts as the part outside the arc. If the samples go all around and
-    the widest gap is at most 5 deg, they count as a full circle with missing samples.
+    the widest gap is at most 5 deg, they count as a full circle with missing samples. The run
+    passed a wider gap if the samples on both of its sides follow each other in ``angles``.
     """
     name = f"{sense} run {number}"
     if angles.size < FEWEST_SAMPLES:
@@ -105,8 +108,15 @@ def sweep_of(sense: Sense, number: int, angles: FloatArray, faults: FaultList) -
         between = np.diff(ascending)
         widest = int(np.argmax(between))
     ascending = ascending - 360.0 * np.floor(ascending[0] / 360.0)
-    gap = (float(between[widest]), float(ascending[widest]))
-    sweep = Sweep(sense=sense, number=number, order=order, angles=ascending, step=step, gap=gap)
+    sweep = Sweep(
+        sense=sense,
+        number=number,
+        order=order,
+        angles=ascending,
+        step=step,
+        gap=(float(between[widest]), float(ascending[widest])),
+        passed=abs(int(order[0]) - int(order[-1])) == 1,
+    )
     if sweep.extent + step < SMALLEST_ARC - _TINY:
         faults.add(
             "covers too short an arc",

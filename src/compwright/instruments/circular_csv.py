@@ -14,7 +14,7 @@ Code made here:
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Final
 
@@ -114,7 +114,7 @@ def read_circular_csv(content: bytes, file: str, name: str) -> CircularTest:
         code_page,
         left_out_finding(left_out),
         doubtful_finding(marks.doubtful_point()),
-        *map(_gap_finding, sweeps),
+        *(finding for sweep in sweeps for finding in _gap_findings(sweep)),
         unfinished_finding(text),
     ]
     return CircularTest(
@@ -445,10 +445,18 @@ def _check_unit(radii: FloatArray, nominal: float, name: str, faults: FaultList)
     )
 
 
-def _gap_finding(sweep: Sweep) -> Finding | None:
+def _gap_findings(sweep: Sweep) -> Iterator[Finding]:
     width, begin = sweep.gap
-    if width <= _MANY_STEPS * sweep.step:
-        return None
-    return Finding.of(
-        "CW-R034", "warning", run=sweep.name, angle=begin % 360.0, width=width, step=sweep.step
-    )
+    if width > _MANY_STEPS * sweep.step:
+        yield Finding.of(
+            "CW-R034", "warning", run=sweep.name, angle=begin % 360.0, width=width, step=sweep.step
+        )
+    if sweep.passed:
+        yield Finding.of(
+            "CW-R034.passed",
+            "warning",
+            run=sweep.name,
+            begin=float(sweep.angles[-1]) % 360.0,
+            end=float(sweep.angles[0]),
+            arc=sweep.extent,
+        )

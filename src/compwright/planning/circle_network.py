@@ -222,19 +222,25 @@ def _mean_scale(
     yield Observation("scale", parts, stated, result.test.name)
 
 
-def network_findings(circles: Sequence[CircleWork]) -> Iterator[Finding]:
-    """Yield the findings about the machine errors from circular tests in the same state of the
-    control.
-
-    Findings about a correction of squareness are made in `planning.cross`.
+def state_networks(circles: Iterable[CircleWork]) -> dict[str, CircleNetwork]:
+    """Return the machine errors in each state of the control with several diagnosed circular tests,
+    by the name of the state.
     """
     states: dict[str, list[CircularResult]] = {}
     for work in circles:
         if work.result.diagnosis is not None:
             states.setdefault(work.planned.measured_in, []).append(work.result)
-    for results in states.values():
-        if len(results) > 1:
-            yield from machine_findings(solve_network(results))
+    return {name: solve_network(results) for name, results in states.items() if len(results) > 1}
+
+
+def network_findings(circles: Iterable[CircleWork]) -> Iterator[Finding]:
+    """Yield the findings about the machine errors from circular tests in the same state of the
+    control.
+
+    Findings about a correction of squareness are made in `planning.cross`.
+    """
+    for network in state_networks(circles).values():
+        yield from machine_findings(network)
 
 
 def machine_findings(network: CircleNetwork) -> Iterator[Finding]:

@@ -1,9 +1,9 @@
 """Scale error of an axis without a positioning test, from circular tests.
 
 The lag of the position loop also makes the radius of a circle smaller, by v²/(2 Kv² R). Therefore a
-scale is taken from one of three sources: a calibrated bar at a low feed, two feeds extrapolated to
-zero, or the mismatch with an axis that has a positioning test. Without one of these, no scale is
-given.
+scale is taken from one of three sources: several circular tests together, which separate lag from
+scale (`circle_network`), a calibrated bar at a low feed, or the mismatch with an axis that has a
+positioning test. Without one of these, no scale is given.
 """
 
 from __future__ import annotations
@@ -17,8 +17,9 @@ from compwright.estimation.circle_model import SOFTEST_LOOP
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import Finding
 from compwright.planning.axis_work import CapacityOf
-from compwright.planning.circle_checks import ENDS, CircleChecks, mismatch, scale_error
-from compwright.planning.circles import CircleWork, as_shown_at_feed, effect_of, why_undetermined
+from compwright.planning.circle_checks import CircleChecks, mismatch, scale_error
+from compwright.planning.circle_network import CircleNetwork, state_networks
+from compwright.planning.circles import CircleWork, why_undetermined
 from compwright.planning.tables import NEW_GRID, fit_keeping_grid, fit_remaining
 from compwright.planning.value_with_error import ValueWithError, worse_doubts
 from compwright.planning.wanted_correction import (
@@ -39,12 +40,7 @@ from compwright.words.sentences import Sentence, say
 #: A feed is low when the softest usual position loop shrinks the circle by no more than this part
 #: of its radius.
 LOW = 2e-6
-#: Two feeds tell the shrinking when their squares differ by this factor or more.
-APART = 2.0
 _PPM = 1e6
-#: Least error of a scale by the fit, um/m.
-_LEAST = 0.05
-#: What gives a scale for certain.
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +76,7 @@ def correct_scales(
     for an axis.
     """
     found = []
+    networks = state_networks(circles)
     for name in job.apply.scale:
         entry = job.axes.get(name)
         if entry is None:
@@ -87,19 +84,20 @@ def correct_scales(
         if entry.before:
             found.append(ScaleCorrection(name, None, Finding.of("CW-P118", "info", axis=name)))
             continue
-        found.append(_scaled(entry, circles, checks, capacity, state))
+        found.append(_scaled(entry, circles, networks, checks, capacity, state))
     return tuple(found)
 
 
 def _scaled(
     entry: AxisJob,
     circles: Sequence[CircleWork],
+    networks: Mapping[str, CircleNetwork],
     checks: CircleChecks,
     capacity: CapacityOf,
     state: ControlState,
 ) -> ScaleCorrection:
     name = entry.axis.name
-    found = list(_values(name, circles, checks))
+    found = list(_values(name, circles, networks, checks))
     values = [entry for entry in found if not isinstance(entry, Sentence)]
     reasons = [entry for entry in found if isinstance(entry, Sentence)]
     if not values:
@@ -143,33 +141,37 @@ def _scaled(
 
 
 def _values(
-    name: str, circles: Sequence[CircleWork], checks: CircleChecks
+    name: str,
+    circles: Sequence[CircleWork],
+    networks: Mapping[str, CircleNetwork],
+    checks: CircleChecks,
 ) -> Iterator[tuple[ValueWithError, Sentence] | Sentence]:
     """Yield the scale error under the present corrections with the circular tests that show it, or
-    the reason why a circular test does not determine it.
+    the reason why a circular test does not determine it. ``networks``: the errors that the tests of
+    each state of the control show together.
     """
     mine = [work for work in circles if name in work.planned.test.axes]
-    slow = [
-        work
-        for work in mine
-        if shrinking(work) <= LOW and scale_error(work, _index(work, name)) is not None
+    together = [
+        (state, network.circles, stated)
+        for state, network in networks.items()
+        if (stated := network.values_of("scale").get(name)) is not None
     ]
-    for work in slow:
-        stated = scale_error(work, _index(work, name))
-        if stated is not None:
-            yield _now(stated, work, name, checks), say("CW-P119.low_feed", circle=work.name)
-    if slow:
+    for state, tests, stated in together:
+        own = [work for work in mine if work.planned.measured_in == state]
+        scale = ValueWithError(stated.value / _PPM, stated.std_error / _PPM)
+        yield _now(scale, own, name, checks), say("CW-P119.together", circles=tests)
+    if together:
         return
-    pairs = list(_two_feeds(mine, name))
-    if pairs:
-        fast, slower, stated = max(pairs, key=lambda pair: shrinking(pair[0]) / shrinking(pair[1]))
-        yield (
-            _now(stated, slower, name, checks),
-            say("CW-P119.two_feeds", slow=slower.name, fast=fast.name),
-        )
-        return
-    for work in mine:
-        yield _by_mismatch(work, name, checks)
+    slow = [
+        (work, stated)
+        for work in mine
+        if shrinking(work) <= LOW and (stated := scale_error(work, _index(work, name))) is not None
+    ]
+    for work, stated in slow:
+        yield _now(stated, [work], name, checks), say("CW-P119.low_feed", circle=work.name)
+    if not slow:
+        for work in mine:
+            yield _by_mismatch(work, name, checks)
 
 
 def _by_mismatch(
@@ -183,12 +185,13 @@ def _by_mismatch(
     if between is None or laser is None:
         if not work.planned.test.calibrated:
             return say("CW-P119.not_calibrated", circle=work.name)
-        return say("CW-P119.lag", circle=work.name, lag=shrinking(work) * _PPM)
+        low = 60.0 * SOFTEST_LOOP * work.planned.test.nominal_radius * float(np.sqrt(2.0 * LOW))
+        return say("CW-P119.lag", circle=work.name, lag=shrinking(work) * _PPM, feed=low)
     # The mismatch is first minus second.
     own = laser.scale.value + (between.value if index == 0 else -between.value)
     stated = ValueWithError(own, float(np.hypot(between.std_error, laser.scale.std_error)))
     return (
-        _now(stated, work, name, checks),
+        _now(stated, [work], name, checks),
         say("CW-P119.mismatch", circle=work.name, axis=work.planned.test.axes[1 - index]),
     )
 
@@ -201,69 +204,22 @@ def shrinking(work: CircleWork) -> float:
     return float((test.feed / 60.0) ** 2 / (2.0 * SOFTEST_LOOP**2 * test.nominal_radius**2))
 
 
-def _two_feeds(
-    works: Sequence[CircleWork], name: str
-) -> Iterator[tuple[CircleWork, CircleWork, ValueWithError]]:
-    """Yield pairs of circular tests at clearly different feeds, as (fast, slow, scale error
-    extrapolated to feed 0).
-
-    Both tests of a pair have the same size and centre and were measured in the same state of the
-    control.
-    """
-    for slow in works:
-        for fast in works:
-            same = (
-                slow.planned.test.axes,
-                slow.planned.centre,
-                slow.planned.measured_in,
-                slow.planned.test.nominal_radius,
-            ) == (
-                *(fast.planned.test.axes, fast.planned.centre),
-                *(fast.planned.measured_in, fast.planned.test.nominal_radius),
-            )
-            if not same or shrinking(fast) < APART * shrinking(slow):
-                continue
-            at_slow, at_fast = _seen(slow, name), _seen(fast, name)
-            if at_slow is None or at_fast is None:
-                continue
-            share = shrinking(slow) / (shrinking(fast) - shrinking(slow))
-            value = at_slow.value + share * (at_slow.value - at_fast.value)
-            error = np.hypot((1.0 + share) * at_slow.std_error, share * at_fast.std_error)
-            yield fast, slow, ValueWithError(value, float(error))
-
-
-def _seen(work: CircleWork, name: str) -> ValueWithError | None:
-    """Return the scale error that a circular test shows at its feed, servo lag included, with the
-    standard error of the fit alone. None if the scale error is unknown.
-    """
-    effect = effect_of(work.result, f"scale_error_{ENDS[_index(work, name)]}")
-    if effect is None:
-        return None
-    seen = as_shown_at_feed(effect)
-    doubt = shrinking(work) * _PPM / np.sqrt(3.0)
-    error = float(np.sqrt(max(seen.std_error**2 - doubt**2, _LEAST**2)))
-    return ValueWithError(seen.value / _PPM, error / _PPM)
-
-
 def _index(work: CircleWork, name: str) -> int:
     return work.planned.test.axes.index(name)
 
 
 def _now(
-    stated: ValueWithError, work: CircleWork, name: str, checks: CircleChecks
+    stated: ValueWithError, works: Sequence[CircleWork], name: str, checks: CircleChecks
 ) -> ValueWithError:
-    """Return the scale error ``stated`` by a circular test for an axis, converted from the
-    corrections during the test to the present corrections.
+    """Return the scale error ``stated`` by circular tests in one state of the control for an axis,
+    converted from the corrections during the tests to the present corrections.
     """
-    radius, middle = work.planned.test.nominal_radius, work.planned.centre[_index(work, name)]
-    during = checks.states.get(work.planned.measured_in, NO_CORRECTIONS)
-    now = checks.states.get(AS_FOUND, NO_CORRECTIONS)
-    return replace(
-        stated,
-        value=stated.value
-        + _slope(now, name, middle, radius)
-        - _slope(during, name, middle, radius),
-    )
+    now, changes = checks.states.get(AS_FOUND, NO_CORRECTIONS), []
+    for work in works:
+        radius, middle = work.planned.test.nominal_radius, work.planned.centre[_index(work, name)]
+        during = checks.states.get(work.planned.measured_in, NO_CORRECTIONS)
+        changes.append(_slope(now, name, middle, radius) - _slope(during, name, middle, radius))
+    return replace(stated, value=stated.value + float(np.mean(changes)))
 
 
 def _slope(state: ActiveCorrections, name: str, middle: float, radius: float) -> float:

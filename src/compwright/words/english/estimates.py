@@ -21,8 +21,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-D004": (
         "at {feed:g} mm/min a position loop with low gain (Kv) makes the circle up to"
-        " {most:.1f} µm smaller. The scale of single axes is therefore uncertain by {doubt:.0f}"
-        " µm/m. A second test at a low feed removes this doubt"
+        " {most:.1f} µm smaller. From this circle alone, the scale of single axes is therefore"
+        " uncertain by {doubt:.0f} µm/m. Evaluate it together with a circle at a low feed:"
+        " both show the scale (CW-P135)"
     ),
     "CW-D005.none": (
         "axis {name} does not reverse on this arc. Its lost motion, lateral play and reversal"

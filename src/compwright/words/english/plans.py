@@ -152,7 +152,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P119.lag": (
         "at the feed of {circle} the lag of the axes may make the circle smaller by {lag:.0f}"
-        " µm/m (measure at a low feed, at two feeds, or the other axis with a laser)"
+        " µm/m (measure a circle at {feed:.0f} mm/min or slower, or the other axis with a laser)"
     ),
     "CW-P119.low_feed": "circular test {circle} at a low feed",
     "CW-P119.mismatch": (
@@ -162,7 +162,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P119.not_calibrated": (
         "the bar of {circle} was not calibrated, and its other axis has no positioning test"
     ),
-    "CW-P119.two_feeds": "circular tests {slow} and {fast} at two feeds, extrapolated to feed zero",
+    "CW-P119.together": "circular tests {circles:join|, } together",
     "CW-P120": (
         "{scale}. The table corrects this scale error. It includes the effect of the temperatures"
         " of the bar and of the machine's scale during the test: 1 K changes steel by 11 µm/m."

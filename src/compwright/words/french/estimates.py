@@ -20,8 +20,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-D004": (
         "à {feed:g} mm/min, une boucle de position souple rend le cercle plus petit de {most:.1f}"
-        " µm au plus. L'échelle des axes seuls est donc incertaine de {doubt:.0f} µm/m. Un second"
-        " essai à faible avance lève ce doute"
+        " µm au plus. D'après ce cercle seul, l'échelle des axes est donc incertaine de"
+        " {doubt:.0f} µm/m. L'évaluer avec un cercle à faible avance : les deux montrent l'échelle"
+        " (CW-P135)"
     ),
     "CW-D005.none": (
         "l'axe {name} ne s'inverse pas sur cet arc. Son jeu, son jeu latéral et son pic"

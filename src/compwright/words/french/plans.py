@@ -143,7 +143,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P119.impossible": "{scale}. Elle n'est pas corrigée : {reasons:join|; }.",
     "CW-P119.lag": (
         "à l'avance de {circle}, le retard des axes peut réduire le cercle de {lag:.0f} µm/m"
-        " (mesurer à faible avance, à deux avances, ou l'autre axe au laser)"
+        " (mesurer un cercle à {feed:.0f} mm/min au plus, ou l'autre axe au laser)"
     ),
     "CW-P119.low_feed": "{circle} à faible avance",
     "CW-P119.mismatch": "la différence d'échelle de {circle} et le laser sur {axis}",
@@ -156,7 +156,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{axis} : aucun cercle ne donne l'échelle de cet axe : {reasons:if|{reasons:join|;"
         " }|aucun n'a été mesuré avec lui}."
     ),
-    "CW-P119.two_feeds": "{slow} et {fast} (deux avances), extrapolés à une avance nulle",
+    "CW-P119.together": "{circles:join|, } ensemble",
     "CW-P119.undetermined": (
         "{axis} : l'échelle, prise de {tests:join|; }, n'est pas corrigée : {why}. Autre moyen :"
         " mesurer l'axe au laser, ou répéter le cercle à faible avance."

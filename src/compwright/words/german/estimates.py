@@ -21,8 +21,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-D004": (
         "bei {feed:g} mm/min macht eine weiche Lageregelung den Kreis um bis zu {most:.1f} µm"
-        " kleiner. Der Maßstab einzelner Achsen ist deshalb um {doubt:.0f} µm/m unsicher. Eine"
-        " zweite Prüfung mit kleinem Vorschub beseitigt diesen Zweifel"
+        " kleiner. Aus diesem Kreis allein ist der Maßstab einzelner Achsen deshalb um"
+        " {doubt:.0f} µm/m unsicher. Werten Sie ihn zusammen mit einem Kreis bei kleinem Vorschub"
+        " aus: Beide zeigen den Maßstab (CW-P135)"
     ),
     "CW-D005.none": (
         "Achse {name} kehrt auf diesem Bogen nicht um. Ihr Umkehrspiel, seitliches Spiel und ihre"

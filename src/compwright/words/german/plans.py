@@ -155,7 +155,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P119.impossible": "{scale}. Er wird nicht korrigiert: {reasons:join|; }.",
     "CW-P119.lag": (
         "beim Vorschub von {circle} kann der Schleppabstand der Achsen den Kreis um {lag:.0f}"
-        " µm/m verkleinern (mit kleinem Vorschub, mit zwei Vorschüben oder die andere Achse mit"
+        " µm/m verkleinern (einen Kreis mit höchstens {feed:.0f} mm/min oder die andere Achse mit"
         " dem Laser messen)"
     ),
     "CW-P119.low_feed": "{circle} bei kleinem Vorschub",
@@ -169,7 +169,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{axis}: Kein Kreis ergibt den Maßstab dieser Achse: {reasons:if|{reasons:join|; }|keiner"
         " wurde mit ihr gemessen}."
     ),
-    "CW-P119.two_feeds": "{slow} und {fast} (zwei Vorschübe), auf Vorschub null extrapoliert",
+    "CW-P119.together": "den Kreisen {circles:join|, } zusammen",
     "CW-P119.undetermined": (
         "{axis}: Der Maßstab aus {tests:join|; } wird nicht korrigiert: {why}. Anderer Weg: die"
         " Achse mit einem Laser messen oder den Kreis bei kleinem Vorschub wiederholen."
