@@ -106,14 +106,14 @@ def common_lag(samples: CircleSamples) -> Lag:
     group = -(-high // _MOST_SPAN)
     found = None
     if group > 1:
-        rough = _averaged(samples, group)
+        rough = averaged(samples, group)
         found = _distribution(rough, usual, (-1, -(-high // group)), _LEVELS[1:2])
         if found is not None:
             low = max(int((found.angle - 3.0 * found.doubt) / spacing) - 2 * group, low)
             high = min(int((found.angle + 3.0 * found.doubt) / spacing) + 2 * group, high)
     if high - low <= _MOST_SPAN + 2:
         group = -(-(high - low + _BEFORE + _after(spacing)) // _MOST_WINDOW)
-        fine = _averaged(samples, group) if group > 1 else samples
+        fine = averaged(samples, group) if group > 1 else samples
         found = _distribution(fine, usual, (low // group, -(-high // group)), _LEVELS)
     if found is None:
         return Lag(0.0, max(usual, 0.5 * spacing), clear=False)
@@ -155,7 +155,7 @@ def shrink_uncertainty(samples: CircleSamples) -> float:
     return float(most / np.sqrt(3.0))
 
 
-def _averaged(samples: CircleSamples, group: int) -> CircleSamples:
+def averaged(samples: CircleSamples, group: int) -> CircleSamples:
     """Return the samples with each ``group`` of neighbours of a run averaged."""
     parts = []
     for number in np.unique(samples.run):

@@ -61,6 +61,11 @@ SENTENCES: Final[dict[str, str]] = {
         "the axes reverse {lag:.1f} ± {error:.1f} ms later than commanded; the angles were"
         " corrected for this delay"
     ),
+    "CW-D012": (
+        "The two directions seem to be exchanged in the file ({odds}): what follows a reversal is"
+        " in front of it. Lost motion and servo mismatch then have the wrong sign. Check which run"
+        " was clockwise. Exchange ccw and cw in the file, or acknowledge CW-D012 in the job."
+    ),
     "CW-E001": (
         "Only one direction was measured. The error is assumed to be the same in the other"
         " direction, and lost motion is unknown."

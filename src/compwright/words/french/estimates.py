@@ -61,6 +61,12 @@ SENTENCES: Final[dict[str, str]] = {
         "les axes s'inversent {lag:.1f} ± {error:.1f} ms après leurs consignes ; les angles ont été"
         " corrigés de ce retard"
     ),
+    "CW-D012": (
+        "Les deux sens semblent échangés dans le fichier ({odds}) : ce qui suit une inversion se"
+        " trouve avant elle. Le jeu et la différence d'asservissement ont alors le mauvais signe."
+        " Vérifier quel parcours était dans le sens horaire. Échanger ccw et cw dans le fichier, ou"
+        " acquitter CW-D012 dans le dossier de travail."
+    ),
     "CW-E001": (
         "Un seul sens a été mesuré. La même erreur est supposée dans l'autre sens, et le jeu est"
         " inconnu."

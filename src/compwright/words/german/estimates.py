@@ -63,6 +63,12 @@ SENTENCES: Final[dict[str, str]] = {
         "die Achsen kehren {lag:.1f} ± {error:.1f} ms nach ihrem Sollwert um; die Winkel wurden"
         " um diesen Verzug berichtigt"
     ),
+    "CW-D012": (
+        "Die beiden Drehrichtungen scheinen in der Datei vertauscht zu sein ({odds}): Was auf eine"
+        " Umkehr folgt, liegt vor ihr. Umkehrspiel und Unterschied der Lageregelung haben dann das"
+        " falsche Vorzeichen. Prüfen Sie, welcher Lauf im Uhrzeigersinn war. Vertauschen Sie ccw"
+        " und cw in der Datei, oder bestätigen Sie CW-D012 im Auftrag."
+    ),
     "CW-E001": (
         "Nur eine Richtung wurde gemessen. In der anderen wird derselbe Fehler angenommen, das"
         " Umkehrspiel ist unbekannt."
