@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, Final, Literal
+from typing import Any, Literal
 
 from compwright.documents.findings import finding_documents
 from compwright.documents.prediction import (
@@ -20,16 +20,12 @@ from compwright.foundations.findings import Finding, doubts_of
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularResult
-from compwright.records.correction_need import NEGLIGIBLE, most_uncertain
 from compwright.records.job import Acknowledged
-from compwright.records.prediction import AcceptDecision, CirclePrediction, Decision, Quantiles
+from compwright.records.prediction import AcceptDecision, CirclePrediction, Quantiles
 from compwright.records.result import ExpandedUncertainty, PositioningResult
 from compwright.words.sentences import SentenceText, say
 
 SCHEMA = "compwright/verification/1"
-#: A loading fault of a squareness is named if U is below this part of the correction: the nearest
-#: faults (not active, opposite sign) are a whole correction apart.
-_CLEAR: Final = 0.25
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -64,78 +60,20 @@ class VerifiedAxis:
     findings: tuple[Finding, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class SquarenessCheck:
-    """The squareness (µm/m) after loading compared with the prediction.
-
-    ``before``: before loading, under the corrections that the control had as found; the plan
-    changes it from there to ``expected``. ``U`` (k = 2): of the difference between ``value`` and
-    ``expected``, from the noise of the two tests. It does not hold the set-up of the instrument.
-    """
-
-    value: float | None
-    expected: float
-    U: float
-    before: float
-
-    @property
-    def factor(self) -> float | None:
-        """The part of the planned correction that is active; None if the tests do not show it."""
-        planned = self.before - self.expected
-        if self.value is None or _CLEAR * abs(planned) <= self.U:
-            return None
-        return (self.before - self.value) / planned
-
-    @property
-    def verdict(self) -> Literal["loaded", "not_active", "inverted", "scaled", "undecided"]:
-        """The name of the loading verdict to which ``factor`` belongs, as of an axis."""
-        if self.factor is None:
-            return "loaded" if self.decision == "accept" else "undecided"
-        planned = abs(self.before - self.expected)
-        near = max(self.U, min(NEGLIGIBLE, _CLEAR * planned)) / planned
-        if abs(self.factor - 1.0) <= near:
-            return "loaded"
-        if abs(self.factor) <= near:
-            return "not_active"
-        if abs(self.factor + 1.0) <= near:
-            return "inverted"
-        return "scaled" if self.factor > 0.0 else "undecided"
-
-    @property
-    def active(self) -> bool:
-        """Whether the correction is active as planned, so that a further one may be added."""
-        return self.decision == "accept" or self.verdict == "loaded"
-
-    @property
-    def decision(self) -> Decision:
-        """The decision on squareness.
-
-        Accept if it differs from the prediction by no more than U, and U is small enough for a
-        correction. Accept if a negligible squareness is left by a correction of which more than
-        half is active.
-        """
-        if self.value is None:
-            return "undecided"
-        off, planned = abs(self.value - self.expected), abs(self.before - self.expected)
-        if off <= self.U:
-            return "accept" if most_uncertain(planned) > self.U else "undecided"
-        negligible = abs(self.value) + self.U < NEGLIGIBLE and off + self.U < 0.5 * planned
-        return "accept" if negligible else "reject"
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VerifiedCircle:
     """The results of ``verify`` for one circular test: before loading, as predicted, after loading,
     and the decisions on limits.
 
-    ``squareness``: only if the squareness of its plane was corrected from circular tests.
+    ``squareness``: the comparison with the prediction, with the keys of the JSON, only if the
+    squareness of its plane was corrected from circular tests.
     ``accept``, ``acknowledged``: see `VerifiedAxis`. ``findings``: open doubts, because of which
     its limits stay undecided.
     """
 
     prediction: CirclePrediction
     after: CircularResult
-    squareness: SquarenessCheck | None = None
+    squareness: Mapping[str, Any] | None = None
     accept: Mapping[str, AcceptDecision] = field(default_factory=dict)
     acknowledged: tuple[Acknowledged, ...] = ()
     findings: tuple[Finding, ...] = ()
@@ -184,7 +122,7 @@ def _headline(
     """Return the verdict as a sentence; limits are mentioned only if the job has limits."""
     if verdict == "bad":
         decisions = [entry.decision for one in circles.values() for entry in one.accept.values()]
-        decisions += [one.squareness.decision for one in circles.values() if one.squareness]
+        decisions += [one.squareness["decision"] for one in circles.values() if one.squareness]
         return SentenceText(say("headline.bad", circles="reject" in decisions or not axes))
     if verdict == "undecided":
         return SentenceText(say("headline.undecided"))
@@ -239,7 +177,6 @@ def _accept(accept: Mapping[str, AcceptDecision]) -> dict[str, Any]:
 def _circle(circle: VerifiedCircle) -> dict[str, Any]:
     """Return a verified circular test for JSON: parameters in µm, error causes in their units."""
     after, predicted = circle_values(circle.after), circle_quantiles(circle.prediction)
-    check = circle.squareness
     return {
         "before": circle_values(circle.prediction.before),
         "predicted": predicted,
@@ -247,20 +184,7 @@ def _circle(circle: VerifiedCircle) -> dict[str, Any]:
         "within_prediction": {
             name: _within(after.get(name), band) for name, band in predicted.items()
         },
-        "squareness": (
-            None
-            if check is None
-            else {
-                "value": check.value,
-                "expected": check.expected,
-                "U": check.U,
-                "unit": "um/m",
-                "decision": check.decision,
-                "verdict": check.verdict,
-                "factor": check.factor,
-                "active": check.active,
-            }
-        ),
+        "squareness": None if circle.squareness is None else dict(circle.squareness),
         "accept": _accept(
             {name: replace(entry, value=after[name]) for name, entry in circle.accept.items()}
         ),

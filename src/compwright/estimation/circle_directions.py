@@ -15,7 +15,9 @@ import numpy as np
 
 from compwright.estimation.circle_lag import averaged
 from compwright.estimation.circle_model import SOFTEST_LOOP, UM, CircleSamples
+from compwright.foundations.findings import Finding
 from compwright.records.axis import FloatArray
+from compwright.words.sentences import say
 
 #: Samples of a run that are fitted at most: more blur no spike that lasts 1 mm, and take longer.
 _MOST: Final = 900
@@ -37,7 +39,7 @@ _SHAPES: Final = len(_POINTS) * (_DECAYS + _TAKEN.size)
 #: Logarithm of the odds from which an exchange is clear: five standard deviations of half the
 #: difference of two sums of squares with so many degrees of freedom each, as where nothing follows
 #: a reversal. With right directions the highest of 381 generated circles and arcs is 13.1.
-CLEAR: Final = 5.0 * np.sqrt(_SHAPES)
+_CLEAR: Final = 5.0 * np.sqrt(_SHAPES)
 #: Most correlation of neighbours that is removed (as in `circle_lag`).
 _CORRELATED: Final = 0.97
 #: Deviations, mm, below which no noise is assumed, and a ridge by the mean square of a column:
@@ -46,9 +48,15 @@ _FLOOR: Final = 2e-5
 _RIDGE: Final = 1e-6
 
 
+def exchange_findings(samples: CircleSamples) -> Iterator[Finding]:
+    """Yield the finding CW-D012 if the directions of the runs are clearly exchanged."""
+    if exchange_odds(samples) > _CLEAR:
+        yield Finding.of("CW-D012", "warning", odds=say("odds.over_1000"))
+
+
 def exchange_odds(samples: CircleSamples) -> float:
     """Return the natural logarithm of the odds that the directions of the runs are exchanged,
-    positive if probably (`CLEAR`); minus infinity for one direction or too few samples.
+    positive if probably; minus infinity for one direction or too few samples.
 
     The likelihood ratio of both fits, whitened by the correlation of neighbours, is averaged over
     the shift of the reversals (angle of the first sample, delay of the axes). Of two priors the

@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
 
 from compwright.estimation.circle import diagnose
-from compwright.estimation.circle_directions import CLEAR, exchange_odds
+from compwright.estimation.circle_directions import exchange_findings
 from compwright.estimation.circle_model import circle_samples
 from compwright.evaluation.circular import evaluate_circle
 from compwright.foundations.errors import Fault, InputError
-from compwright.foundations.findings import Finding
 from compwright.records.circular import CircularResult, CircularTest, Diagnosis
-from compwright.words.sentences import say
 
 
 def diagnose_circle(test: CircularTest, standard: str) -> CircularResult:
@@ -27,7 +24,7 @@ def diagnose_circle(test: CircularTest, standard: str) -> CircularResult:
     result = evaluate_circle(test, standard)
     try:
         diagnosis = _diagnosed(result.test)
-        findings = (*result.findings, *_exchanged(result.test))
+        findings = (*result.findings, *exchange_findings(circle_samples(result.test)))
         return replace(result, diagnosis=diagnosis, findings=findings)
     except InputError as error:
         reason = "; ".join(str(replace(fault, file="", hint="")) for fault in error.faults)
@@ -51,9 +48,3 @@ def _diagnosed(test: CircularTest) -> Diagnosis:
             "smoothing",
         )
     )
-
-
-def _exchanged(test: CircularTest) -> Iterator[Finding]:
-    """Yield the finding CW-D012 if the directions of the runs are probably exchanged."""
-    if exchange_odds(circle_samples(test)) > CLEAR:
-        yield Finding.of("CW-D012", "warning", odds=say("odds.over_1000"))

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from compwright.controls.decoded_state import DecodedState
 from compwright.controls.judged_corrections import active_corrections
-from compwright.documents.verification import SquarenessCheck, VerifiedCircle
+from compwright.documents.verification import VerifiedCircle
 from compwright.evaluation.decision import Decision
 from compwright.foundations import storage
 from compwright.foundations.errors import (
@@ -41,7 +42,6 @@ from compwright.planning.value_with_error import SIGNIFICANT
 from compwright.prediction.active_corrections import ActiveCorrections
 from compwright.records.axis import Axis
 from compwright.records.circular import CircularResult, CircularTest
-from compwright.records.correction_need import NEGLIGIBLE
 from compwright.records.job import Acknowledged, Job
 from compwright.records.plan import Plan, PlannedCircle
 from compwright.records.positioning import PositioningTest
@@ -53,6 +53,7 @@ from compwright.verification.proof import (
     other_circle,
     unproven_circle,
 )
+from compwright.verification.squareness import SquarenessCheck
 from compwright.workflow.inputs.circles import read_circle
 
 
@@ -216,29 +217,24 @@ def _verified(
     return VerifiedCircle(
         prediction=prediction,
         after=result,
-        squareness=check,
+        squareness=None if check is None else _document(check),
         accept=accept,
         acknowledged=acknowledged,
-        findings=(*lacking, *(() if check is None else _not_as_predicted(check))),
+        findings=(*lacking, *(() if check is None else check.findings)),
     )
 
 
-def _not_as_predicted(check: SquarenessCheck) -> Iterator[Finding]:
-    """Yield the finding CW-V035 if the squareness after loading is not as predicted."""
-    if check.value is None or check.decision == "undecided":
-        yield Finding.of("CW-V035.open", "warning")
-    elif abs(check.value - check.expected) > check.U:
-        accepted = check.decision == "accept"
-        yield Finding.of(
-            "CW-V035",
-            "info" if accepted else "warning",
-            value=check.value,
-            expected=check.expected,
-            U=check.U,
-            verdict="uncertain" if check.factor is None else check.verdict,
-            percent=100.0 * (check.factor or 0.0),
-            negligible=NEGLIGIBLE if accepted else 0.0,
-        )
+def _document(check: SquarenessCheck) -> dict[str, Any]:
+    return {
+        "value": check.value,
+        "expected": check.expected,
+        "U": check.U,
+        "unit": "um/m",
+        "decision": check.decision,
+        "verdict": check.verdict,
+        "factor": check.factor,
+        "active": check.active,
+    }
 
 
 def _loaded(plan: Plan, axes: Sequence[str]) -> list[str]:
@@ -291,7 +287,9 @@ def _judged(
 def squareness_decisions(circles: Mapping[str, VerifiedCircle]) -> list[Decision]:
     """Return the decisions on squareness, from those circles whose plane was corrected."""
     return [
-        circle.squareness.decision for circle in circles.values() if circle.squareness is not None
+        circle.squareness["decision"]
+        for circle in circles.values()
+        if circle.squareness is not None
     ]
 
 
