@@ -26,7 +26,7 @@ from compwright.planning.limit_decisions import (
     lacking_circle_guard,
     measured_circle_decisions,
 )
-from compwright.records.circular import CircularResult, Diagnosis
+from compwright.records.circular import CircularResult, CircularRun, Diagnosis
 from compwright.records.conditions import CircularBudget, Thermal
 from compwright.records.job import Acceptance
 from compwright.records.prediction import CirclePrediction, Quantiles
@@ -163,6 +163,21 @@ def test_a_circle_of_unknown_causes_is_not_decided() -> None:
     assert finding.code == "CW-P134"
     assert "circle xy" in finding.message
     assert "3000 samples over 360°" in finding.message
+    assert "Export the samples without smoothing" in finding.message
+    test = unknown.before.test
+    few = replace(test, runs=tuple(thinned(run, 60) for run in test.runs))
+    for lacking, advice in (
+        (few, "Measure with at least 24 samples per run"),
+        (replace(test, runs=test.runs[:1]), "Measure a full circle in both directions"),
+        (replace(test, arc=(0.0, 220.0)), "Measure a full circle in both directions"),
+    ):
+        asked = replace(unknown, before=replace(unknown.before, test=lacking), accept=decided)
+        (finding,) = undecided_circle_findings({"xy": asked})
+        assert advice in finding.message
+
+
+def thinned(run: CircularRun, step: int) -> CircularRun:
+    return replace(run, angles=run.angles[::step], deviations=run.deviations[::step])
 
 
 def after(D: float) -> CircularResult:

@@ -567,6 +567,21 @@ def test_plain_regression_finds_simple_machines() -> None:
     } <= set(plain)
 
 
+def test_plain_regression_has_lateral_play_at_both_ends() -> None:
+    """3 µm where the first axis turns on its positive end, -1 on the other, linear between them."""
+    setup = Setup()
+    machine = Machine(squareness=20.0, lateral_play_second=1.5)
+    for run in measured(machine, setup).runs:
+        theta = np.radians(run.angles)
+        sense = 1.0 if run.sense == "ccw" else -1.0
+        play = 1.0 + 2.0 * np.cos(theta)
+        setup.extra[run.sense] = -sense * 0.5 * play * np.abs(np.sin(theta))
+    plain = harmonic_regression(circle_samples(measured(machine, setup)))
+    for axis, ends in (("first", (3.0, -1.0)), ("second", (1.5, 1.5))):
+        found = [plain[f"lateral_play_{axis}_at_{end}"] for end in ("positive", "negative")]
+        assert found == pytest.approx(ends, abs=0.02)
+
+
 @needs_shared
 def test_plain_regression_agrees_with_the_vendor() -> None:
     path = REAL / "ballbar" / "ballbar_qc20w_150mm_XY.b5r"

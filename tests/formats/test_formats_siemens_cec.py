@@ -722,6 +722,21 @@ def test_straightness_by_direction_takes_a_pair_of_free_tables_and_adds_up() -> 
         )
 
 
+def test_squareness_without_a_free_table_says_how_to_free_one() -> None:
+    """Both indices that may be written hold the pair of AX1; else they belong to other axes."""
+    ramp = cross([0.0, 0.016], [0.0, 0.016])
+    other = PAIR
+    for index in (4, 7):
+        other = other.replace(f"OUTPUT_AXIS[{index}]=(AX1)", f"OUTPUT_AXIS[{index}]=(AX3)")
+    for text, single in ((PAIR, True), (other, False)):
+        given = files(A__INI=text + MD + "$MA_CEC_ENABLE[AX1]=1\nM17\n")
+        state = control_format(SIEMENS, {"cec_sign": "correction"}).read(given)
+        with pytest.raises(CapacityError) as caught:
+            write_cross(SIEMENS, [ramp], CEC, state, given)
+        assert "look in the control for an unused table" in str(caught.value)
+        assert ("set `table: {mode: single}`" in str(caught.value)) is single
+
+
 def test_reserved_memory_takes_cross_tables_too() -> None:
     given = files(
         A__INI=cec(3, [0.0], (0, 0, 0), ("AX1", "AX1")) + MD + "$MA_CEC_ENABLE[AX2]=0\nM17\n"

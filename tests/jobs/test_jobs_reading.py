@@ -168,6 +168,29 @@ def test_complete_example_of_the_page_is_read_key_by_key() -> None:
     assert told == ["cross[0]", "apply.scale", "apply.squareness.XY"]  # Y is no axis of this job
 
 
+def test_a_limit_of_the_smallest_radial_deviation_may_have_its_sign() -> None:
+    """F min is mostly negative (ISO 230-4, figure 3: -0.006 mm); its size is limited."""
+    text = """
+        compwright: 1
+        controller: {format: linuxcnc}
+        axes: {X: {travel: [0, 800], before: []}}
+        circles: [{file: c.csv, accept: {F_min_cw: -6, F_max_cw: 8}}]
+        """
+    assert job(text).circles[0].accept == Acceptance(limits={"F_min_cw": 6.0, "F_max_cw": 8.0})
+    for wrong in ("F_min_cw: 0", "F_max_cw: -8"):
+        (fault,) = faults_of(text.replace("F_min_cw: -6, F_max_cw: 8", wrong))
+        assert "is too small; expected more than 0" in fault
+
+
+def test_every_contributor_of_a_circle_has_its_unit_default_and_source() -> None:
+    page = (PROJECT / "docs" / "job-keys.md").read_text(encoding="utf-8")
+    for section, unit in (("rotary", "arcsec"), ("circular", "µm")):
+        table = page.split(f"## `uncertainty.{section}`")[1].split("\n## ")[0]
+        rows = [row.split("|")[3] for row in table.splitlines() if row.startswith("| `")]
+        assert len(rows) >= 3
+        assert all(f"Unit: {unit}. Default: `0`." in row for row in rows)
+
+
 def test_page_and_schema_have_the_same_keys() -> None:
     from compwright.jobs import schema
 

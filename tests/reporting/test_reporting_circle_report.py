@@ -297,7 +297,7 @@ def test_no_name_of_a_key_is_on_the_page() -> None:
     assert str(parameter_words("F_max_cw_lsc")) == "F max cw, least-squares centre"
     message = say("CW-D001.cause", cause="scale_mismatch", factor=9, other="straightness_second")
     assert str(named_in_words(message, AXES)) == (
-        "Scale mismatch Z − X 9 × (resembles Straightness X)"
+        "Scale mismatch Z − X (9 times, similar to Straightness X)"
     )
     assert named_in_words("my_file.b5r", AXES) == "my_file.b5r"
 

@@ -67,6 +67,8 @@ def _separation(
             other = max(others, key=lambda other: row[order.index(other)])
             poor.append((factor, say("CW-D001.cause", cause=name, factor=factor, other=other)))
     poorest = [words for _, words in sorted(poor, key=lambda each: -each[0])[:_MOST_NAMED]]
+    if len(poor) > _MOST_NAMED:
+        poorest.append(say("CW-D001.more", count=len(poor) - _MOST_NAMED))
     if not samples.both_senses:
         yield Finding.of("CW-D001", "warning", causes=poorest)
     if not test.full_circle:

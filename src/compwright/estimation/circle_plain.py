@@ -20,7 +20,7 @@ def harmonic_regression(samples: CircleSamples) -> dict[str, float]:
     regression of harmonics and reversal terms.
 
     A full circle in both directions gives squareness, scale mismatch, servo mismatch and radius
-    change. For each axis it gives lost motion (mean and both ends), lateral play and straightness.
+    change. For each axis it gives lost motion and lateral play (mean, both ends) and straightness.
     On an arc, lateral play, straightness and the lost motion at each end are left out. With one
     direction, all causes that need two directions are left out. The formulas are in the table of
     ``circle_model`` (ISO 230-4:1996, annex B).
@@ -31,11 +31,8 @@ def harmonic_regression(samples: CircleSamples) -> dict[str, float]:
     solved, *_ = np.linalg.lstsq(
         rows.T @ rows, rows.T @ values * MICROMETRES_PER_MILLIMETRE, rcond=None
     )
-    found = {
-        name: float(value)
-        for name, value in zip(names, solved, strict=True)
-        if not name.startswith("_")
-    }
+    solution = {name: float(value) for name, value in zip(names, solved, strict=True)}
+    found = {name: value for name, value in solution.items() if not name.startswith("_")}
     for axis in AXES:
         ends = [
             found[key]
@@ -44,6 +41,10 @@ def harmonic_regression(samples: CircleSamples) -> dict[str, float]:
         ]
         if ends:
             found[f"backlash_{axis}"] = sum(ends) / len(ends)
+        play, change = f"lateral_play_{axis}", f"_lateral_change_{axis}"
+        if change in solution:
+            found[f"{play}_at_positive"] = found[play] + solution[change]
+            found[f"{play}_at_negative"] = found[play] - solution[change]
     return found
 
 

@@ -19,7 +19,6 @@ from compwright.foundations.yaml_reader import YamlDocument, read_yaml_with_faul
 from compwright.jobs.consistency import NONE_WORD, contradictions, unusable
 from compwright.jobs.plain_data import default_name
 from compwright.jobs.schema import (
-    MISSING,
     SCHEMA_VERSION,
     AxisSection,
     CircleSection,
@@ -52,6 +51,17 @@ from compwright.records.job import (
     TestRequest,
     other_axis,
 )
+
+#: What is expected under a key that is missing.
+_MISSING = {
+    "compwright": "the version of the schema, such as 1",
+    "controller": "the format of the control, such as {format: ID}",
+    "format": "an id of `compwright formats list`",
+    "axes": "at least one axis, such as {X: {travel: [0, 800], before: [x.csv]}}",
+    "travel": "its ends in machine coordinates, mm or deg, such as [0, 800]",
+    "before": "the measurement files, such as [x.csv]",
+    "files": "the measurement files, such as [x.csv]",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,7 +132,7 @@ def check(document: YamlDocument, file: str, further: Further = _nothing_further
         without_use = {fault.path for fault in faults}
         faults += [
             fault
-            for fault in key_faults(error, data, known_keys, MISSING, JobSection.model_validate)
+            for fault in key_faults(error, data, known_keys, _MISSING, JobSection.model_validate)
             if fault.path not in without_use
         ]
     faults += (*contradictions(data), *further(data))

@@ -15,6 +15,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Fiel
 
 from compwright.foundations.key_faults import KeyPath
 from compwright.jobs.value_types import (
+    CircularLimits,
     NotNegative,
     Positive,
     Sense,
@@ -34,17 +35,6 @@ from compwright.jobs.value_types import (
 )
 
 SCHEMA_VERSION = 1
-
-#: What is expected under a key that is missing.
-MISSING = {
-    "compwright": "the version of the schema, such as 1",
-    "controller": "the format of the control, such as {format: ID}",
-    "format": "an id of `compwright formats list`",
-    "axes": "at least one axis, such as {X: {travel: [0, 800], before: [x.csv]}}",
-    "travel": "its ends in machine coordinates, mm or deg, such as [0, 800]",
-    "before": "the measurement files, such as [x.csv]",
-    "files": "the measurement files, such as [x.csv]",
-}
 
 Standard = Literal[
     "iso230-2:1988", "iso230-2:1997", "iso230-2:2006", "iso230-2:2014", "gost27843:2006", "vdi3441"
@@ -308,8 +298,8 @@ class CircleSection(JobMapping):
     """Machine coordinates of the centre: two numbers, in the order of the plane, or X, Y and Z.
     Unit: mm. Default: what the file says, else the middle of the travel (with a warning).
     """
-    accept: Annotated[dict[str, Positive], Field(min_length=1)] | None = None
-    """Limits by parameter (`{G_bidirectional: 10, D: 5}`); F and D by their size. Unit: µm.
+    accept: CircularLimits | None = None
+    """Limits by parameter (`{G_bidirectional: 10, F_min_cw: -8}`); F and D by size. Unit: µm.
     Default: none.
     """
 
@@ -355,7 +345,9 @@ class DriftSection(JobMapping):
     """The file of a stand-still test, and how long a positioning test takes (min)."""
 
     file: Text
+    """The readings of an axis at rest over time, see below. Required."""
     duration_min: Positive | None = None
+    """Time that one positioning test takes. Unit: min. Default: that of the whole file."""
 
 
 #: A range, or the stand-still test that shows it.
@@ -370,17 +362,24 @@ class RotaryUncertaintySection(JobMapping):
     """Contributors to the uncertainty of rotary axes (arcsec): instrument, set-up and drift."""
 
     U: NotNegative = 0.0
+    """Instrument (k = 2), from its certificate. Unit: arcsec. Default: `0`."""
     setup: NotNegative = 0.0
+    """Mounting the instrument again (k = 2), from experience. Unit: arcsec. Default: `0`."""
     E_VE: Variation = 0.0
+    """Range of the readings of the axis at rest, or their file. Unit: arcsec. Default: `0`."""
 
 
 class CircularUncertaintySection(JobMapping):
     """Contributors for circular tests (µm): instrument, length of the bar, set-up and drift."""
 
     U: NotNegative = 0.0
+    """Instrument (k = 2): a change in length, from its certificate. Unit: µm. Default: `0`."""
     length: NotNegative = 0.0
+    """Length of the bar (k = 2), from its calibration; for F and D. Unit: µm. Default: `0`."""
     setup: NotNegative = 0.0
+    """Mounting the instrument again (k = 2), from experience. Unit: µm. Default: `0`."""
     E_VE: NotNegative = 0.0
+    """Range of the reading at rest over the time of a test: measure it. Unit: µm. Default: `0`."""
 
 
 class UncertaintySection(JobMapping):
@@ -400,15 +399,13 @@ class UncertaintySection(JobMapping):
     positioning test, or the file of such a stand-still test, see below. Unit: µm.
     """
     rotary: RotaryUncertaintySection | None = None
-    """`{U, setup, E_VE}` of rotary axes; without it no uncertainty of a rotary axis is stated, and
-    its guarded decisions are undecided (CW-P132 says so). Unit: arcsec.
+    """Of rotary axes, see below; without it no uncertainty of a rotary axis is stated, and its
+    guarded decisions are undecided (CW-P132 says so). Default: none.
     """
     circular: CircularUncertaintySection | None = None
-    """`{U, length, setup, E_VE}` of circular tests: certificate of the instrument (a change in
-    length), calibration of the length of the bar, set-up, and the range of the reading of a
-    machine at rest over the time of the test. `U_theta` and `U_alpha` count over the radius.
+    """Of circular tests, see below. `U_theta` and `U_alpha` count over the radius, for F and D.
     Without it no uncertainty of a circle is stated, and its guarded decisions are undecided
-    (CW-P132). Unit: µm.
+    (CW-P132). Default: none.
     """
 
 

@@ -80,8 +80,26 @@ def drift_or_number(value: Any) -> str:
     return "drift" if named else "number"
 
 
+def size_of_smallest(limits: object) -> object:
+    """Return the limits of a circular test, with the size of a negative limit on ``F_min_*``: the
+    smallest radial deviation is mostly negative (ISO 230-4:1996, 3.5).
+    """
+    if not isinstance(limits, dict):
+        return limits
+    return {
+        name: -limit
+        if str(name).startswith("F_min") and isinstance(limit, int | float) and limit < 0
+        else limit
+        for name, limit in limits.items()
+    }
+
+
 Text = Annotated[str, BeforeValidator(_one_line_of_text)]
 Positive = Annotated[float, Field(gt=0)]
+#: Limits of a circular test by parameter.
+CircularLimits = Annotated[
+    dict[str, Positive], BeforeValidator(size_of_smallest), Field(min_length=1)
+]
 NotNegative = Annotated[float, Field(ge=0)]
 #: A complaint about a number that is none speaks of a number, not of the word too.
 Spacing = Annotated[

@@ -11,6 +11,7 @@ from typing import Final
 
 import numpy as np
 
+from compwright.estimation.circle import LEAST_SAMPLES
 from compwright.evaluation.circular import evaluate_circle
 from compwright.evaluation.circular_uncertainty import circular_uncertainties
 from compwright.foundations.errors import (
@@ -259,10 +260,26 @@ def undecided_circle_findings(predictions: Mapping[str, CirclePrediction]) -> tu
     simulated repetitions on short arcs only 0 to 52 % were within such 90 % bands.
     """
     return tuple(
-        Finding.of("CW-P134", "warning", causes=_without_causes(name, circle.before.test))
+        Finding.of(
+            "CW-P134",
+            "warning",
+            causes=_without_causes(name, circle.before.test),
+            lacking=_lacking(circle.before.test),
+            least=LEAST_SAMPLES,
+        )
         for name, circle in predictions.items()
         if circle.accept and circle.before.diagnosis is None
     )
+
+
+def _lacking(test: CircularTest) -> str:
+    """Return what a circular test without a diagnosis lacks: ``samples``, a ``circle`` in both
+    directions, or ``noise`` (smoothed or computed samples).
+    """
+    # Samples at the four reversal points are not fitted.
+    if min(run.angles.size for run in test.runs) < LEAST_SAMPLES + 4:
+        return "samples"
+    return "noise" if test.full_circle and len({run.sense for run in test.runs}) == 2 else "circle"
 
 
 def _growing(circle: CirclePrediction) -> str | None:

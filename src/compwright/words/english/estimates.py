@@ -7,13 +7,16 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "CW-D001": (
         "only one direction was measured. Causes of deviation that depend on the direction"
-        " cannot be separated from the others. Standard errors that are larger:"
-        " {causes:if|{causes:join|; }|none}"
+        " cannot be separated from the others."
+        " {causes:if|Standard errors grow, most of all those of {causes:join|; }|No standard error"
+        " grows much}"
     ),
-    "CW-D001.cause": "{cause} {factor:.0f} × (resembles {other})",
+    "CW-D001.cause": "{cause} ({factor:.0f} times, similar to {other})",
+    "CW-D001.more": "and of {count} more causes",
     "CW-D002": (
         "an arc of {arc:g}° separates the causes of deviation less well than a full circle."
-        " Standard errors that are larger: {causes:if|{causes:join|; }|none}"
+        " {causes:if|Standard errors grow, most of all those of {causes:join|; }|No standard error"
+        " grows much}"
     ),
     "CW-D003": (
         "the length of the bar was not calibrated, so the scale of single axes is not given. Only"

@@ -207,7 +207,9 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P134": (
         "The causes of the deviation of a circle are unknown (circle {causes}). Therefore nothing"
         " is predicted for this circle, and its limits stay undecided."
-        " Measure a full circle in both directions, or decide by the test after loading."
+        " {lacking:choose|samples=Measure with at least {least:d} samples per run away from the"
+        " reversal points|circle=Measure a full circle in both directions|noise=Export the samples"
+        " without smoothing}, or decide by the test after loading."
     ),
     "CW-P135": (
         "Circles {circles} together. {machine:if|{machine:join| }|They show no error of the"

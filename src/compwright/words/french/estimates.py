@@ -7,12 +7,15 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "CW-D001": (
         "un seul sens a été mesuré. Les causes qui dépendent du sens ne peuvent être séparées"
-        " des autres. Erreurs types plus grandes : {causes:if|{causes:join| ; }|aucune}"
+        " des autres. {causes:if|Des erreurs types croissent, surtout celles de"
+        " {causes:join| ; }|Aucune erreur type ne croît beaucoup}"
     ),
-    "CW-D001.cause": "{cause} {factor:.0f} × (ressemble à : {other})",
+    "CW-D001.cause": "{cause} ({factor:.0f} fois, ressemble à {other})",
+    "CW-D001.more": "et de {count} autres causes",
     "CW-D002": (
-        "un arc de {arc:g}° sépare moins bien les causes qu'un cercle complet. Erreurs types"
-        " plus grandes : {causes:if|{causes:join| ; }|aucune}"
+        "un arc de {arc:g}° sépare moins bien les causes qu'un cercle complet."
+        " {causes:if|Des erreurs types croissent, surtout celles de {causes:join| ; }|Aucune erreur"
+        " type ne croît beaucoup}"
     ),
     "CW-D003": (
         "la longueur de l'instrument n'était pas étalonnée, donc l'échelle des axes seuls n'est"

@@ -207,7 +207,9 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P134": (
         "Les causes de l'écart d'un cercle sont inconnues (cercle {causes}). Rien n'est donc"
         " prévu pour ce cercle, et ses limites restent non décidées."
-        " Mesurer un cercle entier dans les deux sens, ou décider d'après l'essai après chargement."
+        " {lacking:choose|samples=Mesurer avec au moins {least:d} points par parcours hors des"
+        " points d'inversion|circle=Mesurer un cercle entier dans les deux sens|noise=Exporter les"
+        " points sans lissage}, ou décider d'après l'essai après chargement."
     ),
     "CW-P135": (
         "Cercles {circles} ensemble. {machine:if|{machine:join| }|Ils ne montrent aucune erreur"

@@ -7,13 +7,15 @@ from typing import Final
 SENTENCES: Final[dict[str, str]] = {
     "CW-D001": (
         "nur eine Richtung wurde gemessen. Ursachen, die von der Richtung abhängen, lassen sich"
-        " nicht von den anderen trennen. Größere Standardfehler: {causes:if|{causes:join|;"
-        " }|keine}"
+        " nicht von den anderen trennen. {causes:if|Standardfehler wachsen, am meisten bei"
+        " {causes:join|; }|Kein Standardfehler wächst viel}"
     ),
-    "CW-D001.cause": "{cause} {factor:.0f} × (ähnelt: {other})",
+    "CW-D001.cause": "{cause} ({factor:.0f}-fach, ähnelt {other})",
+    "CW-D001.more": "und bei {count} weiteren Ursachen",
     "CW-D002": (
-        "ein Bogen von {arc:g}° trennt die Ursachen schlechter als ein Vollkreis. Größere"
-        " Standardfehler: {causes:if|{causes:join|; }|keine}"
+        "ein Bogen von {arc:g}° trennt die Ursachen schlechter als ein Vollkreis."
+        " {causes:if|Standardfehler wachsen, am meisten bei {causes:join|; }|Kein Standardfehler"
+        " wächst viel}"
     ),
     "CW-D003": (
         "die Länge des Messgeräts war nicht kalibriert, deshalb wird der Maßstab einzelner Achsen"

@@ -219,8 +219,10 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P133.period": "alle {period:.5g} {unit} ({probability:.0%})",
     "CW-P134": (
         "Die Ursachen der Abweichung eines Kreises sind unbekannt (Kreis {causes}). Deshalb wird"
-        " für diesen Kreis nichts vorhergesagt, und seine Grenzwerte bleiben offen. Einen vollen"
-        " Kreis in beiden Richtungen messen, oder nach der Prüfung nach dem Laden entscheiden."
+        " für diesen Kreis nichts vorhergesagt, und seine Grenzwerte bleiben offen."
+        " {lacking:choose|samples=Mit mindestens {least:d} Messpunkten je Lauf abseits der"
+        " Umkehrpunkte messen|circle=Einen vollen Kreis in beiden Richtungen messen|noise=Die"
+        " Messpunkte ohne Glättung exportieren}, oder nach der Prüfung nach dem Laden entscheiden."
     ),
     "CW-P135": (
         "Kreise {circles} gemeinsam. {machine:if|{machine:join| }|Sie zeigen keinen Fehler der"

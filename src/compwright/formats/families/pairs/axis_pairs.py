@@ -134,6 +134,12 @@ def _put(writer: CecWriter, entry: CrossCompensation, faults: list[Fault]) -> li
         needed = len(directions)
         between = control_text("{output} over {input}", output=pair[1], input=pair[0])
         fault = too_few(between, writer.definition.id, needed, len(free), tables.allowed)
+        if any(len({*tables.in_use.get(index, pair)}) == 1 for index in tables.allowed):
+            single = control_text(
+                "set `table: {mode: single}` for an axis whose own tables take an index: one table"
+                " for both directions needs none"
+            )
+            fault = replace(fault, hint=either_step(single, fault.hint))
         if refused:  # a free table holds the correction too: the control adds active tables
             faults += [replace(one, hint=either_step(one.hint, fault.hint)) for one in refused]
         else:

@@ -91,6 +91,11 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "job (`apply` and `cross`)": "dossier de travail (`apply` et `cross`)",
     "lists of the control": "listes de la commande",
+    "set `table: {mode: single}` for an axis whose own tables take an index: one table for both"
+    " directions needs none": (
+        "mettre `table: {mode: single}` pour un axe dont les tables propres occupent un indice :"
+        " une table pour les deux sens n'en demande pas"
+    ),
     "look in the control for an unused table, and ask the machine's builder; then give its index"
     " as `cec_tables` in the options": (
         "chercher dans la commande une table inutilisée et demander au constructeur de la machine"

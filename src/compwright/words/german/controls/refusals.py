@@ -93,6 +93,11 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "job (`apply` and `cross`)": "Auftrag (`apply` und `cross`)",
     "lists of the control": "Listen der Steuerung",
+    "set `table: {mode: single}` for an axis whose own tables take an index: one table for both"
+    " directions needs none": (
+        "`table: {mode: single}` für eine Achse setzen, deren eigene Tabellen einen Index belegen:"
+        " eine Tabelle für beide Richtungen braucht keinen"
+    ),
     "look in the control for an unused table, and ask the machine's builder; then give its index"
     " as `cec_tables` in the options": (
         "in der Steuerung nach einer unbenutzten Tabelle sehen und den Maschinenhersteller fragen;"

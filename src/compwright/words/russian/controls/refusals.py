@@ -84,6 +84,11 @@ TEXTS: Final[dict[str, str]] = {
     ),
     "job (`apply` and `cross`)": "задание (`apply` и `cross`)",
     "lists of the control": "списки УЧПУ",
+    "set `table: {mode: single}` for an axis whose own tables take an index: one table for both"
+    " directions needs none": (
+        "задайте `table: {mode: single}` для оси, собственные таблицы которой занимают индекс:"
+        " одной таблице для обоих направлений он не нужен"
+    ),
     "look in the control for an unused table, and ask the machine's builder; then give its index"
     " as `cec_tables` in the options": (
         "найдите в УЧПУ неиспользуемую таблицу и спросите изготовителя станка; затем задайте её"
