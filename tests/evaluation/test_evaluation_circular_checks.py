@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -20,9 +21,12 @@ from circular_samples import (
 )
 from compwright.evaluation.circular import evaluate_circle
 from compwright.foundations.findings import Finding
+from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularTest
 from compwright.words.sentences import say
 from places import REAL, needs_shared
+
+Spoil = Callable[[FloatArray], FloatArray]
 
 
 def found(test: CircularTest, code: str) -> list[str]:
@@ -137,8 +141,12 @@ def test_overshoot_that_was_not_cut() -> None:
 
 def test_unequal_numbers() -> None:
     runs = [run_of(perfect, "ccw", n=720), run_of(perfect, "cw", n=740)]
-    assert found(circular_test(runs), "CW-C008") == [str(say("CW-C008", ccw=720, cw=740))]
+    assert found(circular_test(runs), "CW-C008") == [str(say("CW-C008.few", ccw=720, cw=740))]
     assert found(circular_test([runs[0], run_of(perfect, "cw", n=725)]), "CW-C008") == []
+    slower = circular_test([runs[0], run_of(perfect, "cw", n=1440)])
+    (doubt,) = (one for one in evaluate_circle(slower).findings if one.code == "CW-C008")
+    assert doubt.is_doubt
+    assert "one direction had 50 % of the feed" in doubt.message
 
 
 def test_repeated_angles() -> None:
@@ -211,6 +219,41 @@ def test_ends_that_do_not_meet() -> None:
             arc=(45.0, 360.0),
         )
         assert found(steady, "CW-C012") == []
+
+
+def test_samples_on_both_sides_of_an_axis_may_step() -> None:
+    """36 samples from 5° on: between the last and the first one X reverses, with 4 µm lost
+    motion.
+    """
+    step = np.where(np.sin(np.radians(np.arange(5.0, 365.0, 10.0))) > 0.0, 2.0, -2.0)
+    run = plain_run("ccw", np.arange(5.0, 365.0, 10.0), step)
+    assert found(circular_test([run], arc=(5.0, 360.0)), "CW-C012") == []
+
+
+@pytest.mark.parametrize(
+    ("spoiled", "name"),
+    [
+        (lambda values: np.clip(values, -4.0, 4.0), "still"),
+        (lambda values: np.r_[values[:300], np.full(200, values[299]), values[500:]], "still"),
+        (lambda values: values + 30.0 * (np.arange(1500) == 150), "single"),
+        (lambda values: 5.0 * np.round(values / 5.0), "coarse"),
+    ],
+)
+def test_readings_that_an_instrument_cannot_have_measured(spoiled: Spoil, name: str) -> None:
+    """The end of the range, a reading that stops, a knock, steps of 5 µm. The same readings with
+    the 0.1 µm of a ballbar, with and without noise, are sound.
+    """
+    rng = np.random.default_rng(5)
+    angles = 45.0 + np.arange(1500) * 0.24
+    path = 10.0 * np.cos(np.radians(2.0 * angles)) + 3.0 * np.sin(np.radians(angles))
+    for noise in (0.0, 0.1, 0.4):
+        readings = np.round(path + rng.normal(0.0, noise, 1500), 1)
+        test = circular_test([plain_run("ccw", angles, readings)], arc=(45.0, 360.0))
+        assert found(test, "CW-C016") == []
+        wrong = circular_test([plain_run("ccw", angles, spoiled(readings))], arc=(45.0, 360.0))
+        (doubt,) = (one for one in evaluate_circle(wrong).findings if one.code == "CW-C016")
+        assert doubt.is_doubt
+        assert doubt.sentence.name == f"CW-C016.{name}"
 
 
 def test_a_run_of_zeros() -> None:

@@ -273,6 +273,14 @@ def test_calibrated_is_said(value: str, calibrated: bool) -> None:
     assert codes(test) == []
 
 
+def test_the_sign_that_the_file_states() -> None:
+    """Deviations as target minus measured are turned, as in a positioning test."""
+    turned = read(csv(rows(FULL), head=f"{HEAD}# deviation: target minus measured\n"))
+    assert turned.runs[0].deviations == pytest.approx(-read(csv(rows(FULL))).runs[0].deviations)
+    same = read(csv(rows(FULL), head=f"{HEAD}# deviation: measured minus target\n"))
+    belongs(same)
+
+
 BAD: list[tuple[bytes, str]] = [
     (csv(rows(FULL), head=""), "key 'plane' is missing"),
     (csv(rows(FULL), head=""), "key 'nominal_radius_mm' is missing"),
@@ -298,6 +306,18 @@ BAD: list[tuple[bytes, str]] = [
         "line 4: key 'calibrated' has an unknown value",
     ),
     (csv(rows(FULL), head=HEAD + "# centre: here\n"), "line 4: key 'centre' is not a position"),
+    (
+        csv(rows(FULL), head=HEAD + "# deviation: outwards\n"),
+        "line 4: key 'deviation' has an unknown value",
+    ),
+    (
+        csv(
+            "".join(f"ccw,{angle:g},{150.0 + 1e-3 * angle:g}\n" for angle in FULL),
+            "direction,angle_deg,radius_mm",
+            HEAD + "# deviation: target minus measured\n",
+        ),
+        "line 4: key 'deviation' turns the sign, but the values are radii",
+    ),
     (
         csv(rows(FULL), head=HEAD + "# compwright: circular 2\n"),
         "was written for a newer version of compwright",

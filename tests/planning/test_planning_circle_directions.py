@@ -102,3 +102,48 @@ def test_a_real_circle_with_clear_spikes_is_named_when_its_directions_are_exchan
     for given, named in ((test, []), (exchanged(test), ["CW-D012"])):
         result = diagnose_circle(given, "iso230-4:2005")
         assert [one.code for one in result.findings if one.code == "CW-D012"] == named
+
+
+def turned(test: CircularTest, way: str) -> CircularTest:
+    """The test as a file states it whose deviations or angles have the other sign."""
+    runs = [
+        replace(run, deviations=-run.deviations)
+        if way == "deviations"
+        else replace(run, angles=-run.angles[::-1] % 360.0, deviations=run.deviations[::-1])
+        for run in test.runs
+    ]
+    if way == "angles":
+        order = [np.argsort(run.angles) for run in runs]
+        runs = [
+            replace(run, angles=run.angles[by], deviations=run.deviations[by])
+            for run, by in zip(runs, order, strict=True)
+        ]
+    return replace(test, runs=tuple(runs))
+
+
+@pytest.mark.parametrize("way", ["deviations", "angles"])
+def test_a_turned_sign_shows_as_negative_lost_motion(way: str) -> None:
+    """Squareness has the wrong sign then, and nothing else of the file shows it."""
+    machine = Machine(
+        squareness=60.0,
+        backlash_first_at_positive=4.0,
+        backlash_first_at_negative=3.0,
+        backlash_second_at_positive=2.0,
+        backlash_second_at_negative=2.0,
+    )
+    test = measured(machine, Setup(noise=0.2), np.random.default_rng(3))
+    right = diagnose_circle(test, "iso230-4:2005")
+    assert "CW-D013" not in {finding.code for finding in right.findings}
+    wrong = diagnose_circle(turned(test, way), "iso230-4:2005")
+    (found,) = (finding for finding in wrong.findings if finding.code == "CW-D013")
+    assert found.is_doubt
+    assert wrong.diagnosis is not None
+    assert wrong.diagnosis.effects["squareness"].value == pytest.approx(-60.0, abs=3.0)
+
+
+def test_little_negative_lost_motion_is_no_doubt() -> None:
+    """A backlash value that is a little too large makes it; CW-T032 has the same bound."""
+    machine = Machine(backlash_first_at_positive=-1.5, backlash_first_at_negative=-1.0)
+    test = measured(machine, Setup(noise=0.2), np.random.default_rng(3))
+    result = diagnose_circle(test, "iso230-4:2005")
+    assert "CW-D013" not in {finding.code for finding in result.findings}

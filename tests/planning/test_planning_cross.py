@@ -274,6 +274,20 @@ def test_a_squareness_that_would_move_an_axis_by_more_than_a_millimetre_is_a_dou
     assert "CW-P168" not in codes(plan(square(900.0), apply=BEND_Y))
 
 
+def test_an_angle_of_more_than_a_millimetre_per_metre_is_a_doubt_on_a_short_axis_too() -> None:
+    """A nominal radius in inches makes such an angle: 60 µm/m by a radius of 150 mm is 1 524 by
+    5.9.
+    """
+    axes = (axis_of(travel=(0.0, 200.0)), axis_of("Y"))
+    (doubt,) = (
+        one
+        for one in plan(square(1524.0), axes=axes, apply=BEND_Y).findings
+        if one.code == "CW-P168"
+    )
+    assert "reaches 1.524 mm/m, more than 1 mm/m" in doubt.message
+    assert "CW-P168" not in codes(plan(square(900.0), axes=axes, apply=BEND_Y))
+
+
 @pytest.mark.parametrize(
     ("circle", "error", "found_codes"),
     [

@@ -15,13 +15,19 @@ from compwright.estimation.circle_solution import Solution
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
-from compwright.records.circular import CircularEffect, CircularTest
-from compwright.words.sentences import Sentence, say
+from compwright.records.circular import CircularEffect, CircularTest, Diagnosis
+from compwright.words.sentences import Amount, Sentence, say
 
 #: A standard error so many times that of the cause alone is worth a word when the test is not a
 #: full circle both ways.
 _INFLATED: Final = 2.5
 _MOST_NAMED: Final = 4  # of such causes in one finding
+#: A doubt about the scale below this, um/m, is not worth a second test.
+_LEAST_DOUBT: Final = 1.0
+#: Lost motion of both axes together that is less than this, um, is not clearly negative, nor within
+#: so many of its standard errors (as CW-T032 of positioning tests).
+_NEGATIVE: Final = -3.0
+_SURE: Final = 4.0
 #: Standard errors beyond which a deviation is reported.
 _CLEAR: Final = 3.0
 
@@ -38,6 +44,23 @@ def diagnosis_findings(
         *_scale_findings(test, solution, effects),
         *_shape_findings(test, solution),
     )
+
+
+def negative_findings(diagnosis: Diagnosis) -> Iterator[Finding]:
+    """Yield the finding CW-D013 if the lost motion of both axes together is clearly negative: it is
+    compensated too much, or a sign or direction of the file is turned. With the sign or the sense
+    of the angles, squareness is turned too.
+    """
+    lost = [
+        effect
+        for name, effect in diagnosis.effects.items()
+        if name in {"backlash_first", "backlash_second"} and name not in diagnosis.undetermined
+    ]
+    total = sum(effect.value for effect in lost)
+    error = float(np.hypot.reduce([effect.std_error for effect in lost]))
+    if total < min(_NEGATIVE, -_SURE * error):
+        values = [Amount(effect.value, "µm", "+.1f") for effect in lost]
+        yield Finding.of("CW-D013", "warning", values=values)
 
 
 def _separation(
@@ -91,7 +114,7 @@ def _scale_findings(
     samples = solution.problem.samples
     most = samples.speed**2 / (2.0 * SOFTEST_LOOP**2 * samples.radius) * MICROMETRES_PER_MILLIMETRE
     doubt = most / np.sqrt(3.0) / samples.radius * MICROMETRES_PER_MILLIMETRE
-    if doubt > 0.5 * effects["scale_error_first"].std_error:
+    if doubt > max(0.5 * effects["scale_error_first"].std_error, _LEAST_DOUBT):
         yield Finding.of("CW-D004", "warning", feed=test.feed, most=most, doubt=doubt)
 
 

@@ -34,6 +34,9 @@ _CIRCLE_SECONDS: Final = (0.5, 900.0)
 #: Numbers of samples of the two directions that differ by more than this share pull the common
 #: circle to one of them.
 _UNEQUAL: Final = 0.02
+#: Beyond this share one direction had another feed: instruments sample at a constant rate, and a
+#: feed override has steps of 5 or 10 %.
+_OTHER_FEED: Final = 0.04
 #: Ends of a full circle are compared by the median of so many samples.
 _ENDS: Final = 3
 #: The ends differ when they do by so many robust standard deviations of a sample, and by more than
@@ -45,6 +48,21 @@ _OPEN_LEAST: Final = 0.001
 _NEAR_AXIS: Final = 3.0
 #: Samples of a run that differ by less than this, mm, are computed, or no readings.
 _READINGS: Final = 1e-5
+#: Steps of the readings from this size on, mm, hide what a circular test shows. A ballbar has a
+#: tenth of it.
+_COARSE_STEP: Final = 0.001
+_WHOLE: Final = 0.01  # rounding of the file, in such steps
+#: An instrument that stopped, or is at the end of its range: equal readings over at least so many
+#: degrees and samples, which the cubic through as many samples on both sides leaves by more than
+#: the third number, mm, so many scatters of a sample, and so many steps of the instrument.
+_STILL: Final = (5.0, 20)
+_STILL_LEAST: Final = 0.001
+_STILL_SCATTER: Final = 8.0
+_STILL_STEPS: Final = 5.0
+#: A single wrong reading lies off the mean of its neighbours by so many scatters of a sample and by
+#: the second number, mm, and its neighbours differ by less than a quarter of this. A reversal spike
+#: may be as short, so the reversals (`_NEAR_AXIS`) are left out.
+_SINGLE: Final = (20.0, 0.005)
 #: Where commanded and measured angles would give radii that differ by more than this (mm), a
 #: finding states how the angle was read.
 _OFFSET_EFFECT: Final = 1e-4
@@ -78,6 +96,9 @@ def run_findings(test: CircularTest, path: ActualPath, centre: Point) -> list[Fi
         *_beyond(test, path),
         *_closing(test, path, centre),
         *_zeros(path),
+        *_coarse(path),
+        *_still(path),
+        *_single(path),
     ]
 
 
@@ -128,7 +149,8 @@ def _feed(test: CircularTest) -> list[Finding]:
 
 def _unequal(test: CircularTest) -> list[Finding]:
     """Return the finding CW-C008 if the number of samples differs between the runs. The longer run
-    then counts more in the common circle.
+    then counts more in the common circle. Where it differs much, the feed differed, and a servo
+    mismatch is not the same in both directions.
     """
     counts = (
         [test.of("ccw")[0].angles.size, test.of("cw")[0].angles.size]
@@ -137,7 +159,10 @@ def _unequal(test: CircularTest) -> list[Finding]:
     )
     if max(counts) <= (1.0 + _UNEQUAL) * min(counts):
         return []
-    return [Finding.of("CW-C008", "info", ccw=counts[0], cw=counts[1])]
+    share = 100.0 * min(counts) / max(counts)
+    if share < 100.0 / (1.0 + _OTHER_FEED):
+        return [Finding.of("CW-C008.feed", "warning", ccw=counts[0], cw=counts[1], share=share)]
+    return [Finding.of("CW-C008.few", "info", ccw=counts[0], cw=counts[1])]
 
 
 def _offset(test: CircularTest, centres: Mapping[str, Point], *, F_given: bool) -> list[Finding]:
@@ -213,7 +238,8 @@ def _closing(test: CircularTest, path: ActualPath, centre: Point) -> list[Findin
     or readings from the starting arc.
     """
     ends = np.mod(path.run.angles[[0, -1]] + 45.0, 90.0) - 45.0
-    if not test.full_circle or np.any(np.abs(ends) < _NEAR_AXIS):
+    near = max(_NEAR_AXIS, float(np.median(np.abs(np.diff(path.run.angles)))))
+    if not test.full_circle or np.any(np.abs(ends) < near):
         return []
     radial = path.distances(centre)
     step = abs(float(np.median(radial[-_ENDS:]) - np.median(radial[:_ENDS])))
@@ -234,6 +260,77 @@ def _zeros(path: ActualPath) -> list[Finding]:
     if np.any(path.run.deviations):
         return []
     return [Finding.of("CW-C013", "warning", run=_named(path))]
+
+
+def _resolution(values: FloatArray) -> float:
+    """Return the smallest change, mm, from sample to sample; infinite if there is none."""
+    change = np.abs(np.diff(values))
+    return float(np.min(change[change > _READINGS], initial=np.inf))
+
+
+def _coarse(path: ActualPath) -> list[Finding]:
+    """Return the finding CW-C016 if the readings have coarse steps: changes from sample to sample
+    are multiples of one step.
+    """
+    step = _resolution(path.run.deviations)
+    steps = np.diff(path.run.deviations) / step
+    if not _COARSE_STEP <= step < np.inf or np.max(np.abs(steps - np.round(steps))) > _WHOLE:
+        return []
+    return [Finding.of("CW-C016.coarse", "warning", run=_named(path), step=_um(step))]
+
+
+def _still(path: ActualPath) -> list[Finding]:
+    """Return the finding CW-C016 if the reading does not change over a part of the run although the
+    path beside it does, as at the end of the instrument's range.
+    """
+    angles, values = path.run.angles, path.run.deviations
+    starts = np.flatnonzero(np.diff(values, prepend=np.nan) != 0.0)
+    counts = np.diff(np.append(starts, values.size))
+    limit = max(
+        _STILL_LEAST,
+        _STILL_SCATTER * _scatter(values),
+        _STILL_STEPS * _resolution(values),
+    )
+    parts = []
+    for start, count in zip(starts.tolist(), counts.tolist(), strict=True):
+        ends = float(angles[start]), float(angles[start + count - 1])
+        if count < _STILL[1] or abs(ends[1] - ends[0]) < _STILL[0]:
+            continue
+        beside = np.r_[max(start - count, 0) : start, start + count : start + 2 * count]
+        beside = beside[beside < values.size]
+        if np.unique(beside < start).size == 2:
+            cubic = np.polynomial.Polynomial.fit(angles[beside], values[beside], 3)
+            if np.max(np.abs(cubic(angles[start : start + count]) - values[start])) > limit:
+                parts.append(f"{min(ends) % 360.0:.5g}° to {max(ends) % 360.0:.5g}°")
+    if not parts:
+        return []
+    return [Finding.of("CW-C016.still", "warning", run=_named(path), parts=parts[:5])]
+
+
+def _single(path: ActualPath) -> list[Finding]:
+    """Return the finding CW-C016 if single readings lie far off both neighbours, away from the
+    reversals of the axes.
+    """
+    angles, values = path.run.angles, path.run.deviations
+    before, here, after = values[:-2], values[1:-1], values[2:]
+    off = here - 0.5 * (before + after)
+    near = np.abs(np.mod(angles[1:-1] + 45.0, 90.0) - 45.0) < _NEAR_AXIS
+    limit = max(_SINGLE[0] * _scatter(values), _SINGLE[1], 2.0 * _resolution(values))
+    wrong = (np.abs(off) > limit) & (np.abs(before - after) < 0.25 * np.abs(off)) & ~near
+    where = np.flatnonzero(wrong)
+    if not where.size:
+        return []
+    largest = int(where[np.argmax(np.abs(off[where]))])
+    return [
+        Finding.of(
+            "CW-C016.single",
+            "warning",
+            run=_named(path),
+            count=int(where.size),
+            angle=float(angles[1 + largest]) % 360.0,
+            off=_um(float(np.abs(off[largest]))),
+        )
+    ]
 
 
 def _copies(test: CircularTest) -> list[Finding]:

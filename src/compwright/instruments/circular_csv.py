@@ -4,7 +4,7 @@ Columns, in any order: ``direction`` (``ccw``, ``cw``), ``angle_deg``, and eithe
 ``deviation_um``. The column ``run`` is optional. The rows may be in any order.
 
 Required comment keys: ``plane`` (first and second axis), ``nominal_radius_mm`` and ``feed_mm_min``.
-Optional ones: ``calibrated`` and ``centre``.
+Optional ones: ``calibrated``, ``centre`` and ``deviation`` (the sign of ``deviation_um``).
 
 Code made here:
 
@@ -26,7 +26,7 @@ from compwright.foundations.input_sizes import MOST_READINGS
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE, MILLIMETRES_PER_INCH
 from compwright.instruments.circular_arcs import LARGEST_ANGLE, Sweep, common_arc, run_of, sweep_of
 from compwright.instruments.code_page import read_plain_lines
-from compwright.instruments.comments import Comments, read_comments
+from compwright.instruments.comments import Comments, read_comments, sign_of
 from compwright.instruments.csv_table import (
     CIRCULAR_COLUMNS,
     CIRCULAR_VALUES,
@@ -50,7 +50,7 @@ from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularRun, CircularTest, Sense
 
 KEYS: Final = frozenset(
-    {"plane", "nominal_radius_mm", "feed_mm_min", "calibrated", "centre", "compwright"}
+    {"plane", "nominal_radius_mm", "feed_mm_min", "calibrated", "centre", "deviation", "compwright"}
 )
 _NEWEST_FORM: Final = 1
 PLANE: Final = re.compile(r"([A-Za-z][0-9]{0,2})[ ,/-]?([A-Za-z][0-9]{0,2})")
@@ -80,13 +80,17 @@ class _Samples:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Keys:
-    """Axes, radius (mm), feed (mm/min) and centre (mm) in the comment lines; NaN if invalid."""
+    """Axes, radius (mm), feed (mm/min) and centre (mm) in the comment lines; NaN if invalid.
+
+    ``sign``: factor (1, -1) from the file's deviations to measured minus nominal.
+    """
 
     axes: tuple[str, str]
     radius: float
     feed: float
     calibrated: bool | None
     centre: tuple[float, ...] | None
+    sign: float
 
 
 def read_circular_csv(content: bytes, file: str, name: str) -> CircularTest:
@@ -100,6 +104,14 @@ def read_circular_csv(content: bytes, file: str, name: str) -> CircularTest:
     table = read_table(lines, faults)
     marks = DecimalMarks(faults)
     value = _value_column(table, faults)
+    if value == "radius_mm" and keys.sign < 0.0:
+        faults.add(
+            "key 'deviation' turns the sign, but the values are radii",
+            place=comments.places["deviation"],
+            expected="a column deviation_um with this key",
+            found="column radius_mm",
+            hint="remove the line, or name the column by what its values are",
+        )
     samples = _samples(table, value, marks, faults)
     marks.check(comma_is_delimiter=table.delimiter == ",")
     faults.raise_if_any()
@@ -175,6 +187,7 @@ def _keys(comments: Comments, faults: FaultList) -> _Keys:
         feed=_positive(comments, "feed_mm_min", "1000", faults),
         calibrated=calibrated,
         centre=_centre(comments, faults),
+        sign=sign_of(comments, faults) or 1.0,
     )
 
 
@@ -401,7 +414,7 @@ def _assembled(
             _check_unit(values, keys.radius, f"{sense} run {number}", faults)
             values = values - keys.radius
         else:
-            values = values / MICROMETRES_PER_MILLIMETRE
+            values = keys.sign * values / MICROMETRES_PER_MILLIMETRE
         if sweep is not None:
             sweeps.append(sweep)
             deviations.append(values)

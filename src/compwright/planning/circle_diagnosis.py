@@ -9,6 +9,7 @@ import numpy as np
 
 from compwright.estimation.circle import diagnose
 from compwright.estimation.circle_directions import exchange_findings
+from compwright.estimation.circle_findings import negative_findings
 from compwright.estimation.circle_model import circle_samples
 from compwright.evaluation.circular import evaluate_circle
 from compwright.foundations.errors import Fault, InputError
@@ -24,8 +25,8 @@ def diagnose_circle(test: CircularTest, standard: str) -> CircularResult:
     result = evaluate_circle(test, standard)
     try:
         diagnosis = _diagnosed(result.test)
-        findings = (*result.findings, *exchange_findings(circle_samples(result.test)))
-        return replace(result, diagnosis=diagnosis, findings=findings)
+        doubts = *exchange_findings(circle_samples(result.test)), *negative_findings(diagnosis)
+        return replace(result, diagnosis=diagnosis, findings=(*result.findings, *doubts))
     except InputError as error:
         reason = "; ".join(str(replace(fault, file="", hint="")) for fault in error.faults)
         return replace(result, not_applicable={**result.not_applicable, "diagnosis": reason})

@@ -29,6 +29,7 @@ _SIMILAR: Final = 0.25
 #: Less than this, mm or deg, beyond the travel is rounding.
 _OUTSIDE: Final = 1e-6
 _PPM: Final = 1e6
+_PER_METRE: Final = 1e3  # rad in mm/m
 
 
 def repeated(planned: PlannedCross, off: float, size: float, error: float) -> Iterator[Finding]:
@@ -50,8 +51,13 @@ def repeated(planned: PlannedCross, off: float, size: float, error: float) -> It
 
 
 def too_large(planned: PlannedCross) -> Iterator[Finding]:
-    """Yield the doubt CW-P168 if a change is larger than deviations and corrections usually are."""
-    largest, unit = _largest(planned), planned.added.output_kind.unit
+    """Yield the doubt CW-P168 if a change is larger than deviations and corrections usually are, or
+    turns an axis by more than 1 mm/m. A circle shows the angle only, whatever the travel.
+    """
+    largest, unit = _largest(planned), str(planned.added.output_kind.unit)
+    angle = abs(planned.squareness) * _PER_METRE
+    if planned.source == "circle" and angle > LARGEST_PLAUSIBLE:
+        largest, unit = angle, "mm/m"
     if largest > LARGEST_PLAUSIBLE:
         yield Finding.of(
             "CW-P168",

@@ -69,6 +69,12 @@ SENTENCES: Final[dict[str, str]] = {
         " in front of it. Lost motion and servo mismatch then have the wrong sign. Check which run"
         " was clockwise. Exchange ccw and cw in the file, or acknowledge CW-D012 in the job."
     ),
+    "CW-D013": (
+        "The lost motion is {values:and}, but a circle with lost motion shows it above zero. Unless"
+        " the backlash compensation is too large, the sign of the deviations, the sense of the"
+        " angles or the two directions are turned. With the first two, squareness has the wrong"
+        " sign too. Check at the machine: move outwards by 10 µm, the reading must rise."
+    ),
     "CW-E001": (
         "Only one direction was measured. The error is assumed to be the same in the other"
         " direction, and lost motion is unknown."

@@ -37,7 +37,12 @@ SENTENCES: Final[dict[str, str]] = {
         " include the run-up before the arc and the overrun after it: check the settings of the"
         " export."
     ),
-    "CW-C008": (
+    "CW-C008.feed": (
+        "The ccw run has {ccw} samples and the cw run {cw}. At one sample rate one direction had"
+        " {share:.0f} % of the feed of the other. Squareness and servo mismatch are then mixed."
+        " Check the feed override and measure both directions at one feed."
+    ),
+    "CW-C008.few": (
         "The ccw run has {ccw} samples and the cw run {cw}. The common circle therefore lies"
         " nearer to the direction with more samples."
     ),
@@ -77,6 +82,21 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-C015": (
         "{first} and {second} have exactly the same readings. One of them is probably a copy of the"
         " other: measure it again."
+    ),
+    "CW-C016.coarse": (
+        "The readings of {run} have steps of {step}. Errors of this size are hidden by them, and"
+        " the standard errors of the causes do not hold. Measure with a resolution of 0.1 µm, or"
+        " export more decimals."
+    ),
+    "CW-C016.single": (
+        "{count:plural|A single reading|{count} single readings} of {run} {count:plural|lies|lie}"
+        " far off the readings beside {count:plural|it|them}; the largest by {off} at"
+        " {angle:.5g}°. A knock or dirt can be the reason. Measure the run again."
+    ),
+    "CW-C016.still": (
+        "The reading of {run} does not change over {parts:and}, although the path beside it does."
+        " The instrument was at the end of its range, or it stopped. Set it up nearer to the"
+        " centre and measure again."
     ),
     "CW-T001": (
         "The standard asks for 5 approaches to each target and direction; found {counts:and}."

@@ -70,6 +70,13 @@ SENTENCES: Final[dict[str, str]] = {
         " Vérifier quel parcours était dans le sens horaire. Échanger ccw et cw dans le fichier, ou"
         " acquitter CW-D012 dans le dossier de travail."
     ),
+    "CW-D013": (
+        "Le jeu est de {values:and}, mais un cercle avec du jeu le montre au-dessus de zéro. Si la"
+        " compensation du jeu n'est pas trop grande, le signe des écarts, le sens des angles ou les"
+        " deux sens de parcours sont inversés. Dans les deux premiers cas, la perpendicularité a"
+        " aussi le mauvais signe. Vérifier sur la machine : avancer de 10 µm vers l'extérieur, la"
+        " mesure doit augmenter."
+    ),
     "CW-E001": (
         "Un seul sens a été mesuré. La même erreur est supposée dans l'autre sens, et le jeu est"
         " inconnu."

@@ -41,7 +41,13 @@ SENTENCES: Final[dict[str, str]] = {
         "{run} couvre {covered:.5g}°, plus que l'arc de {arc:.5g}°. Les points de mesure semblent"
         " contenir les arcs d'entrée et de sortie : vérifier les réglages de l'exportation."
     ),
-    "CW-C008": (
+    "CW-C008.feed": (
+        "Le parcours ↺ a {ccw} points de mesure, le parcours ↻ {cw}. À la même fréquence"
+        " d'échantillonnage, un sens avait {share:.0f} % de l'avance de l'autre. Perpendicularité"
+        " et différence d'asservissement se mélangent alors. Vérifier la correction d'avance et"
+        " mesurer les deux sens à la même avance."
+    ),
+    "CW-C008.few": (
         "Le parcours ↺ a {ccw} points de mesure, le parcours ↻ {cw}. Le cercle commun est donc"
         " plus près du sens qui en a le plus."
     ),
@@ -83,6 +89,22 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-C015": (
         "{first} et {second} ont exactement les mêmes mesures. L'un est probablement une copie de"
         " l'autre : le mesurer de nouveau."
+    ),
+    "CW-C016.coarse": (
+        "Les mesures de {run} ont des pas de {step}. Ils cachent les erreurs de cette taille, et"
+        " les erreurs types des causes ne sont pas valables. Mesurer avec une résolution de 0,1 µm,"
+        " ou exporter plus de décimales."
+    ),
+    "CW-C016.single": (
+        "{count:plural|Une mesure isolée|{count} mesures isolées} de {run}"
+        " {count:plural|est|sont} loin des mesures voisines ; la plus grande de {off} à"
+        " {angle:.5g}°. Un choc ou une saleté peut en être la cause. Mesurer de nouveau ce"
+        " parcours."
+    ),
+    "CW-C016.still": (
+        "La mesure de {run} ne change pas sur {parts:and}, alors que la trajectoire voisine"
+        " change. L'instrument était en fin de course, ou il s'est arrêté. Le placer plus près du"
+        " centre et mesurer de nouveau."
     ),
     "CW-T001": (
         "La norme demande 5 approches de chaque point visé dans chaque sens ; trouvées :"

@@ -71,6 +71,13 @@ SENTENCES: Final[dict[str, str]] = {
         " falsche Vorzeichen. Prüfen Sie, welcher Lauf im Uhrzeigersinn war. Vertauschen Sie ccw"
         " und cw in der Datei, oder bestätigen Sie CW-D012 im Auftrag."
     ),
+    "CW-D013": (
+        "Das Umkehrspiel ist {values:and}, ein Kreis mit Umkehrspiel zeigt es aber über null. Ist"
+        " die Losekompensation nicht zu groß, dann sind das Vorzeichen der Abweichungen, der Sinn"
+        " der Winkel oder die beiden Drehrichtungen vertauscht. Bei den ersten beiden hat auch die"
+        " Rechtwinkligkeit das falsche Vorzeichen. An der Maschine prüfen: 10 µm nach außen fahren,"
+        " die Anzeige muss steigen."
+    ),
     "CW-E001": (
         "Nur eine Richtung wurde gemessen. In der anderen wird derselbe Fehler angenommen, das"
         " Umkehrspiel ist unbekannt."

@@ -40,7 +40,13 @@ SENTENCES: Final[dict[str, str]] = {
         "{run} überdeckt {covered:.5g}°, mehr als den Bogen von {arc:.5g}°. Die Messpunkte"
         " scheinen Anlauf und Auslauf zu enthalten: die Einstellungen des Exports prüfen."
     ),
-    "CW-C008": (
+    "CW-C008.feed": (
+        "Der Lauf ↺ hat {ccw} Messpunkte, der Lauf ↻ {cw}. Bei gleicher Abtastrate hatte eine"
+        " Richtung {share:.0f} % des Vorschubs der anderen. Rechtwinkligkeit und"
+        " Servofehlanpassung vermischen sich dann. Den Vorschub-Override prüfen und beide"
+        " Richtungen mit gleichem Vorschub messen."
+    ),
+    "CW-C008.few": (
         "Der Lauf ↺ hat {ccw} Messpunkte, der Lauf ↻ {cw}. Der gemeinsame Kreis liegt deshalb"
         " näher an der Richtung mit mehr Messpunkten."
     ),
@@ -82,6 +88,21 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-C015": (
         "{first} und {second} haben genau die gleichen Messwerte. Einer ist wahrscheinlich eine"
         " Kopie des anderen: neu messen."
+    ),
+    "CW-C016.coarse": (
+        "Die Messwerte von {run} haben Stufen von {step}. Sie verbergen Fehler dieser Größe, und"
+        " die Standardfehler der Ursachen gelten nicht. Mit einer Auflösung von 0,1 µm messen oder"
+        " mehr Stellen exportieren."
+    ),
+    "CW-C016.single": (
+        "{count:plural|Ein einzelner Messwert|{count} einzelne Messwerte} von {run}"
+        " {count:plural|liegt|liegen} weit neben den benachbarten, der größte um {off} bei"
+        " {angle:.5g}°. Ein Stoß oder Schmutz kann die Ursache sein. Den Lauf neu messen."
+    ),
+    "CW-C016.still": (
+        "Der Messwert von {run} ändert sich bei {parts:and} nicht, obwohl die Bahn daneben es tut."
+        " Das Messgerät war am Ende seines Messbereichs oder blieb stehen. Es näher an die Mitte"
+        " setzen und neu messen."
     ),
     "CW-T001": (
         "Die Norm verlangt 5 Anfahrten je Zielposition und Richtung; gefunden: {counts:and}."
