@@ -4,9 +4,9 @@ cases have fixed seeds.
 
 Circles are looked at in the tests of the reporting room, of the examples and of the plots that
 `evaluate` writes. Where a measured axis or circle is only the way to a control's files, the same
-stages run with fewer sweeps and fewer fresh tests, the report is an empty frame, and no file is
-tried alone for the card (frames.py); what the estimate and the prediction say is tested where
-nothing is brief. Commands estimate the same readings and fit the same table once, but in tests that
+stages run with fewer sweeps and fewer fresh tests, no period and no other sign of the readings is
+looked for, the report is an empty frame, and no file is tried alone for the card (frames.py); what
+the estimate and the prediction say is tested where nothing is brief. Commands estimate the same readings and fit the same table once, but in tests that
 ask for it afresh. Fixed seeds: a test fails every time or never; new cases are tried in
 ``benchmarks/``.
 
@@ -34,7 +34,7 @@ from compwright.estimation import (
     likelihood,
     model,
     noise,
-    period_likelihood,
+    period_models,
     posterior_peaks,
     step_evidence,
 )
@@ -59,24 +59,34 @@ def _first_start(cells: Any, prior: Any, starts: Any = model._starts) -> Any:
     return starts(cells, prior)[:1]
 
 
+def _no_search(*_: object, **__: object) -> period_models.PeriodSearch:
+    return period_models.NO_SEARCH
+
+
+def _none_hidden(*_: object) -> hidden_periods.HiddenPeriods:
+    return hidden_periods.HiddenPeriods(())
+
+
+def _no_doubts(*_: object) -> tuple[()]:
+    return ()
+
+
 #: Room, name, and what it is where a test is brief; elsewhere it is as it stands.
 _SAMPLING: Final = (
-    (noise, "_SETTLING", 8),
-    (noise, "_DRAWS", 12),
-    (axis, "_DRAWS", 12),
+    (noise, "_SETTLING", 4),
+    (noise, "_DRAWS", 8),
+    (axis, "_DRAWS", 8),
     (circle_reversal, "_FORGOTTEN", 2),
     (circle_reversal, "_SWEEPS", 10),
     (simulated_repeat_tests, "_DRAWS", 160),
     (simulated_repeat_tests, "_FEWEST_DRAWS", 160),
     (simulated_repeat_tests, "_SETS", 2),
-    (circles, "DRAWS", 12),
+    (circles, "DRAWS", 5),
     (point_count_tradeoff, "_SIZES", 0),
-    # A coarser grid where periods are looked for, and fewer that may be hidden.
-    (period_likelihood, "_SMOOTH_STEP", 1.4),
-    (period_likelihood, "_LENGTH_STEP", 0.9),
-    (hidden_periods, "_OTHERS", 16),
-    (hidden_periods, "_KEPT", 24),
-    (likelihood, "_DRAWS", 4),
+    # No periods are looked for, none may be hidden, and every test is read as it is stated.
+    (axis, "search_periods", _no_search),
+    (axis, "hidden_periods", _none_hidden),
+    (sign_and_unit_doubts, "misreading_doubts", _no_doubts),
     # One climb to the posterior's peak, and a coarser search for jumps.
     (posterior_peaks, "_ITERATIONS", 8),
     (model, "_starts", _first_start),

@@ -133,7 +133,6 @@ def test_readings_in_the_opposite_order_show_without_a_table() -> None:
     assert "opposite order" in message
 
 
-@pytest.mark.short_estimate
 def test_what_is_doubted_stands_first(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "x.csv").write_text(csv_of(TARGETS, OPPOSITE))
     again = MACHINE.measure(TARGETS, 7)

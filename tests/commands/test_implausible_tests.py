@@ -247,6 +247,7 @@ def test_targets_written_in_inches_are_a_doubt_without_a_travel(tmp_path: Path) 
         replace(MACHINE, lost=0.0),
     ],
 )
+@pytest.mark.full_estimate
 def test_honest_machines_are_neither_refused_nor_doubted(tmp_path: Path, machine: Machine) -> None:
     write(tmp_path / "x.csv", *readings(machine))
     assert run(tmp_path, "--accept-worse") == 0

@@ -52,6 +52,7 @@ def tables(folder: Path) -> Path:
 
 
 @pytest.mark.parametrize("what", ["rounded", "other datum", "three runs", "half the backlash"])
+@pytest.mark.full_estimate
 def test_the_test_of_yesterday_is_not_corrected_twice(loaded: Path, what: str) -> None:
     readings = MACHINE.measure(TARGETS, 1)
     if what == "rounded":

@@ -888,6 +888,7 @@ def test_a_longer_test_beside_it_covers_only_where_it_does_not_contradict(
     )
 
 
+@pytest.mark.full_estimate
 @pytest.mark.parametrize(
     ("pitch", "limit", "decision", "code"),
     [

@@ -224,7 +224,7 @@ def test_a_next_round_for_squareness_alone(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """A first circle with much noise leaves a squareness that a quiet second circle shows."""
-    write_circle(folder / "xy.csv", Bent(noise=0.012).circle(2))
+    write_circle(folder / "xy.csv", Bent(noise=0.012, samples=1500).circle(2))
     assert run(folder, SIEMENS, options=CEC) == 0
     tables = folder / "job" / "tables" / SIEMENS
     write_circle(folder / "after.csv", Bent().circle(8, judge_of(tables)))

@@ -47,7 +47,7 @@ AXIS_Y = Machine(low=-500.0, high=0.0, slope=-20e-6, bow=0.0, lost=0.003, noise=
 @dataclass(frozen=True)
 class Bent:
     """Two axes with scale and lost motion of their own, squareness (rad, > 0: more than 90°), a
-    late first axis (s), noise (mm).
+    late first axis (s), noise (mm); ``samples`` in each run.
     """
 
     x: Machine = AXIS_X
@@ -55,6 +55,7 @@ class Bent:
     squareness: float = 40e-6
     lag: float = 1e-4
     noise: float = 0.0003
+    samples: int = 720
 
     def circle(
         self,
@@ -70,7 +71,7 @@ class Bent:
         rng = np.random.default_rng(seed)
         runs = []
         for sense, d in (("ccw", 1.0), ("cw", -1.0)):
-            along = (np.arange(1500) + 0.5) * 2.0 * np.pi / 1500
+            along = (np.arange(self.samples) + 0.5) * 2.0 * np.pi / self.samples
             theta = along if d > 0 else 2.0 * np.pi - along
             late = theta - d * feed / 60.0 / RADIUS * self.lag
             x, y = centre[0] + RADIUS * np.cos(late), centre[1] + RADIUS * np.sin(theta)
@@ -228,7 +229,7 @@ def diagnosed(path: Path, out: Path) -> Any:
 
 
 def test_the_machine_here_is_that_of_the_simulator() -> None:
-    machine = replace(Bent(), noise=0.0)
+    machine = replace(Bent(), noise=0.0, samples=1500)
 
     def along(axis: str, where: Floats, moves: Floats) -> Floats:
         return moved((machine.x if axis == "X" else machine.y).error, where, moves)
@@ -461,7 +462,7 @@ def test_plan_and_evaluation_carry_the_circle(done: Path) -> None:
     )
     assert cross.squareness == pytest.approx(40e-6, abs=1e-6)
     assert plan.circles["xy-150"].centre == CENTRE
-    assert plan.circles["xy-150"].test.runs[1].deviations.size == 1500
+    assert plan.circles["xy-150"].test.runs[1].deviations.size == Bent().samples
     assert to_json(plan_document(plan)).encode() == content
     kinds = [
         (result["kind"], result["name"]) for result in document(out / "evaluation.json")["results"]
@@ -931,7 +932,9 @@ def test_a_squareness_within_its_uncertainty_is_left_alone(
 def test_circles_of_one_plane_that_disagree(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    write_circle(folder / "other.csv", replace(Bent(), squareness=60e-6).circle(8))
+    fine = Bent(samples=1500)
+    write_circle(folder / "xy.csv", fine.circle(3))
+    write_circle(folder / "other.csv", replace(fine, squareness=60e-6).circle(8))
     path = job(folder, x=", accept: {A: 500}")
     path.write_text(
         path.read_text().replace("circles: [", "circles: [{file: other.csv, centre: [400, -250]}, ")

@@ -119,11 +119,13 @@ def test_zeros_for_half_of_the_travel_are_a_doubt(tmp_path: Path) -> None:
     )
 
 
+@pytest.mark.full_estimate
 def test_an_instrument_zeroed_at_the_first_target_is_no_doubt(tmp_path: Path) -> None:
     readings = MACHINE.measure(TARGETS, 1)
     assert doubts(tmp_path, {sign: block - block[:1] for sign, block in readings.items()}) == []
 
 
+@pytest.mark.full_estimate
 def test_zeros_of_a_coarse_display_are_no_doubt(tmp_path: Path) -> None:
     """1 µm digits and 0.3 µm of noise about zero: most readings are zero."""
     rng = np.random.default_rng(1)

@@ -222,6 +222,7 @@ def test_equal_slopes_are_not_told() -> None:
     assert slope_told(told(planned("a", "off", targets=DITHERED), rising(0.0))[1]) is None
 
 
+@pytest.mark.full_estimate
 def test_a_wave_that_both_tests_show_is_found_beside_another_slope() -> None:
     first = with_more(planned("a", "off", targets=DITHERED), 0.0, 2.0 * UM)
     error = told(first, rising(4e-6, wave=2.0 * UM))[1]
@@ -281,6 +282,7 @@ def test_a_test_is_not_contradicted_by_its_own_noise() -> None:
         assert told(planned("quiet", "off"), replace(loud, test=noisy))[2] == []
 
 
+@pytest.mark.full_estimate
 @pytest.mark.parametrize("first", [True, False])
 def test_a_wave_that_equal_spacing_hides_is_no_contradiction(*, first: bool) -> None:
     """3 µm over 10 mm: at targets 40 mm apart a constant, at others a wave."""
