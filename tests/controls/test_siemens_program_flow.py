@@ -544,17 +544,17 @@ def test_random_programs_against_a_control_that_carries_them_out(read: Reader) -
         closed = turn % 2 == 0
         text = _program_of(rng, closed=closed)
         worlds = rng.integers(-2, 4, (1 if closed else 200, 3)).astype(float)
-        names = ("R1", "R2", "R3")
-        possible = any(
-            _carried_out(text, dict(zip(names, row, strict=True))) for row in worlds.tolist()
-        )
         try:
             read(text + GRID + PLAY + ON + "M17\n", True)
             taken = True
         except InputError:
             taken = False
-        assert taken or not possible, text
-        assert not closed or taken == possible, text
+        if closed or not taken:
+            possible = any(
+                _carried_out(text, dict(zip(("R1", "R2", "R3"), row, strict=True)))
+                for row in np.unique(worlds, axis=0).tolist()
+            )
+            assert taken == possible, text
         counts[taken] += 1
     assert min(counts.values()) > 30
 
