@@ -40,8 +40,9 @@ def first_words(pdf: bytes) -> list[str]:
     return [page.extract_text().split()[0] for page in pypdf.PdfReader(io.BytesIO(pdf)).pages]
 
 
-@pytest.mark.parametrize("language", ["en", "de"])
-@pytest.mark.parametrize("kind", PAGES)
+@pytest.mark.parametrize(
+    ("kind", "language"), [("run", "de"), ("verify", "en"), ("card", "de"), ("evaluation", "en")]
+)
 def test_a_printed_page_has_the_pages_of_the_pdf(tmp_path: Path, kind: str, language: str) -> None:
     page = PAGES[kind](language)
     (tmp_path / "page.html").write_bytes(page)
