@@ -144,8 +144,7 @@ def test_lost_motion_that_is_taken_up_gradually_is_no_backlash_compensation(reac
     assert abs(effect.value - 6.0) < 3.0 * effect.std_error
 
 
-@pytest.mark.parametrize("axis", ["first", "second"])
-@pytest.mark.parametrize("pitch", [4.0, 10.0, 25.4])
+@pytest.mark.parametrize(("axis", "pitch"), [("first", 4.0), ("second", 10.0), ("first", 25.4)])
 def test_a_cyclic_error_of_unknown_pitch_is_found(axis: str, pitch: float) -> None:
     machine = replace(one(f"cyclic_{axis}", 0.5), **{f"pitch_{axis}": pitch})  # type: ignore[arg-type]
     found = diagnose(measured(machine, Setup(noise=0.2), np.random.default_rng(2)))

@@ -86,13 +86,8 @@ def shaken(
     [
         (30.0, 250.0, 4001, None),
         (30.0, 1000.0, 12000, "X"),
-        (30.0, 2000.0, 20000, "Y"),
-        (300.0, 1000.0, 4001, "X"),
         (300.0, 700.0, 9000, None),
-        (300.0, 2000.0, 20000, "Y"),
         (900.0, 2000.0, 4001, "Y"),
-        (900.0, 2000.0, 12000, "X"),
-        (900.0, 2000.0, 20000, None),
         # The rate of the means of five samples: a mean over whole periods shows nothing.
         (400.0, 2000.0, 20000, None),
     ],
@@ -116,7 +111,7 @@ def test_a_vibration_is_found_in_long_runs(
     assert effect.effect == pytest.approx(0.6, rel=0.05)
 
 
-@pytest.mark.parametrize("samples", [4001, 8000, 20000])
+@pytest.mark.parametrize("samples", [4001, 8000])
 def test_long_runs_without_a_vibration_have_none(samples: int) -> None:
     """A vibration as large as what may be hidden is found by chance in half of the tests; one of
     twice this size is found.

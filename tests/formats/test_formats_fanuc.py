@@ -1179,7 +1179,7 @@ def test_a_mistake_in_the_files_is_another_correction(what: str, old: str, new: 
 # --------------------------------------------------------------------------------------------------
 
 #: Of each control; benchmarks/bench_plans.py does thousands.
-PLANS = 25
+PLANS = 15
 
 
 @pytest.mark.parametrize("format_id", ADDRESSES)
