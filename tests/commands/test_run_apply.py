@@ -576,6 +576,49 @@ def test_a_table_in_no_file_may_correct_an_axis_over_itself(
     assert found == code, said.err
 
 
+@pytest.mark.parametrize(
+    ("held", "address"),
+    [
+        ("AX1 AX2", "X1 Y1"),
+        ("X1 Y1", "X1 Y1"),
+        ("X1 Y1", "AX1 AX2"),
+        ("X Y", "x1 y1"),
+        ("X1 AX2", "AX1 Y1"),
+    ],
+)
+def test_a_table_between_axes_is_known_by_all_names_of_its_axes(
+    folder: Path, held: str, address: str
+) -> None:
+    """AX1, X1 (MD10000) and X (MD20080) are one axis, also where it has no data of its own. 60 µm/m
+    are in the control: 40 µm over 800 mm, and a negative value is a movement towards +.
+    """
+    (base, corrected), (first, second) = held.split(), address.split()
+    names = "".join(
+        f'$MN_AXCONF_MACHAX_NAME_TAB[{index}]="{name}1"\n$MC_AXCONF_CHANAX_NAME_TAB[{index}]="{name}"'
+        f"\n$MC_AXCONF_MACHAX_USED[{index}]={index + 1}\n"
+        for index, name in enumerate("XY")
+    )
+    keys = f"INPUT_AXIS[0]=({base})", f"OUTPUT_AXIS[0]=({corrected})", "MIN[0]=0", "MAX[0]=800"
+    more = "STEP[0]=800", "DIRECTION[0]=0", "MULT_BY_TABLE[0]=0", "IS_MODULO[0]=0"
+    switches = f"$MA_CEC_ENABLE[{second}]=1", "$SN_CEC_TABLE_ENABLE[0]=1"
+    (folder / "ALL.INI").write_text(
+        f"CHANDATA(1)\n{names}$MN_MM_CEC_MAX_POINTS[0]=2\n$AN_CEC[0,0]=0\n$AN_CEC[0,1]=-0.04\n"
+        + "".join(f"$AN_CEC_{each}\n" for each in (*keys, *more))
+        + "".join(f"{each}\n" for each in (*switches, "$SN_CEC_TABLE_WEIGHT[0]=1", "M17"))
+    )
+    job = folder / "job.yaml"
+    job.write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl, options: {cec: available,"
+        " cec_sign: error, cec_tables: [0], files: small}}\nstates: {as_found: [ALL.INI]}\n"
+        f"axes:\n  X: {{travel: [0, 800], address: {first}, before: []}}\n"
+        f"  Y: {{travel: [-500, 0], address: {second}, before: []}}\ncross:\n"
+        "  - {input: X, output: Y, positions: [0, 800], deviations: [0, 8], unit: um}\n"
+    )
+    assert compwright(["run", str(job)]) == 0
+    (table,) = json.loads((folder / "job" / "prediction.json").read_text())["cross"]
+    assert table["correction"] == pytest.approx([0.0, 32.0], abs=0.01)
+
+
 def test_an_unused_table_with_channel_names_is_written_with_the_names_of_the_machine(
     folder: Path,
 ) -> None:

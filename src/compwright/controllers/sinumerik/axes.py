@@ -78,6 +78,6 @@ def axis_names(contents: Sequence[ProgramContent], request: Request) -> MachineA
         for name, places in {**channel, **meant}.items()
         if len(places) == 1
     }
-    requested = dict.fromkeys((*request.reference_return, *request.encoder))
+    requested = dict.fromkeys((*request.reference_return, *request.encoder, *request.axis_options))
     called = {by_name.get(name.upper(), name.upper()): name for name in requested}
     return MachineAxisNames(by_name, called)
