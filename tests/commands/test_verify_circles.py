@@ -14,6 +14,7 @@ import pytest
 
 from circle_machine import Machine, Setup, measured
 from compwright.cli import run as compwright
+from compwright.records.circular import CircularTest
 from compwright.simulation.circular_files import to_circular_csv
 
 pytestmark = pytest.mark.short_estimate
@@ -138,14 +139,122 @@ def test_a_change_of_an_existing_table_is_judged_by_the_change(
     assert abs(check["expected"]) < 1.0
 
 
-def test_a_circle_without_limits_may_have_another_radius(unlimited: tuple[Path, str]) -> None:
-    """A squareness is an angle."""
+def test_a_circle_without_limits_may_have_another_radius(
+    unlimited: tuple[Path, str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A squareness is an angle; all else cannot be compared, and is not."""
     folder, job = unlimited
     after = circle(
         folder / "after.csv", replace(BENT, squareness=0.0), replace(FIRST, radius=100.0), 7
     )
     code, answer = verified(folder, job, after)
     assert (code, answer["verdict"], answer["doubts"]) == (0, "good", [])
+    found = answer["circles"]["xy"]
+    assert "CW-V034" in [one["code"] for one in found["findings"]]
+    assert set(found["within_prediction"].values()) == {None}
+    assert "cannot be compared with the prediction" in " ".join(capsys.readouterr().out.split())
+
+
+#: Lost motion of 4 µm and 2 µm.
+REVERSING = Machine(
+    squareness=40.0,
+    backlash_first_at_positive=4.0,
+    backlash_first_at_negative=4.0,
+    backlash_second_at_positive=2.0,
+    backlash_second_at_negative=2.0,
+)
+
+
+@pytest.fixture(scope="module")
+def reversing(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
+    """The folder and job of a machine with lost motion, without limits."""
+    folder = tmp_path_factory.mktemp("reversing")
+    return folder, planned(folder, REVERSING, accept="")
+
+
+def mirrored(folder: Path, test: CircularTest, sign: float) -> str:
+    """Write a test with its deviations multiplied by ``sign``, or with its directions exchanged
+    where ``sign`` is 0.
+    """
+    runs = tuple(
+        replace(run, deviations=sign * run.deviations)
+        if sign
+        else replace(
+            run,
+            sense="cw" if run.sense == "ccw" else "ccw",
+            angles=run.angles[::-1],
+            deviations=run.deviations[::-1],
+        )
+        for run in test.runs
+    )
+    path = folder / "after.csv"
+    path.write_bytes(to_circular_csv(replace(test, runs=runs), {}))
+    return str(path)
+
+
+@pytest.mark.parametrize(
+    ("after", "noise", "codes", "named"),
+    [
+        ({}, 0.3, [], ""),
+        ({}, 0.4, [], ""),
+        ({}, 3.0, ["CW-V021", "CW-V036"], "G bidirectional"),
+        ({"servo_mismatch": 1.0}, 0.3, ["CW-V036"], "Servo mismatch X − Y"),
+        (
+            {"backlash_first_at_positive": 2.0, "backlash_first_at_negative": 2.0},
+            0.3,
+            ["CW-V036"],
+            "Lost motion X",
+        ),
+    ],
+    ids=["same", "day", "noise", "servo", "lost motion"],
+)
+def test_a_circle_that_is_not_as_predicted_proves_nothing(
+    reversing: tuple[Path, str],
+    after: dict[str, float],
+    noise: float,
+    codes: list[str],
+    named: str,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """The squareness is gone as planned; noise, servo loops or lost motion are not those of the
+    first test. A little more noise is another day.
+    """
+    folder, job = reversing
+    machine = replace(REVERSING, squareness=0.0, **after)
+    file = circle(folder / "after.csv", machine, replace(FIRST, noise=noise), 7)
+    code, answer = verified(folder, job, file)
+    assert answer["circles"]["xy"]["squareness"]["decision"] == "accept"
+    assert (code, answer["verdict"]) == ((1, "undecided") if codes else (0, "good"))
+    assert [one["code"] for one in answer["doubts"]] == codes
+    assert named in " ".join(capsys.readouterr().out.split())
+
+
+@pytest.mark.parametrize(("sign", "left"), [(-1.0, 80.0), (0.0, 0.0)], ids=["sign", "direction"])
+def test_a_turned_file_is_no_fault_of_the_table(
+    reversing: tuple[Path, str], sign: float, left: float
+) -> None:
+    """Lost motion changes its sign where the file is turned; no table between axes does this."""
+    folder, job = reversing
+    test = measured(replace(REVERSING, squareness=left), FIRST, np.random.default_rng(7))
+    code, answer = verified(folder, job, mirrored(folder, test, sign))
+    assert (code, answer["verdict"]) == (1, "undecided")
+    assert [one["code"] for one in answer["doubts"]] == ["CW-V026"]
+    assert "Lost motion X" in answer["doubts"][0]["message"]
+    assert answer["circles"]["xy"]["squareness"] is None
+
+
+def test_a_circle_with_its_axes_exchanged_is_refused(
+    reversing: tuple[Path, str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    """First and second axis, ccw and cw would be compared with each other's values."""
+    folder, job = reversing
+    test = measured(replace(REVERSING, squareness=0.0), FIRST, np.random.default_rng(7))
+    path = folder / "yx.csv"
+    path.write_bytes(to_circular_csv(replace(test, plane="YX", axes=("Y", "X")), {}))
+    for word in (str(path), f"xy={path}"):
+        assert compwright(["verify", job, "--after", word]) == 2
+        error = " ".join(capsys.readouterr().err.split())
+        assert "export the circle with the axes in this order" in error
 
 
 LOADED = ("job", "tables", "siemens-840d-sl")

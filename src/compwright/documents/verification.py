@@ -68,12 +68,14 @@ class VerifiedCircle:
     ``squareness``: the comparison with the prediction, with the keys of the JSON, only if the
     squareness of its plane was corrected from circular tests.
     ``accept``, ``acknowledged``: see `VerifiedAxis`. ``findings``: open doubts, because of which
-    its limits stay undecided.
+    its limits stay undecided. ``comparable``: whether radius, feed and arc are those of the test
+    before, so that the predicted values are those of this circle.
     """
 
     prediction: CirclePrediction
     after: CircularResult
     squareness: Mapping[str, Any] | None = None
+    comparable: bool = True
     accept: Mapping[str, AcceptDecision] = field(default_factory=dict)
     acknowledged: tuple[Acknowledged, ...] = ()
     findings: tuple[Finding, ...] = ()
@@ -182,7 +184,8 @@ def _circle(circle: VerifiedCircle) -> dict[str, Any]:
         "predicted": predicted,
         "after": after,
         "within_prediction": {
-            name: _within(after.get(name), band) for name, band in predicted.items()
+            name: _within(after.get(name), band) if circle.comparable else None
+            for name, band in predicted.items()
         },
         "squareness": None if circle.squareness is None else dict(circle.squareness),
         "accept": _accept(

@@ -308,7 +308,8 @@ def named_in_words(value: Any, axes: Any) -> Any:
     if isinstance(value, SentenceText):
         return SentenceText(named_in_words(value.sentence, axes))
     if isinstance(value, Sentence):
-        return replace(value, values=named_in_words(value.values, axes))
+        named = value.name == "cause.kind"  # has its text already
+        return value if named else replace(value, values=named_in_words(value.values, axes))
     if isinstance(value, tuple):
         return tuple(named_in_words(one, axes) for one in value)
     if isinstance(value, str) and "_" in value and _split(value)[0] in _KINDS:

@@ -339,10 +339,12 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
         *circle_tables(document["circles"]),
         *finding_lines(
             [
-                {**one, "message": f"Circle {name}: {one['message']}"}
+                one
+                if one["code"] == "CW-V034"
+                else {**one, "message": f"Circle {name}: {one['message']}"}
                 for name, circle in document["circles"].items()
                 for one in circle["findings"]
-                if one["code"] == "CW-V035" and not is_first(one["message"])
+                if one["code"] in ("CW-V034", "CW-V035") and not is_first(one["message"])
             ]
         ),
         *finding_lines([one for one in document["findings"] if one["severity"] == "error"]),

@@ -8,8 +8,9 @@ give it. All lengths are in mm or deg.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Final, Literal
 
 import numpy as np
@@ -30,13 +31,13 @@ from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.circular import CircularTest
 from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.records.verification import MeasurementFault
-from compwright.words.sentences import Sentence, say
+from compwright.words.sentences import Amount, Sentence, say
 
 #: Honest tests of one axis scatter differently: another day, another averaging of the instrument.
 #: Up to three times as quiet or as loud is believed; beyond, the ratio of the pooled variances has
 #: to be as improbable as 1 in 1000 (normal score 3.09).
 _BELIEVED: Final = 3.0
-_IMPROBABLE: Final = 3.09
+IMPROBABLE: Final = 3.09
 #: Readings rounded to a step scatter by 0.29 of it: a first test as coarse as that cannot say that
 #: another one is too quiet.
 _ROUNDED: Final = 0.5
@@ -205,10 +206,10 @@ def noise_odds(
     """
     if min(dof, dof_first) < 1.0 or s_first <= 0.0:
         return ""
-    if s <= 0.0 or normal_score((s_first / _BELIEVED / s) ** 2, dof_first, dof) > _IMPROBABLE:
+    if s <= 0.0 or normal_score((s_first / _BELIEVED / s) ** 2, dof_first, dof) > IMPROBABLE:
         return "quiet" if dof >= 4.0 else ""
     return (
-        "loud" if normal_score((s / _BELIEVED / s_first) ** 2, dof, dof_first) > _IMPROBABLE else ""
+        "loud" if normal_score((s / _BELIEVED / s_first) ** 2, dof, dof_first) > IMPROBABLE else ""
     )
 
 
@@ -278,18 +279,35 @@ def _ends(test: PositioningTest) -> Sentence:
 
 
 def _noise(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
-    (s, dof), (s_first, dof_first) = pooled_scatter(after), pooled_scatter(first)
+    scatters = pooled_scatter(after), pooled_scatter(first)
+    return scatter_findings(*scatters, first.step, partial(text_of, test=first))
+
+
+def scatter_findings(
+    scatter: tuple[float, float],
+    first: tuple[float, float],
+    step: float,
+    text: Callable[[float], Amount],
+    circle: str = "",
+) -> Iterable[Finding]:
+    """Yield the finding CW-V021 if the ``scatter`` of a test after loading is implausible compared
+    with that of the ``first`` test (mm or deg, each with its degrees of freedom).
+
+    ``step``: of the readings of the first test. ``text``: writes a scatter. ``circle``: its name.
+    """
+    (s, dof), (s_first, dof_first) = scatter, first
     odds = noise_odds(s, dof, s_first, dof_first)
-    if not odds or (odds == "quiet" and s_first < _ROUNDED * first.step):
+    if not odds or (odds == "quiet" and s_first < _ROUNDED * step):
         return
     ratio = s / s_first if odds == "loud" else s_first / s if s > 0.0 else math.inf
     yield Finding.of(
         "CW-V021",
         "warning",
-        scatter=text_of(s, after),
+        circle=circle,
+        scatter=text(s),
         ratio=ratio,
         less=odds == "quiet",
-        first=text_of(s_first, first),
+        first=text(s_first),
         factor=_BELIEVED,
     )
 

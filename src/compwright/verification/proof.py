@@ -267,12 +267,14 @@ def unproven_circle(
     yield from origin_findings(after, first, serial, name)
 
 
-def other_circle(first: CircularTest, after: CircularTest, name: str) -> Iterator[Finding]:
+def other_circle(
+    first: CircularTest, after: CircularTest, name: str, *, limited: bool
+) -> Iterator[Finding]:
     """Yield the finding CW-V034 if the test ``after`` loading of the circle ``name`` has another
-    radius, feed or arc than the ``first`` test.
+    radius, feed or arc than the ``first`` test: a warning if the circle is ``limited``.
 
-    Deviations depend on all three, so that its limits are not decided by such a test. Its
-    squareness is an angle, and remains comparable.
+    Deviations depend on all three, so that they are not compared with the prediction, and limits
+    are not decided by such a test. Its squareness is an angle, and remains comparable.
     """
     what = []
     if abs(after.nominal_radius - first.nominal_radius) > SAME_RADIUS * first.nominal_radius:
@@ -293,7 +295,9 @@ def other_circle(first: CircularTest, after: CircularTest, name: str) -> Iterato
             )
         )
     if what:
-        yield Finding.of("CW-V034", "warning", circle=name, what=what)
+        yield Finding.of(
+            "CW-V034", "warning" if limited else "info", circle=name, what=what, limits=limited
+        )
 
 
 # ---------------------------------------------------------------- what was read back

@@ -38,10 +38,11 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V020.gap": "over {gap} of the travel there is no target",
     "CW-V020.range": "it covers {range}",
     "CW-V021": (
-        "Repeated readings scatter by {scatter}, {ratio:3sig} times {less:if|less|more} than in the"
-        " first test ({first}). By chance this happens in less than one of 1000 tests, even if the"
-        " noise of the two tests differs by a factor of up to {factor:g}. Check unit and readings."
-        " Measure again with the instrument set as for the first test."
+        "{circle:if|The readings of the circle|Repeated readings} scatter by {scatter},"
+        " {ratio:3sig} times {less:if|less|more} than in the first test ({first}). By chance this"
+        " happens in less than one of 1000 tests, even if the noise of the two tests differs by a"
+        " factor of up to {factor:g}. Check unit and readings. Measure again with the instrument"
+        " set as for the first test."
     ),
     "CW-V022": (
         "The job was edited after the run: {what:choose|standard=the standard|rule=the decision"
@@ -107,6 +108,11 @@ SENTENCES: Final[dict[str, str]] = {
         " times too {small:if|small (mm read as µm)|large (µm read as mm)}. Export the test in"
         " the unit that its file states."
     ),
+    "CW-V026.turned": (
+        "Lost motion or servo mismatch has the opposite sign of the first test: {what:join|; }. The"
+        " sign of the deviations is turned in this file, or ccw and cw are exchanged. Check both,"
+        " and export the test again."
+    ),
     "CW-V026.two_axes": (
         "Axis {axis} and axis {other} were given the same measurement. Give each axis its own file."
     ),
@@ -141,8 +147,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V034": (
         "Circle {circle} after loading is not the circle of the first test: {what:join|; }."
-        " Deviations depend on radius, feed and arc, so its limits stay undecided. The squareness"
-        " is compared all the same. Measure the circle as the first time."
+        " Deviations depend on radius, feed and arc, so they cannot be compared with the"
+        " prediction{limits:if|, and the limits stay undecided|}. The squareness is compared all"
+        " the same. Measure the circle as the first time."
     ),
     "CW-V034.arc": (
         "it runs from {start:.0f}° to {end:.0f}° (the first one from {was_start:.0f}° to"
@@ -166,6 +173,12 @@ SENTENCES: Final[dict[str, str]] = {
         "The circle after loading does not determine the squareness well enough to show that its"
         " correction is active. Measure the full circle again in both directions."
     ),
+    "CW-V036": (
+        "The circle after loading is not as predicted: {what:join|; }. Compare what is loaded with"
+        " the plan. Check feed, set-up and servo parameters. Then measure again as for the first"
+        " test."
+    ),
+    "CW-V036.value": "{name} {value} (predicted {low} to {high})",
     "headline.active": "Table{tables:plural||s} active. No limits given.",
     "headline.bad": "Bad: see the {circles:if|circles|axes} below",
     "headline.good": (

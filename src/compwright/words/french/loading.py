@@ -36,10 +36,11 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V020.gap": "{gap} de la course sont sans point visé",
     "CW-V020.range": "il couvre {range}",
     "CW-V021": (
-        "Les mesures répétées se dispersent de {scatter}, {ratio:3sig} fois {less:if|moins|plus}"
-        " que dans le premier essai ({first}). Par hasard, cela arrive dans moins d'un essai sur"
-        " 1000, même si le bruit des deux essais diffère d'un facteur allant jusqu'à {factor:g}."
-        " Vérifier unité et mesures. Mesurer de nouveau, l'instrument réglé comme au premier essai."
+        "{circle:if|Les mesures du cercle|Les mesures répétées} se dispersent de {scatter},"
+        " {ratio:3sig} fois {less:if|moins|plus} que dans le premier essai ({first}). Par hasard,"
+        " cela arrive dans moins d'un essai sur 1000, même si le bruit des deux essais diffère d'un"
+        " facteur allant jusqu'à {factor:g}. Vérifier unité et mesures. Mesurer de nouveau,"
+        " l'instrument réglé comme au premier essai."
     ),
     "CW-V022": (
         "Le dossier de travail a été modifié après le calcul : {what:choose|standard=la"
@@ -109,6 +110,11 @@ SENTENCES: Final[dict[str, str]] = {
         " 1000 fois trop {small:if|petites (mm lus comme µm)|grandes (µm lus comme mm)}. Exporter"
         " l'essai dans l'unité que son fichier indique."
     ),
+    "CW-V026.turned": (
+        "Le jeu à l'inversion ou la différence d'asservissement a le signe opposé à celui du"
+        " premier essai : {what:join| ; }. Le signe des écarts est inversé dans ce fichier, ou ccw"
+        " et cw sont permutés. Vérifier les deux et exporter l'essai de nouveau."
+    ),
     "CW-V026.two_axes": (
         "L'axe {axis} et l'axe {other} ont reçu la même mesure. Donner à chaque axe la sienne."
     ),
@@ -145,9 +151,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V034": (
         "Le cercle {circle} après chargement n'est pas celui du premier essai : {what:join| ; }."
-        " Les écarts dépendent du rayon, de l'avance et de l'arc, ses limites restent donc"
-        " indécises. La perpendicularité est comparée malgré tout. Mesurer le cercle comme la"
-        " première fois."
+        " Les écarts dépendent du rayon, de l'avance et de l'arc ; ils ne sont donc pas comparables"
+        " à la prédiction{limits:if|, et les limites restent indécises|}. La perpendicularité est"
+        " comparée malgré tout. Mesurer le cercle comme la première fois."
     ),
     "CW-V034.arc": (
         "il va de {start:.0f}° à {end:.0f}° (le premier de {was_start:.0f}° à {was_end:.0f}°)"
@@ -171,6 +177,12 @@ SENTENCES: Final[dict[str, str]] = {
         "Le cercle après chargement ne détermine pas assez bien la perpendicularité pour montrer"
         " que sa correction est active. Mesurer de nouveau le cercle entier dans les deux sens."
     ),
+    "CW-V036": (
+        "Le cercle après chargement n'est pas comme prévu : {what:join| ; }. Comparer ce qui est"
+        " chargé avec le plan. Vérifier l'avance, le montage et les paramètres d'asservissement."
+        " Mesurer ensuite de nouveau comme au premier essai."
+    ),
+    "CW-V036.value": "{name} {value} (prévu {low} à {high})",
     "headline.active": "{tables:plural|Table active|Tables actives}. Aucune limite donnée.",
     "headline.bad": "Mauvais : voir les {circles:if|cercles|axes} ci-dessous",
     "headline.good": (

@@ -38,11 +38,11 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V020.gap": "{gap} des Verfahrwegs sind ohne Zielposition",
     "CW-V020.range": "sie umfasst {range}",
     "CW-V021": (
-        "Wiederholte Messwerte streuen um {scatter}, {ratio:3sig}-mal {less:if|weniger|mehr} als in"
-        " der ersten Prüfung ({first}). Zufällig kommt das in weniger als einer von 1000 Prüfungen"
-        " vor, selbst wenn sich das Rauschen beider Prüfungen um einen Faktor bis {factor:g}"
-        " unterscheidet. Einheit und Messwerte prüfen. Neu messen, mit dem Messgerät eingestellt"
-        " wie bei der ersten Prüfung."
+        "{circle:if|Die Messwerte des Kreises|Wiederholte Messwerte} streuen um {scatter},"
+        " {ratio:3sig}-mal {less:if|weniger|mehr} als in der ersten Prüfung ({first}). Zufällig"
+        " kommt das in weniger als einer von 1000 Prüfungen vor, selbst wenn sich das Rauschen"
+        " beider Prüfungen um einen Faktor bis {factor:g} unterscheidet. Einheit und Messwerte"
+        " prüfen. Neu messen, mit dem Messgerät eingestellt wie bei der ersten Prüfung."
     ),
     "CW-V022": (
         "Der Auftrag wurde nach der Berechnung geändert: {what:choose|standard=die Norm|rule=die"
@@ -112,6 +112,11 @@ SENTENCES: Final[dict[str, str]] = {
         " zu {small:if|klein (mm als µm gelesen)|groß (µm als mm gelesen)}. Die Prüfung in der"
         " Einheit exportieren, die ihre Datei nennt."
     ),
+    "CW-V026.turned": (
+        "Umkehrspiel oder Unterschied der Lageregelung hat das umgekehrte Vorzeichen der ersten"
+        " Prüfung: {what:join|; }. In dieser Datei ist das Vorzeichen der Abweichungen gedreht,"
+        " oder ccw und cw sind vertauscht. Beides prüfen und die Prüfung neu exportieren."
+    ),
     "CW-V026.two_axes": (
         "Achse {axis} und Achse {other} bekamen dieselbe Messung. Jeder Achse ihre eigene geben."
     ),
@@ -148,9 +153,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V034": (
         "Der Kreis {circle} nach dem Laden ist nicht der Kreis der ersten Messung: {what:join|; }."
-        " Die Abweichungen hängen von Radius, Vorschub und Bogen ab, seine Grenzwerte bleiben"
-        " daher offen. Die Rechtwinkligkeit wird trotzdem verglichen. Den Kreis wie beim ersten"
-        " Mal messen."
+        " Die Abweichungen hängen von Radius, Vorschub und Bogen ab und sind daher nicht mit der"
+        " Vorhersage vergleichbar{limits:if|, die Grenzwerte bleiben offen|}. Die Rechtwinkligkeit"
+        " wird trotzdem verglichen. Den Kreis wie beim ersten Mal messen."
     ),
     "CW-V034.arc": (
         "er geht von {start:.0f}° bis {end:.0f}° (der erste von {was_start:.0f}° bis"
@@ -175,6 +180,12 @@ SENTENCES: Final[dict[str, str]] = {
         "Der Kreis nach dem Laden bestimmt die Rechtwinkligkeit nicht gut genug, um zu zeigen, dass"
         " ihre Korrektur aktiv ist. Den vollen Kreis in beiden Richtungen neu messen."
     ),
+    "CW-V036": (
+        "Der Kreis nach dem Laden ist nicht wie vorhergesagt: {what:join|; }. Das Geladene mit dem"
+        " Plan vergleichen. Vorschub, Aufbau und Regelparameter prüfen. Dann neu messen wie bei der"
+        " ersten Prüfung."
+    ),
+    "CW-V036.value": "{name} {value} (vorhergesagt {low} bis {high})",
     "headline.active": "{tables:plural|Tabelle|Tabellen} aktiv. Keine Grenzwerte angegeben.",
     "headline.bad": "Nicht gut: siehe die {circles:if|Kreise|Achsen} unten",
     "headline.good": (

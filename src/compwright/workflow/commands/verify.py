@@ -248,7 +248,7 @@ def _verified(
                     plan.circles[name].test, test, job.machine.get("serial", ""), name
                 ),
                 *(
-                    other_circle(plan.circles[name].test, test, name)
+                    other_circle(plan.circles[name].test, test, name, limited=True)
                     if circles[name].accept
                     else ()
                 ),

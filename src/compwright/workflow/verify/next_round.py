@@ -51,7 +51,9 @@ from compwright.workflow.verify.next_files import JOB, Looped, next_files
 #: The folder of the next round, in that of the results.
 FOLDER: Final = "next"
 #: Findings, in addition to doubts, that name a proof that the test of an axis lacks.
-LACKING: Final = frozenset({"CW-V020", "CW-V021", "CW-V024", "CW-V029", "CW-V032"})
+LACKING: Final = frozenset(
+    {"CW-V020", "CW-V021", "CW-V024", "CW-V026", "CW-V029", "CW-V032", "CW-V036"}
+)
 #: Findings that name a circle which was not measured after loading.
 _UNPROVEN: Final = frozenset({"CW-V025", "CW-V029", "CW-V032", "CW-V034"})
 _NOT_FROM_HERE: Final = frozenset({"CW-V011", "CW-S087", "CW-V022", "CW-V033"})
@@ -278,9 +280,12 @@ def _looped(found: Verified, well: Sequence[AfterTest], planes: Sequence[str]) -
 
 def _measured(found: Verified) -> dict[str, Sequence[Path]]:
     """Return, by name, the files of the circular tests that were made after loading. Copies of
-    those from before loading, older files and files of another machine are left out.
+    those from before loading, older files, files of another machine and doubtful ones are left out.
     """
     unproven = {one.values.get("circle") for one in found.findings if one.code in _UNPROVEN}
+    unproven |= {
+        name for name, circle in found.circles.items() if any(map(lacks_proof, circle.findings))
+    }
     return {name: files for name, files in found.circle_files.items() if name not in unproven}
 
 

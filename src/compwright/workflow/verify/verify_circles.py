@@ -31,6 +31,7 @@ from compwright.instruments.other_files import is_circular
 from compwright.planning.circle_diagnosis import diagnose_circle
 from compwright.planning.circles import (
     CIRCULAR_STANDARD,
+    WORSE,
     effect_of,
     in_job_names,
     predicted_circle,
@@ -42,10 +43,16 @@ from compwright.planning.value_with_error import SIGNIFICANT
 from compwright.prediction.active_corrections import ActiveCorrections
 from compwright.records.axis import Axis
 from compwright.records.circular import CircularResult, CircularTest
-from compwright.records.job import Acknowledged, Job
+from compwright.records.job import Acceptance, Acknowledged, Job
 from compwright.records.plan import Plan, PlannedCircle
 from compwright.records.positioning import PositioningTest
 from compwright.records.prediction import AcceptDecision
+from compwright.verification.circle_after_loading import (
+    DEVIATIONS,
+    noise_findings,
+    turned_findings,
+    unexpected_findings,
+)
 from compwright.verification.proof import (
     SAME_RADIUS,
     doubt_warnings,
@@ -119,11 +126,11 @@ def _repeated(circles: Mapping[str, PlannedCircle], test: CircularTest, spec: st
         same = off <= SAME_RADIUS * first.nominal_radius
         return 0.0 if same else off, abs(first.feed - test.feed)
 
-    axes = {name.upper() for name in test.axes}
+    axes = [name.upper() for name in test.axes]
     known = [
         name
         for name, circle in circles.items()
-        if {axis.upper() for axis in circle.test.axes} == axes
+        if [axis.upper() for axis in circle.test.axes] == axes
     ]
     if not known:
         planes = (
@@ -133,13 +140,16 @@ def _repeated(circles: Mapping[str, PlannedCircle], test: CircularTest, spec: st
         raise UsageError(
             Fault(
                 message=(
-                    f"the file is a circular test in {test.plane}, but the plan contains "
-                    "none in this plane"
+                    f"the file is a circular test of {' and '.join(test.axes)}, but the plan"
+                    " contains none with these axes in this order"
                 ),
                 file=spec,
                 place="--after",
                 expected=planes,
-                hint="give a circle in one of these planes, or leave the file out",
+                hint=(
+                    "measure or export the circle with the axes in this order, or leave the file"
+                    " out"
+                ),
             )
         )
     return min(known, key=apart)
@@ -189,6 +199,10 @@ def _verified(
     prediction = predicted_circle(before, circle, during, then)
     serial, name = job.machine.get("serial", ""), circle.test.name
     unproven = any(unproven_circle(circle.test, after, serial, name))
+    limits = next((one.accept for one in job.circles if one.name == name), None)
+    other = tuple(other_circle(circle.test, after, name, limited=limits is not None))
+    turned = () if other else tuple(turned_findings(prediction, result, WORSE))
+    unproven = unproven or bool(turned)
     removed = [
         entry.squareness
         for entry in plan.cross
@@ -207,12 +221,21 @@ def _verified(
                 U=SIGNIFICANT * error,
                 before=expected.value + 1e6 * sum(removed),
             )
+    found = () if check is None else check.findings
+    judged = () if check is None else ("squareness", *(DEVIATIONS if found else ()))
+    doubted = (
+        *turned,
+        *noise_findings(before, result),
+        *(() if unproven or other else unexpected_findings(prediction, result, WORSE, judged)),
+    )
     accept, lacking, acknowledged = _judged(
         job,
+        limits,
         before,
         result,
+        doubted,
         corrected=check is not None,
-        unproven=unproven or any(other_circle(circle.test, after, name)),
+        unproven=unproven or bool(other),
     )
     return VerifiedCircle(
         prediction=prediction,
@@ -220,7 +243,12 @@ def _verified(
         squareness=None if check is None else _document(check),
         accept=accept,
         acknowledged=acknowledged,
-        findings=(*lacking, *(() if check is None else check.findings)),
+        comparable=not other,
+        findings=(
+            *(each for each in other if each.severity == "info"),
+            *lacking,
+            *found,
+        ),
     )
 
 
@@ -248,16 +276,22 @@ def _loaded(plan: Plan, axes: Sequence[str]) -> list[str]:
 
 
 def _judged(
-    job: Job, before: CircularResult, result: CircularResult, *, corrected: bool, unproven: bool
+    job: Job,
+    limits: Acceptance | None,
+    before: CircularResult,
+    result: CircularResult,
+    doubted: tuple[Finding, ...],
+    *,
+    corrected: bool,
+    unproven: bool,
 ) -> tuple[dict[str, AcceptDecision], tuple[Finding, ...], tuple[Acknowledged, ...]]:
     """Return the decisions on the limits of a circle, the doubts that are open, and the doubts that
-    the job acknowledges; nothing for a circle without limits whose squareness was not
-    ``corrected``. Nothing is decided by an ``unproven`` test.
+    the job acknowledges; only what is ``doubted`` beside the first test for a circle without limits
+    whose squareness was not ``corrected``. Nothing is decided by an ``unproven`` test.
     """
     name, rule = result.test.name, job.decision_rule
-    limits = next((one.accept for one in job.circles if one.name == name), None)
     if limits is None and not corrected:
-        return {}, (), ()
+        return {}, doubted, ()
     readings = doubts_after(result)
     by = {
         each: given
@@ -265,7 +299,7 @@ def _judged(
         for axis in result.test.axes
         if (given := job.acknowledgement(each.code, axis)) is not None
     }
-    lacking = tuple(doubt_warnings(result, before, by, guarded=rule == "guarded"))
+    lacking = (*doubted, *doubt_warnings(result, before, by, guarded=rule == "guarded"))
     accept = (
         measured_circle_decisions(
             limits,

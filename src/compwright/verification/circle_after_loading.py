@@ -1,0 +1,178 @@
+"""Check whether a circular test after loading is credible beside the first test and the prediction.
+
+The causes of its deviations are compared by their effect on the circle: a change counts if it is
+clear of the noise of both tests, and large beside the predicted circular deviation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
+from compwright.records.circular import CircularEffect, CircularResult
+from compwright.records.prediction import CirclePrediction, Quantiles
+from compwright.verification.measurement_faults import IMPROBABLE, scatter_findings
+from compwright.words.sentences import Amount, Sentence, say
+
+#: A circular deviation of both runs, else that of one run.
+DEVIATIONS: Final = ("G_bidirectional", "G_ccw", "G_cw")
+#: Causes that change their sign with the direction of motion.
+_ODD: Final = ("backlash_first", "backlash_second", "servo_mismatch")
+#: Causes that a repetition shows again. The others depend on which shapes the fit finds.
+_LASTING: Final = ("squareness", "scale_mismatch", *_ODD)
+#: From the median to the upper end of a 90 % interval, in standard deviations.
+_NINETY: Final = 1.645
+_UNITS: Final = {"um": ("µm", ".2f"), "um/m": ("µm/m", ".1f"), "ms": ("ms", ".3f")}
+
+
+@dataclass(frozen=True, slots=True)
+class _UnexpectedCause:
+    """A cause after loading (``now``) that is clearly not as ``predicted``; ``size``: µm of the
+    circle.
+    """
+
+    name: str
+    now: float
+    predicted: Quantiles
+    unit: str
+    size: float
+
+
+def noise_findings(before: CircularResult, after: CircularResult) -> Iterable[Finding]:
+    """Return the finding CW-V021 if the scatter of the test ``after`` loading about its fitted path
+    is implausibly small or large compared with that of the test ``before``, as of an axis.
+    """
+    scatters = _scatter(after), _scatter(before)
+    return scatter_findings(*scatters, _step(before), _micrometres, before.test.name)
+
+
+def _micrometres(length: float) -> Amount:
+    return Amount(length * MICROMETRES_PER_MILLIMETRE, "µm")
+
+
+def _scatter(result: CircularResult) -> tuple[float, float]:
+    """Return the rms distance (mm) of the readings of a circular test from the fitted path, and its
+    degrees of freedom.
+    """
+    diagnosis = result.diagnosis
+    if diagnosis is None or not diagnosis.fitted:
+        return 0.0, 0.0
+    runs = {(run.sense, run.number): run for run in result.test.runs}
+    distances = []
+    for fit in diagnosis.fitted:
+        run, order = runs[fit.sense, fit.number], np.argsort(fit.angles)
+        path = np.interp(run.angles, fit.angles[order], fit.deviations[order])
+        distances.append(run.deviations - path)
+    # Of a long run only a part of the readings is fitted, and only these are counted.
+    count = sum(fit.residuals.size for fit in diagnosis.fitted)
+    rms = float(np.sqrt(np.mean(np.concatenate(distances) ** 2)))
+    return rms, count / max(diagnosis.correlation_length, 1.0)
+
+
+def _step(result: CircularResult) -> float:
+    """Return the smallest difference (mm) between two readings of a circular test."""
+    readings = np.unique(np.concatenate([run.deviations for run in result.test.runs]).round(9))
+    return float(np.min(np.diff(readings), initial=np.inf)) if readings.size > 1 else 0.0
+
+
+def turned_findings(
+    prediction: CirclePrediction, after: CircularResult, part: float
+) -> Iterator[Finding]:
+    """Yield the finding CW-V026 if every clear lost motion and servo mismatch has the opposite sign
+    ``after`` loading. No table does this, a turned file does. ``part``: see `unexpected_findings`.
+    """
+    changes = {change.name: change for change in _changes(prediction, after, part)}
+    clear = {
+        name: effect.value
+        for name, effect in _effects(prediction.expected).items()
+        if name in _ODD and abs(effect.value) > IMPROBABLE * effect.std_error
+        if effect.effect > part * _deviation(prediction)
+    }
+    turned = [changes[name] for name in clear if name in changes]
+    if len(turned) == len(clear) > 0 and all(
+        abs(each.now + clear[each.name]) < abs(clear[each.name]) for each in turned
+    ):
+        yield Finding.of("CW-V026.turned", "warning", what=_sentences(turned, after))
+
+
+def unexpected_findings(
+    prediction: CirclePrediction, after: CircularResult, part: float, judged: Collection[str]
+) -> Iterator[Finding]:
+    """Yield the finding CW-V036 if the circular deviation ``after`` loading is larger than the
+    prediction allows, or if a cause is not as predicted.
+
+    A value counts if its distance from the median occurs in less than one of 1000 repetitions, and
+    if it changes the circle by more than the ``part`` of the predicted circular deviation. Left out
+    are values that are ``judged`` elsewhere.
+    """
+    what = []
+    name = next((each for each in DEVIATIONS if each in prediction.predicted), None)
+    value = None if name is None else after.parameters.get(name)
+    if name is not None and value is not None and name not in judged:
+        band = prediction.predicted[name]
+        reach = IMPROBABLE / _NINETY * (band.p95 - band.median)
+        if value - band.median > max(reach, part * band.median):
+            shown, low, high = map(_micrometres, (value, band.p05, band.p95))
+            of = say("as_written", text=name.replace("_", " "))
+            what.append(say("CW-V036.value", name=of, value=shown, low=low, high=high))
+    changes = [each for each in _changes(prediction, after, part) if each.name not in judged]
+    if what or changes:
+        yield Finding.of("CW-V036", "warning", what=[*what, *_sentences(changes, after)])
+
+
+def _effects(result: CircularResult) -> dict[str, CircularEffect]:
+    diagnosis = result.diagnosis
+    if diagnosis is None:
+        return {}
+    return {
+        name: effect
+        for name, effect in diagnosis.effects.items()
+        if name in _LASTING and name not in diagnosis.undetermined
+    }
+
+
+def _deviation(prediction: CirclePrediction) -> float:
+    """Return the predicted circular deviation, µm; infinite if there is none."""
+    found = (prediction.predicted[name] for name in DEVIATIONS if name in prediction.predicted)
+    median = next((each.median for each in found), np.inf)
+    return float(median * MICROMETRES_PER_MILLIMETRE)
+
+
+def _changes(
+    prediction: CirclePrediction, after: CircularResult, part: float
+) -> list[_UnexpectedCause]:
+    """Return the causes that are clearly not as predicted, the largest change first."""
+    least, now, found = part * _deviation(prediction), _effects(after), []
+    for name, was in _effects(prediction.expected).items():
+        if name not in now:
+            continue
+        each = now[name]
+        off = abs(each.value - was.value)
+        larger = max(was, each, key=lambda one: abs(one.value))
+        size = off * larger.effect / abs(larger.value) if larger.value else 0.0
+        if off > IMPROBABLE * float(np.hypot(was.std_error, each.std_error)) and size > least:
+            found.append(
+                _UnexpectedCause(name, each.value, prediction.causes[name], each.unit, size)
+            )
+    return sorted(found, key=lambda change: -change.size)
+
+
+def _sentences(changes: list[_UnexpectedCause], after: CircularResult) -> list[Sentence]:
+    first, second = after.test.axes
+    sentences = []
+    for change in changes:
+        unit, form = _UNITS[change.unit]
+        kind = change.name.removesuffix("_first").removesuffix("_second")
+        axis = second if change.name.endswith("_second") else first
+        value, low, high = (
+            Amount(each, unit, form)
+            for each in (change.now, change.predicted.p05, change.predicted.p95)
+        )
+        name = say("cause.kind", kind=kind, first=first, second=second, axis=axis)
+        sentences.append(say("CW-V036.value", name=name, value=value, low=low, high=high))
+    return sentences
