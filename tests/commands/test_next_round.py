@@ -354,7 +354,7 @@ def test_what_cannot_be_compared_is_not_built_upon(pair: Pair) -> None:
 def test_squareness_alone_is_answered_in_words(pair: Pair) -> None:
     """Circles after loading and no test of an axis: what to give, or what to run."""
     job = replace(pair.found.job, apply=replace(pair.found.job.apply, squareness={"XY": "Y"}))
-    circles: Any = {"xy": SimpleNamespace(squareness=None)}
+    circles: Any = {"xy": SimpleNamespace(squareness=None, findings=())}
     bare = {name: replace(axis, fitted=None) for name, axis in pair.found.plan.axes.items()}
     for axes, said in (
         (pair.found.plan.axes, "measure at least one axis that has a table after loading"),
@@ -373,6 +373,10 @@ def test_a_circle_that_was_not_measured_after_loading_is_not_built_upon(pair: Pa
         finding = Finding(code, "warning", say("CW-V025", circle="xy"))
         found = replace(pair.found, circle_files=files, findings=(finding,))
         assert list(_measured(found)) == ["yz"]
+    for code in ("CW-V021", "CW-V026", "CW-V036"):
+        finding = Finding(code, "warning", say("CW-V025", circle="xy"))
+        circles: Any = {"xy": SimpleNamespace(findings=(finding,))}
+        assert list(_measured(replace(pair.found, circle_files=files, circles=circles))) == ["yz"]
 
 
 def test_a_definition_that_lies_in_the_folder_is_not_kept_twice(pair: Pair, tmp_path: Path) -> None:

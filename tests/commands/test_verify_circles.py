@@ -210,7 +210,7 @@ def mirrored(folder: Path, test: CircularTest, sign: float) -> str:
 )
 def test_a_circle_that_is_not_as_predicted_proves_nothing(
     reversing: tuple[Path, str],
-    after: dict[str, float],
+    after: dict[str, Any],
     noise: float,
     codes: list[str],
     named: str,

@@ -186,6 +186,8 @@ def line_of(address: str = "1") -> ControlState:
 
 
 FANUC: dict[str, Any] = {"straightness": "available", "first_point": 10}
+LINE_ONLY = "one straight line over a table only"
+NO_PITCH_TABLE = "Next: give X a positioning test (`before`)"
 
 
 def test_a_straight_line_is_typed_in_pulses_of_the_axis_that_is_bent() -> None:
@@ -207,22 +209,22 @@ def test_a_straight_line_is_typed_in_pulses_of_the_axis_that_is_bent() -> None:
 
 
 @pytest.mark.parametrize(
-    ("planned", "tables"),
+    ("planned", "tables", "why"),
     [
-        ([follows([0.0, 400.0, 800.0], addresses=("1", "2"))], line_of()),  # a curve
-        ([follows(addresses=("1", "2"))] * 2, line_of()),  # a second pair
-        ([follows(addresses=("1", "2"))], line_of("3")),  # no table of the moving axis
-        ([follows(addresses=("1", "2"))], None),
+        ([follows([0.0, 400.0, 800.0], addresses=("1", "2"))], line_of(), LINE_ONLY),  # a curve
+        ([follows(addresses=("1", "2"))] * 2, line_of(), LINE_ONLY),  # a second pair
+        ([follows(addresses=("1", "2"))], line_of("3"), NO_PITCH_TABLE),
+        ([follows(addresses=("1", "2"))], None, NO_PITCH_TABLE),
     ],
 )
 def test_more_than_one_straight_line_over_a_table_is_not_held(
-    planned: Sequence[PlannedCross], tables: ControlState | None
+    planned: Sequence[PlannedCross], tables: ControlState | None, why: str
 ) -> None:
     axes = [axis("X", "1"), axis("Y", "2")]
     control = family("fanuc-30i", detection_unit=0.001, **FANUC)
     answer = ask(control, *planned, axes=axes, tables=tables)
     assert [severity for severity, _ in remarks(answer)] == ["error"] * len(planned)
-    assert all("one straight line over a table only" in said for _, said in remarks(answer))
+    assert all(why in said for _, said in remarks(answer))
     assert answer.sheets == ()
 
 
@@ -361,10 +363,11 @@ def refused(case: str) -> Between:
     if case == "linear parameter":
         axes = [axis("X", "X"), axis("Y", "Y", method="line")]
         return ask(family(ITNC), axes=axes, tabled=["Y"])
-    if case == "straightness":
+    if case in ("straightness", "no pitch table"):
         control = family("fanuc-30i", detection_unit=0.001, **FANUC)
-        pair = [follows(addresses=("1", "2"))] * 2
-        return ask(control, *pair, axes=[axis("X", "1"), axis("Y", "2")], tables=line_of())
+        pair = [follows(addresses=("1", "2"))] * (2 if case == "straightness" else 1)
+        tables = line_of("1" if case == "straightness" else "3")
+        return ask(control, *pair, axes=[axis("X", "1"), axis("Y", "2")], tables=tables)
     if case == "one input":
         other = replace(follows(), input="Z", added=replace(follows().added, input="Z"))
         planned, axes = [follows(), other], [axis("Y", "Y", cross_values="error")]
@@ -405,7 +408,11 @@ def refused(case: str) -> Between:
 
 
 @pytest.mark.parametrize(
-    "case", ["linear parameter", "straightness", "one input", "no option", "no table", "own table"]
+    "case",
+    [
+        *("linear parameter", "straightness", "no pitch table", "one input", "no option"),
+        *("no table", "own table"),
+    ],
 )
 def test_the_reason_of_a_refusal_is_in_the_language_of_the_page(case: str) -> None:
     """No two English words in a row are in the Russian text, which has other letters."""

@@ -103,6 +103,9 @@ def test_a_circle_of_another_state_is_brought_to_what_acts_now() -> None:
     assert only(now_bare).squareness == pytest.approx(40.0 * PPM, rel=1e-3)
     now_bent = plan(circle, apply=BEND_Y, states={"as_found": before, "before": NO_CORRECTIONS})
     assert only(now_bent).squareness == pytest.approx(-20.0 * PPM, rel=1e-3)
+    (shown,) = (one.message for one in now_bent.findings if one.code == "CW-P109")
+    assert "with the control's existing table is -20.0" in shown
+    assert "measured in another state" in shown
 
 
 def test_circles_of_a_plane_are_weighted() -> None:

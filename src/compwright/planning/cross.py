@@ -318,12 +318,14 @@ class _Planner:
         plane = f"{given} on {bent}"
         self._reach(plane, axis, angle.diameter, "diameter")
         self._gantry(bent)
+        mine = [work for work in self.circles if work.name in angle.tests]
         self.find(
             "CW-P109",
             "info",
             plane=plane,
             squareness=angle.words,
             tests=angle.tests,
+            converted=any(work.planned.measured_in != AS_FOUND for work in mine),
             output=bent,
             input=given,
         )
@@ -341,11 +343,7 @@ class _Planner:
         )
         self.findings += too_large(planned)
         # On either axis, from any reference, over a part of the travel: the angle is what counts.
-        now = [
-            angle_of(work, self.now)
-            for work in self.circles
-            if work.name in angle.tests and work.planned.measured_in == AS_FOUND
-        ]
+        now = [angle_of(work, self.now) for work in mine if work.planned.measured_in == AS_FOUND]
         if now:
             off = abs(float(np.mean(now)) - angle.value)
             error = max(2.0 * angle.std_error, INCREMENT / angle.diameter)

@@ -74,8 +74,9 @@ SENTENCES: Final[dict[str, str]] = {
         " the axis to be corrected as AXIS."
     ),
     "CW-P109": (
-        "{plane}: the squareness is {squareness} according to {tests}. A correction"
-        " moves axis {output} as a function of axis {input}."
+        "{plane}: the squareness{converted:if| with the control's existing table|} is {squareness}"
+        " according to {tests}{converted:if|, measured in another state|}. A correction moves axis"
+        " {output} as a function of axis {input}."
     ),
     "CW-P110": (
         "Plane {plane}: the circles contradict each other about the squareness (µm/m: {values})."

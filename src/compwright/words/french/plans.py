@@ -76,8 +76,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {{{plane}: AXE}}}}` avec l'axe à corriger comme AXE."
     ),
     "CW-P109": (
-        "{plane} : la perpendicularité est de {squareness} d'après {tests}. Une correction déplace"
-        " l'axe {output} en fonction de l'axe {input}."
+        "{plane} : la perpendicularité{converted:if| avec la table existante de la commande|} est"
+        " de {squareness} d'après {tests}{converted:if|, mesuré dans un autre état|}. Une"
+        " correction déplace l'axe {output} en fonction de l'axe {input}."
     ),
     "CW-P110": (
         "Plan {plane} : les cercles se contredisent sur la perpendicularité (µm/m : {values})."

@@ -85,8 +85,9 @@ SENTENCES: Final[dict[str, str]] = {
         " ACHSE}}}}` mit der zu korrigierenden Achse als ACHSE angeben."
     ),
     "CW-P109": (
-        "{plane}: Die Rechtwinkligkeit ist {squareness} nach {tests}. Eine Korrektur bewegt Achse"
-        " {output} abhängig von Achse {input}."
+        "{plane}: Die Rechtwinkligkeit{converted:if| mit der vorhandenen Tabelle der Steuerung|}"
+        " ist {squareness} nach {tests}{converted:if|, gemessen in einem anderen Zustand|}. Eine"
+        " Korrektur bewegt Achse {output} abhängig von Achse {input}."
     ),
     "CW-P110": (
         "Ebene {plane}: Die Kreise widersprechen sich in der Rechtwinkligkeit (µm/m: {values})."

@@ -51,7 +51,15 @@ def straightness_between(family: Family, request: BetweenRequest) -> Between:
     found = None if others else _rows(family, request, entry, state, numbers)
     if found is None:
         why = control_text("every pair of straightness compensation (5711 to 5713) is in use")
-        if numbers:
+        table = None if state is None else state.axes.get(entry.added.input)
+        if numbers and (table is None or table.positions.size < 2):
+            why = control_text(
+                "straightness compensation counts the points of the pitch table of the moving axis"
+                " {input}, which has none. Next: give {input} a positioning test (`before`), or the"
+                " control's files with its pitch data (`states`)",
+                input=entry.input,
+            )
+        elif numbers:
             why = control_text(
                 "straightness compensation is known for one straight line over a table only"
             )

@@ -112,6 +112,13 @@ TEXTS: Final[dict[str, str]] = {
     "every pair of straightness compensation (5711 to 5713) is in use": (
         "toutes les paires de la compensation de rectitude (5711 à 5713) sont utilisées"
     ),
+    "straightness compensation counts the points of the pitch table of the moving axis {input},"
+    " which has none. Next: give {input} a positioning test (`before`), or the control's files with"
+    " its pitch data (`states`)": (
+        "la compensation de rectitude compte les points de la table de pas de l'axe mobile"
+        " {input}, qui n'en a pas. Ensuite : donner à {input} un essai de positionnement"
+        " (`before`), ou les fichiers de la commande avec ses données de pas (`states`)"
+    ),
     "straightness compensation is known for one straight line over a table only": (
         "la compensation de rectitude n'est connue que pour une droite sur une table"
     ),

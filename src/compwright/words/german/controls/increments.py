@@ -113,6 +113,13 @@ TEXTS: Final[dict[str, str]] = {
     "every pair of straightness compensation (5711 to 5713) is in use": (
         "alle Paare der Geradheitskompensation (5711 bis 5713) sind belegt"
     ),
+    "straightness compensation counts the points of the pitch table of the moving axis {input},"
+    " which has none. Next: give {input} a positioning test (`before`), or the control's files with"
+    " its pitch data (`states`)": (
+        "die Geradheitskompensation zählt die Punkte der Steigungstabelle der bewegten Achse"
+        " {input}, und diese hat keine. Als Nächstes: für {input} eine Positionsprüfung (`before`)"
+        " oder die Dateien der Steuerung mit ihren Steigungsdaten (`states`) angeben"
+    ),
     "straightness compensation is known for one straight line over a table only": (
         "die Geradheitskompensation ist nur für eine gerade Linie über einer Tabelle bekannt"
     ),

@@ -107,6 +107,13 @@ TEXTS: Final[dict[str, str]] = {
     "every pair of straightness compensation (5711 to 5713) is in use": (
         "все пары компенсации прямолинейности (5711–5713) заняты"
     ),
+    "straightness compensation counts the points of the pitch table of the moving axis {input},"
+    " which has none. Next: give {input} a positioning test (`before`), or the control's files with"
+    " its pitch data (`states`)": (
+        "компенсация прямолинейности считает точки таблицы шага движущейся оси {input}, а таблицы"
+        " нет. Далее: дайте для {input} проверку позиционирования (`before`) или файлы УЧПУ с"
+        " данными шага (`states`)"
+    ),
     "straightness compensation is known for one straight line over a table only": (
         "компенсация прямолинейности известна только для одной прямой по таблице"
     ),
