@@ -64,7 +64,8 @@ _RESPONSE: Final = 0.003
 _FILTER: Final = 0.3
 #: Prior probability that an inward deviation about as large as the lost motion is a spike, not
 #: lost motion that is taken up gradually. A smaller one may equally be both with a spike outward.
-_INSIDE: Final = 0.1
+#: It is the least chance with which either lies within two standard errors of the value.
+_INSIDE: Final = 0.2
 #: Share of its height that a sum of two decays cuts off a spike with an edge, which an axis makes
 #: that stands still until its drive moves it (9 to 26 % by least squares).
 _EDGE: Final = 0.17
