@@ -106,6 +106,9 @@ def test_a_circle_of_another_state_is_brought_to_what_acts_now() -> None:
     (shown,) = (one.message for one in now_bent.findings if one.code == "CW-P109")
     assert "with the control's existing table is -20.0" in shown
     assert "measured in another state" in shown
+    (shown,) = (one.message for one in now_bare.findings if one.code == "CW-P109")
+    assert "the squareness is +40.0" in shown  # no table exists now
+    assert "measured in another state" in shown
 
 
 def test_circles_of_a_plane_are_weighted() -> None:

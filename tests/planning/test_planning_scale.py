@@ -18,7 +18,7 @@ from compwright.prediction.active_corrections import NO_CORRECTIONS, ActiveCorre
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlState
-from compwright.records.job import ApplyRequest
+from compwright.records.job import Acknowledgement, ApplyRequest
 from planning_samples import (
     PLUS,
     PPM,
@@ -43,9 +43,10 @@ def scaled(
     state: ControlState = EMPTY,
     axis: Axis = Y,
     capacity: CapacityOf = capacity_of,
+    acknowledged: tuple[Acknowledgement, ...] = (),
 ) -> ScaleCorrection:
     apply = ApplyRequest(scale=(axis.name,))
-    job = job_of(axis_of(), axis, untested=(axis.name,), apply=apply)
+    job = job_of(axis_of(), axis, untested=(axis.name,), apply=apply, acknowledged=acknowledged)
     checks = CircleChecks(job, works or {}, states or {"as_found": NO_CORRECTIONS})
     (found,) = correct_scales(job, circles, checks, capacity, state)
     return found
@@ -117,14 +118,16 @@ def test_a_circle_of_another_state_is_brought_to_what_acts_now() -> None:
     assert "scale error +20.0 ± 2.0 µm/m" in scaled(circle, states=turned).finding.message
 
 
-def fed(name: str, feed: float, *, axes: tuple[str, str] = ("X", "Y"), **more: Any) -> CircleWork:
-    """A circle of a machine with scale errors X 10, Y 40, Z -5 µm/m whose position loops lag by 30,
+def fed(
+    name: str, feed: float, *, axes: tuple[str, str] = ("X", "Y"), y: float = 40.0, **more: Any
+) -> CircleWork:
+    """A circle of a machine with scale errors X 10, Y ``y``, Z -5 µm/m whose position loops lag by 30,
     36 and 42 ms: each shrinks its axis by (ω T)² / 2. The fit leaves 0.3 µm/m open.
     """
     radius = more.setdefault("radius", 100.0)
     turning = feed / 60.0 / radius * 1e-3
     first, second = (
-        {"X": 10.0, "Y": 40.0, "Z": -5.0}[axis]
+        {"X": 10.0, "Y": y, "Z": -5.0}[axis]
         - 0.5e6 * (turning * {"X": 30.0, "Y": 36.0, "Z": 42.0}[axis]) ** 2
         for axis in axes
     )
@@ -167,6 +170,14 @@ def test_circles_that_tell_no_scale_together_ask_for_a_low_feed() -> None:
     assert (found.planned, found.finding.code) == (None, "CW-P119")
     assert "measure a circle at 200 mm/min or slower" in found.finding.message
     assert scaled(fed("a", 3000.0), fed("b", 200.0)).finding.code == "CW-P120"
+
+
+@pytest.mark.parametrize(("radius", "feed"), [(100.0, 200), (50.8, 101), (63.7, 127)])
+def test_a_circle_at_the_feed_that_is_asked_for_gives_the_scale(radius: float, feed: int) -> None:
+    """50.8 mm take 101.6 mm/min for 2 µm/m: at 102 the lag would be too large again."""
+    asked = scaled(fed("a", 3000.0, radius=radius)).finding.message
+    assert f"measure a circle at {feed} mm/min or slower" in asked
+    assert scaled(fed("a", float(feed), radius=radius)).finding.code == "CW-P120"
 
 
 def test_circles_together_are_brought_to_what_is_active_now() -> None:
@@ -226,15 +237,55 @@ def test_a_scale_whose_correction_may_make_it_worse_is_a_doubt() -> None:
 
 
 def test_circles_at_low_feeds_are_weighted() -> None:
-    """40 ± 1 and 50 ± 2 µm/m: 42."""
+    """40 ± 1 and 42 ± 2 µm/m: 40.4."""
     found = scaled(
         circle_of({"scale_error_second": (40.0, 1.0)}, feed=150.0, name="a"),
-        circle_of({"scale_error_first": (50.0, 2.0)}, ("Y", "Z"), feed=150.0, name="b"),
+        circle_of({"scale_error_first": (42.0, 2.0)}, ("Y", "Z"), feed=150.0, name="b"),
     )
     assert (
-        "scale error +42.0 ± 0.9 µm/m according to circular test a at a low feed; circular test b at a low feed"
+        "scale error +40.4 ± 0.9 µm/m according to circular test a at a low feed; circular test b at a low feed"
         in found.finding.message
     )
+
+
+KNOWN = (Acknowledgement(code="CW-P136", reason="the floor was relevelled"),)
+LATE = {"as_found": NO_CORRECTIONS, "before": ActiveCorrections({"Y": by_slope(-12e-6)}, {})}
+
+
+@pytest.mark.parametrize(
+    ("first", "second"), [((500.0, 3e3), (500.0, 3e3)), ((500.0, 3e3), (150.0,)), ((150.0,),) * 2]
+)
+def test_a_table_that_was_not_active_in_a_state_is_told_and_not_averaged(
+    first: tuple[float, ...], second: tuple[float, ...]
+) -> None:
+    """The machine has 40 µm/m in both states. With the 12 of a table that did nothing, the circles
+    of one state become 52: the mean is right for neither.
+    """
+    circles = [
+        fed(f"{state} {feed:g}", feed, measured_in=state)
+        for state, feeds in (("before", first), ("as_found", second))
+        for feed in feeds
+    ]
+    refused = scaled(*circles, states=LATE)
+    assert (refused.planned, refused.finding.severity) == (None, "error")
+    assert "acknowledge CW-P136" in refused.finding.message
+    (doubt,) = (one for one in refused.findings if one.code == "CW-P136")
+    assert (doubt.is_doubt, doubt.axes) == (True, ("Y",))
+    assert 40.0 < -slope_of(scaled(*circles, states=LATE, acknowledged=KNOWN)) / PPM < 52.0
+    assert [one.code for one in scaled(*circles).findings] == ["CW-P120"]
+
+
+def test_the_circles_of_one_state_that_contradict_each_other_are_not_averaged() -> None:
+    """One of four shows Y longer by 6 µm/m: 20 standard errors. 60 at low feeds are too uncertain."""
+    four = fed("a", 150.0), fed("b", 1000.0), fed("c", 3000.0), fed("odd", 500.0, y=46.0)
+    assert "CW-P136" in [one.code for one in network_findings(four)]
+    refused = scaled(*four)
+    assert (refused.planned, refused.finding.severity) == (None, "error")
+    assert "acknowledge CW-P136" in refused.finding.message
+    assert 40.0 < -slope_of(scaled(*four, acknowledged=KNOWN)) / PPM < 46.0
+    far = scaled(fed("a", 150.0), fed("b", 150.0, y=100.0))
+    assert (far.planned, far.finding.severity) == (None, "error")
+    assert "± 60.0 µm/m is too uncertain" in far.finding.message
 
 
 def test_a_laser_on_the_axis_wins() -> None:

@@ -111,6 +111,12 @@ class CircleNetwork:
             if name in known or SIGNIFICANT * value.std_error < NEGLIGIBLE
         }
 
+    def contradicts_scale(self, axis: str) -> bool:
+        """Return whether the scales that tests of this axis and its neighbours show contradict each
+        other.
+        """
+        return ("scale", "") in self.contradictions and ("scale", axis) in self.values
+
     def position_loops(self) -> dict[str, ValueWithError]:
         """Return the servo lag (time constant of the position loop, ms) of each axis for which the
         circular tests determine it.
@@ -252,23 +258,25 @@ def machine_findings(network: CircleNetwork) -> Iterator[Finding]:
     for (kind, _), seen in network.contradictions.items():
         if kind == "squareness":
             continue
-        yield Finding.of(
-            "CW-P136",
-            "warning",
-            axes=tuple(
+        yield contradiction(
+            kind,
+            tuple(
                 dict.fromkeys(axis for one in seen for of, axis in one.parts if of != "shrinking")
             ),
-            kind=kind,
-            values=[
-                say(
-                    "CW-P136.circle",
-                    circle=one.circle,
-                    axes=one.axes,
-                    value=one.found.words(1.0, _UNITS[kind]),
-                )
-                for one in seen
-            ],
+            [(one.circle, one.axes, one.found.words(1.0, _UNITS[kind])) for one in seen],
         )
+
+
+def contradiction(
+    kind: str, axes: tuple[str, ...], values: Iterable[tuple[str, str, Sentence]]
+) -> Finding:
+    """Return the finding that circular tests contradict each other about a ``kind`` of values of
+    these axes. ``values``: the circle, its axes and its value in words.
+    """
+    each = [
+        say("CW-P136.circle", circle=circle, axes=own, value=value) for circle, own, value in values
+    ]
+    return Finding.of("CW-P136", "warning", axes, kind=kind, values=each)
 
 
 def squareness_findings(network: CircleNetwork) -> Iterator[Finding]:

@@ -32,7 +32,8 @@ from compwright.planning.cross_doubts import (
 from compwright.planning.value_with_error import (
     CONTRADICTORY,
     SIGNIFICANT,
-    contradictory,
+    ValueWithError,
+    weighted_mean,
     worse_doubts,
 )
 from compwright.prediction.active_corrections import ActiveCorrections
@@ -325,6 +326,9 @@ class _Planner:
             plane=plane,
             squareness=angle.words,
             tests=angle.tests,
+            existing=any(
+                abs(angle_of(work, self.now)) > INCREMENT / angle.diameter for work in mine
+            ),
             converted=any(work.planned.measured_in != AS_FOUND for work in mine),
             output=bent,
             input=given,
@@ -362,32 +366,22 @@ class _Planner:
             yield pair, self._mean(works)
 
     def _mean(self, works: Sequence[CircleWork]) -> Squareness:
-        values, errors = np.array([self._as_found(work) for work in works]).T
-        weights = 1.0 / errors**2
-        mean = float(np.sum(weights * values) / np.sum(weights))
-        error = float(1.0 / np.sqrt(np.sum(weights)))
-        scatter = float(np.sum(weights * (values - mean) ** 2))
-        free = len(works) - 1
-        if free and scatter > free:
-            # The error of values that scatter more grows with it (Birge, Physical Review 40, 1932).
-            error *= float(np.sqrt(scatter / free))
-        contradicts = bool(free) and contradictory(scatter, free)
+        values = [self._as_found(work) for work in works]
+        mean, contradicts = weighted_mean(values)
         if contradicts:
-            names = (work.name for work in works)
-            each = zip(names, (float(value) * _PPM for value in values), strict=True)
+            each = [(work.name, one.value * _PPM) for work, one in zip(works, values, strict=True)]
             self.findings.append(squareness_contradiction(works[0].planned.test.axes, each))
         diameter = max(2.0 * work.planned.test.nominal_radius for work in works)
-        return Squareness(mean, error, tuple(work.name for work in works), diameter, contradicts)
+        tests = tuple(work.name for work in works)
+        return Squareness(mean.value, mean.std_error, tests, diameter, contradicts)
 
-    def _as_found(self, work: CircleWork) -> tuple[float, float]:
-        """Return the squareness (rad) from one circular test, converted to the present corrections,
-        and the standard error of this squareness.
-        """
+    def _as_found(self, work: CircleWork) -> ValueWithError:
+        """Return the squareness, rad, from one circular test under the present corrections."""
         effects = work.result.diagnosis.effects if work.result.diagnosis is not None else {}
         effect = effects["squareness"]
         during = self.states.get(work.planned.measured_in, self.now)
         bent = angle_of(work, during) - angle_of(work, self.now)
-        return effect.value / _PPM + bent, effect.std_error / _PPM
+        return ValueWithError(effect.value / _PPM + bent, effect.std_error / _PPM)
 
     # --- findings
     # ----------------------------------------------------------------------------------------------

@@ -18,10 +18,10 @@ from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import Finding
 from compwright.planning.axis_work import CapacityOf
 from compwright.planning.circle_checks import CircleChecks, mismatch, scale_error
-from compwright.planning.circle_network import CircleNetwork, state_networks
+from compwright.planning.circle_network import CircleNetwork, contradiction, state_networks
 from compwright.planning.circles import CircleWork, why_undetermined
 from compwright.planning.tables import NEW_GRID, fit_keeping_grid, fit_remaining
-from compwright.planning.value_with_error import ValueWithError, worse_doubts
+from compwright.planning.value_with_error import ValueWithError, weighted_mean, worse_doubts
 from compwright.planning.wanted_correction import (
     axis_compensation,
     dense_positions,
@@ -84,60 +84,63 @@ def correct_scales(
         if entry.before:
             found.append(ScaleCorrection(name, None, Finding.of("CW-P118", "info", axis=name)))
             continue
-        found.append(_scaled(entry, circles, networks, checks, capacity, state))
+        found.append(_scaled(name, job, circles, networks, checks, capacity, state))
     return tuple(found)
 
 
 def _scaled(
-    entry: AxisJob,
+    name: str,
+    job: Job,
     circles: Sequence[CircleWork],
     networks: Mapping[str, CircleNetwork],
     checks: CircleChecks,
     capacity: CapacityOf,
     state: ControlState,
 ) -> ScaleCorrection:
-    name = entry.axis.name
     found = list(_values(name, circles, networks, checks))
-    values = [entry for entry in found if not isinstance(entry, Sentence)]
+    shown = [entry for entry in found if not isinstance(entry, Sentence)]
     reasons = [entry for entry in found if isinstance(entry, Sentence)]
-    if not values:
+    if not shown:
         return ScaleCorrection(
             name,
             None,
             Finding.of("CW-P119.not_taken", "error", axis=name, reasons=reasons),
         )
-    weights = [stated.std_error**-2 for stated, _ in values]
-    scale = ValueWithError(
-        float(np.average([stated.value for stated, _ in values], weights=weights)),
-        float(np.sum(weights) ** -0.5),
+    scale, contradicts = weighted_mean([stated for stated, _, _ in shown])
+    doubts: tuple[Finding, ...] = ()
+    if contradicts:
+        each = [(tests, name, stated.words(_PPM, "µm/m")) for stated, tests, _ in shown]
+        doubts = (contradiction("scale", (name,), each),)
+    refused = job.acknowledgement("CW-P136", name) is None and (
+        contradicts or any(network.contradicts_scale(name) for network in networks.values())
     )
-    source = [how for _, how in values]
+    source = [how for _, _, how in shown]
     words = say("scale_by", axis=name, scale=scale.words(_PPM, "µm/m"), tests=source)
-    need = correction_need(scale.value * _PPM, scale.std_error * _PPM)
+    in_ppm = scale.value * _PPM, scale.std_error * _PPM
+    need = correction_need(*in_ppm)
+    planned = None
     if need == "negligible":
-        return ScaleCorrection(name, None, Finding.of("CW-P119.negligible", "info", scale=words))
-    if need == "undetermined":
-        why = shortfall(scale.value * _PPM, scale.std_error * _PPM)
-        return ScaleCorrection(
-            name,
-            None,
-            Finding.of("CW-P119.undetermined", "error", axis=name, why=why, tests=source),
-        )
-    try:
-        planned = _planned(entry, scale, capacity, state)
-    except CapacityError as error:
-        return ScaleCorrection(
-            name,
-            None,
-            Finding.of(
-                "CW-P119.impossible",
-                "error",
-                scale=words,
-                reasons=[str(fault) for fault in error.faults],
-            ),
-        )
-    doubts = worse_doubts(scale.value * _PPM, scale.std_error * _PPM, (name,))
-    return ScaleCorrection(name, planned, Finding.of("CW-P120", "warning", scale=words), doubts)
+        finding = Finding.of("CW-P119.negligible", "info", scale=words)
+    elif need == "undetermined":
+        why = shortfall(*in_ppm)
+        finding = Finding.of("CW-P119.undetermined", "error", axis=name, why=why, tests=source)
+    elif refused:
+        finding = Finding.of("CW-P119.contradictory", "error", axis=name)
+    else:
+        try:
+            planned = _planned(job.axes[name], scale, capacity, state)
+        except CapacityError as error:
+            faults = [str(fault) for fault in error.faults]
+            finding = Finding.of("CW-P119.impossible", "error", scale=words, reasons=faults)
+        else:
+            finding = Finding.of("CW-P120", "warning", scale=words)
+            doubts += worse_doubts(*in_ppm, (name,))
+    return ScaleCorrection(name, planned, finding, doubts)
+
+
+#: A scale error under the present corrections, the names of the circular tests that show it, and
+#: the words for these tests.
+_Shown = tuple[ValueWithError, str, Sentence]
 
 
 def _values(
@@ -145,38 +148,37 @@ def _values(
     circles: Sequence[CircleWork],
     networks: Mapping[str, CircleNetwork],
     checks: CircleChecks,
-) -> Iterator[tuple[ValueWithError, Sentence] | Sentence]:
-    """Yield the scale error under the present corrections with the circular tests that show it, or
-    the reason why a circular test does not determine it. ``networks``: the errors that the tests of
-    each state of the control show together.
+) -> Iterator[_Shown | Sentence]:
+    """Yield each scale error that circular tests show, or the reasons why none determines it.
+    ``networks``: the errors that the tests of each state of the control show together.
     """
     mine = [work for work in circles if name in work.planned.test.axes]
-    together = [
-        (state, network.circles, stated)
+    together = {
+        state: (network.circles, stated)
         for state, network in networks.items()
         if (stated := network.values_of("scale").get(name)) is not None
-    ]
-    for state, tests, stated in together:
+    }
+    for state, (tests, stated) in together.items():
         own = [work for work in mine if work.planned.measured_in == state]
         scale = ValueWithError(stated.value / _PPM, stated.std_error / _PPM)
-        yield _now(scale, own, name, checks), say("CW-P119.together", circles=tests)
-    if together:
-        return
+        how = say("CW-P119.together", circles=tests)
+        yield _now(scale, own, name, checks), " + ".join(tests), how
     slow = [
         (work, stated)
         for work in mine
-        if shrinking(work) <= LOW and (stated := scale_error(work, _index(work, name))) is not None
+        if work.planned.measured_in not in together
+        and shrinking(work) <= LOW
+        and (stated := scale_error(work, _index(work, name))) is not None
     ]
     for work, stated in slow:
-        yield _now(stated, [work], name, checks), say("CW-P119.low_feed", circle=work.name)
-    if not slow:
+        how = say("CW-P119.low_feed", circle=work.name)
+        yield _now(stated, [work], name, checks), work.name, how
+    if not (together or slow):
         for work in mine:
             yield _by_mismatch(work, name, checks)
 
 
-def _by_mismatch(
-    work: CircleWork, name: str, checks: CircleChecks
-) -> tuple[ValueWithError, Sentence] | Sentence:
+def _by_mismatch(work: CircleWork, name: str, checks: CircleChecks) -> _Shown | Sentence:
     index = _index(work, name)
     lacking = list(why_undetermined((work,), "scale_mismatch"))
     if lacking:
@@ -186,12 +188,14 @@ def _by_mismatch(
         if not work.planned.test.calibrated:
             return say("CW-P119.not_calibrated", circle=work.name)
         low = 60.0 * SOFTEST_LOOP * work.planned.test.nominal_radius * float(np.sqrt(2.0 * LOW))
+        low = np.floor(low + 1e-6)  # a rounded feed would be refused
         return say("CW-P119.lag", circle=work.name, lag=shrinking(work) * _PPM, feed=low)
     # The mismatch is first minus second.
     own = laser.scale.value + (between.value if index == 0 else -between.value)
     stated = ValueWithError(own, float(np.hypot(between.std_error, laser.scale.std_error)))
     return (
         _now(stated, [work], name, checks),
+        work.name,
         say("CW-P119.mismatch", circle=work.name, axis=work.planned.test.axes[1 - index]),
     )
 

@@ -4,6 +4,7 @@ error larger.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import erfc, sqrt
 from typing import Final
@@ -55,6 +56,21 @@ def contradictory(scatter: float, free: float) -> bool:
     """
     share = 2.0 / (9.0 * free)
     return bool(np.cbrt(scatter / free) - (1.0 - share) > CONTRADICTORY * np.sqrt(share))
+
+
+def weighted_mean(values: Sequence[ValueWithError]) -> tuple[ValueWithError, bool]:
+    """Return the weighted mean of several values of the same error, and whether they contradict
+    each other, so that the mean is right for none.
+
+    The error of values that scatter more grows with it (Birge, Physical Review 40, 1932).
+    """
+    each, errors = np.array([(one.value, one.std_error) for one in values]).T
+    weights = errors**-2.0
+    mean = float(np.average(each, weights=weights))
+    scatter, free = float(np.sum(weights * (each - mean) ** 2)), len(values) - 1
+    worse = np.sqrt(max(scatter / free, 1.0)) if free else 1.0
+    error = float(worse / np.sqrt(np.sum(weights)))
+    return ValueWithError(mean, error), bool(free) and contradictory(scatter, free)
 
 
 def worse_doubts(

@@ -74,7 +74,7 @@ SENTENCES: Final[dict[str, str]] = {
         " the axis to be corrected as AXIS."
     ),
     "CW-P109": (
-        "{plane}: the squareness{converted:if| with the control's existing table|} is {squareness}"
+        "{plane}: the squareness{existing:if| with the control's existing table|} is {squareness}"
         " according to {tests}{converted:if|, measured in another state|}. A correction moves axis"
         " {output} as a function of axis {input}."
     ),
@@ -140,6 +140,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P118": (
         "{axis}: the scale comes from the positioning test of this axis. The circles only check it."
+    ),
+    "CW-P119.contradictory": (
+        "{axis}: the scale is not corrected, because its circles contradict each other (CW-P136)."
+        " Repeat the circle that deviates, or acknowledge CW-P136 in the job."
     ),
     "CW-P119.impossible": "{scale}. It is not corrected: {reasons:join|; }.",
     "CW-P119.negligible": "{scale}. There is nothing to correct.",

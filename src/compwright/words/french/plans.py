@@ -76,7 +76,7 @@ SENTENCES: Final[dict[str, str]] = {
         " {{{plane}: AXE}}}}` avec l'axe à corriger comme AXE."
     ),
     "CW-P109": (
-        "{plane} : la perpendicularité{converted:if| avec la table existante de la commande|} est"
+        "{plane} : la perpendicularité{existing:if| avec la table existante de la commande|} est"
         " de {squareness} d'après {tests}{converted:if|, mesuré dans un autre état|}. Une"
         " correction déplace l'axe {output} en fonction de l'axe {input}."
     ),
@@ -140,6 +140,11 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P118": (
         "{axis} : l'échelle vient de l'essai de positionnement de cet axe. Les cercles la"
         " vérifient seulement."
+    ),
+    "CW-P119.contradictory": (
+        "{axis} : l'échelle n'est pas corrigée, car les cercles de cet axe se contredisent"
+        " (CW-P136). Répéter le cercle qui s'écarte, ou acquitter CW-P136 dans le"
+        " dossier de travail."
     ),
     "CW-P119.impossible": "{scale}. Elle n'est pas corrigée : {reasons:join|; }.",
     "CW-P119.lag": (

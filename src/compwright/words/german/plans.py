@@ -85,7 +85,7 @@ SENTENCES: Final[dict[str, str]] = {
         " ACHSE}}}}` mit der zu korrigierenden Achse als ACHSE angeben."
     ),
     "CW-P109": (
-        "{plane}: Die Rechtwinkligkeit{converted:if| mit der vorhandenen Tabelle der Steuerung|}"
+        "{plane}: Die Rechtwinkligkeit{existing:if| mit der vorhandenen Tabelle der Steuerung|}"
         " ist {squareness} nach {tests}{converted:if|, gemessen in einem anderen Zustand|}. Eine"
         " Korrektur bewegt Achse {output} abhängig von Achse {input}."
     ),
@@ -152,6 +152,11 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P118": (
         "{axis}: Der Maßstab kommt aus der Positionierprüfung dieser Achse. Die Kreise prüfen ihn"
         " nur."
+    ),
+    "CW-P119.contradictory": (
+        "{axis}: Der Maßstab wird nicht korrigiert, denn die Kreise dieser Achse"
+        " widersprechen sich (CW-P136). Den Kreis wiederholen, der abweicht, oder CW-P136 im"
+        " Auftrag bestätigen."
     ),
     "CW-P119.impossible": "{scale}. Er wird nicht korrigiert: {reasons:join|; }.",
     "CW-P119.lag": (
