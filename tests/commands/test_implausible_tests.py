@@ -254,6 +254,7 @@ def test_honest_machines_are_neither_refused_nor_doubted(tmp_path: Path, machine
     assert doubts(tmp_path) == []
 
 
+@pytest.mark.full_estimate
 def test_readings_rounded_to_a_micrometre_are_not_refused(tmp_path: Path) -> None:
     """A dial that shows whole micrometres: most repeats are the same, the runs are not."""
     targets, values = readings()
@@ -262,6 +263,7 @@ def test_readings_rounded_to_a_micrometre_are_not_refused(tmp_path: Path) -> Non
     assert doubts(tmp_path) == []
 
 
+@pytest.mark.full_estimate
 def test_two_axes_with_readings_of_their_own_pass(tmp_path: Path) -> None:
     write(tmp_path / "x.csv", *readings())
     other = replace(MACHINE, slope=-12e-6, bow=-0.004)
@@ -341,6 +343,7 @@ def test_a_second_test_that_contradicts_the_first_is_a_doubt(tmp_path: Path, fau
     assert "CW-T036" in doubts(tmp_path)
 
 
+@pytest.mark.full_estimate
 @pytest.mark.parametrize("slope", [-4e-6, 4e-6])
 def test_a_second_test_on_a_warmer_day_is_no_doubt(tmp_path: Path, slope: float) -> None:
     """4 µm/m, a third of a degree, beside an error of 25 µm/m, at other targets and with another
@@ -358,6 +361,7 @@ def test_a_second_test_on_a_warmer_day_is_no_doubt(tmp_path: Path, slope: float)
     assert doubts(tmp_path) == []
 
 
+@pytest.mark.full_estimate
 def test_an_endless_axis_may_be_counted_from_anywhere(tmp_path: Path) -> None:
     """Targets from -180 to 150 on a table of 0 to 360: the same places."""
     targets = np.arange(-180.0, 180.0, 30.0) + np.random.default_rng(2).uniform(

@@ -4,6 +4,7 @@ taken, or refused by name.
 
 from __future__ import annotations
 
+import json
 import shutil
 from pathlib import Path
 
@@ -165,7 +166,9 @@ def test_a_table_in_inches_is_not_read_as_mm_because_nobody_repeats_the_unit(
     assert "controller.options.units" in said
     assert "the unit of the machine is not given" in said
     assert "mm or inch, or the whole INI file with LINEAR_UNITS among the files" in said
-    assert write_job(tmp_path, X, states="[loaded]", options="{units: inch}") == 1  # CW-P160
+    assert write_job(tmp_path, X, states="[loaded]", options="{units: inch}") == 1
+    found = json.loads((tmp_path / "job" / "prediction.json").read_text(encoding="utf-8"))
+    assert [one["code"] for one in found["doubts"]] == ["CW-P161"]
 
 
 def test_a_unit_that_the_ini_contradicts_is_refused_even_where_it_is_the_default(

@@ -197,6 +197,7 @@ def slope_told(error: MeasuredError) -> tuple[float, float] | None:
     return None
 
 
+@pytest.mark.full_estimate
 @pytest.mark.parametrize("slope", [4.0, -6.0])
 def test_another_slope_of_a_second_test_is_told_and_is_no_period(slope: float) -> None:
     """A third and half of a kelvin of steel, 11.5 µm/m each. The slope of the axis stays that
