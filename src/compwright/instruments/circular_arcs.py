@@ -34,8 +34,7 @@ class Sweep:
 
     The first angle a is in 0 <= a < 360. ``step``: the median distance of neighbouring samples,
     deg. ``gap``: the widest distance of two neighbouring samples, and the angle at which it begins,
-    deg. ``passed``: whether the run goes on after the part of the circle outside the arc, so that
-    samples are missing there.
+    deg.
     """
 
     sense: Sense
@@ -44,7 +43,6 @@ class Sweep:
     angles: FloatArray
     step: float
     gap: tuple[float, float]
-    passed: bool = False
 
     @property
     def extent(self) -> float:
@@ -69,8 +67,7 @@ def sweep_of(sense: Sense, number: int, angles: FloatArray, faults: FaultList) -
 
     Angles may be counted modulo 360, so that an arc through 0 is in two pieces. Therefore the
     widest gap on the circle counts as the part outside the arc. If the samples go all around and
-    the widest gap is at most 5 deg, they count as a full circle with missing samples. The run
-    passed a wider gap if the samples on both of its sides follow each other in ``angles``.
+    the widest gap is at most 5 deg, they count as a full circle with missing samples.
     """
     name = f"{sense} run {number}"
     if angles.size < FEWEST_SAMPLES:
@@ -115,7 +112,6 @@ def sweep_of(sense: Sense, number: int, angles: FloatArray, faults: FaultList) -
         angles=ascending,
         step=step,
         gap=(float(between[widest]), float(ascending[widest])),
-        passed=abs(int(order[0]) - int(order[-1])) == 1,
     )
     if sweep.extent + step < SMALLEST_ARC - _TINY:
         faults.add(

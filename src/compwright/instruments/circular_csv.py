@@ -62,6 +62,9 @@ _FAR: Final = (1.0, 0.05)  # mm, share of the nominal radius; the larger of both
 #: No bar is shorter and no feed slower than this (mm, mm/min).
 _SMALLEST: Final = 1e-3
 _MANY_STEPS: Final = 5.0  # a gap of so many samples is reported
+#: Usual arcs are of 90, 180 and 220 deg. A longer one than this may be a circle with a gap: nothing
+#: is inferred from the order of the rows.
+_LARGEST_USUAL_ARC: Final = 270.0
 _RADII: Final = {
     "inch": MILLIMETRES_PER_INCH,
     "um": 1.0 / MICROMETRES_PER_MILLIMETRE,
@@ -464,9 +467,9 @@ def _gap_findings(sweep: Sweep) -> Iterator[Finding]:
         yield Finding.of(
             "CW-R034", "warning", run=sweep.name, angle=begin % 360.0, width=width, step=sweep.step
         )
-    if sweep.passed:
+    if sweep.extent > _LARGEST_USUAL_ARC and 360.0 - sweep.extent > _MANY_STEPS * sweep.step:
         yield Finding.of(
-            "CW-R034.passed",
+            "CW-R034.open",
             "warning",
             run=sweep.name,
             begin=float(sweep.angles[-1]) % 360.0,

@@ -89,10 +89,10 @@ SENTENCES: Final[dict[str, str]] = {
         "Samples are missing in {run} from {angle:.6g} deg on, over {width:.4g} deg (samples"
         " are {step:.3g} deg apart)."
     ),
-    "CW-R034.passed": (
-        "{run} has no samples from {begin:.5g}° to {end:.5g}°, but goes on after this gap. It is"
-        " evaluated as an arc of {arc:.5g}°: not as a full circle. Export all samples, or measure"
-        " again. If only this arc was run, begin its rows at {end:.5g}°."
+    "CW-R034.open": (
+        "{run} has no samples from {begin:.5g}° to {end:.5g}°. It is evaluated as an arc of"
+        " {arc:.5g}°, not as a full circle. Either samples are missing: export all of them, or"
+        " measure again. Or only this arc was run: acknowledge CW-R034 in the job."
     ),
     "CW-R035": (
         "The largest deviation from the nominal radius is {largest:.4g} mm. Check unit, nominal"

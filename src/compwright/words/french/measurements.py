@@ -93,11 +93,11 @@ SENTENCES: Final[dict[str, str]] = {
         "Des points de mesure manquent dans {run} à partir de {angle:.6g}°, sur {width:.4g}° (les"
         " points sont espacés de {step:.3g}°)."
     ),
-    "CW-R034.passed": (
-        "{run} n'a pas de point de mesure de {begin:.5g}° à {end:.5g}°, mais continue après ce"
-        " vide. Il est évalué comme un arc de {arc:.5g}°, non comme un cercle complet. Exporter"
-        " tous les points, ou mesurer de nouveau. Si seul cet arc a été parcouru, commencer ses"
-        " lignes à {end:.5g}°."
+    "CW-R034.open": (
+        "{run} n'a pas de point de mesure de {begin:.5g}° à {end:.5g}°. Il est évalué comme un arc"
+        " de {arc:.5g}°, non comme un cercle complet. Soit des points manquent : les exporter tous,"
+        " ou mesurer de nouveau. Soit seul cet arc a été parcouru : acquitter CW-R034 dans le"
+        " dossier de travail."
     ),
     "CW-R035": (
         "Le plus grand écart au rayon nominal est de {largest:.4g} mm. Vérifier unité, rayon"

@@ -95,11 +95,10 @@ SENTENCES: Final[dict[str, str]] = {
         "In {run} fehlen Messpunkte ab {angle:.6g}°, über {width:.4g}° (Messpunkte liegen"
         " {step:.3g}° auseinander)."
     ),
-    "CW-R034.passed": (
-        "{run} hat keine Messpunkte von {begin:.5g}° bis {end:.5g}°, geht aber nach dieser Lücke"
-        " weiter. Ausgewertet ist ein Bogen von {arc:.5g}°, kein Vollkreis. Exportieren Sie alle"
-        " Messpunkte, oder messen Sie neu. Wurde nur dieser Bogen gefahren, beginnen Sie seine"
-        " Zeilen bei {end:.5g}°."
+    "CW-R034.open": (
+        "{run} hat keine Messpunkte von {begin:.5g}° bis {end:.5g}°. Ausgewertet ist ein Bogen von"
+        " {arc:.5g}°, kein Vollkreis. Entweder fehlen Messpunkte: alle exportieren oder neu messen."
+        " Oder nur dieser Bogen wurde gefahren: CW-R034 im Auftrag bestätigen."
     ),
     "CW-R035": (
         "Die größte Abweichung vom Nennradius ist {largest:.4g} mm. Einheit, Nennradius und"
