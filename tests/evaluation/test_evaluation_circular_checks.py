@@ -83,6 +83,8 @@ def test_a_hole_in_the_samples() -> None:
     assert found(test, "CW-C005") == [
         "No samples of ccw run 1 from 99.75° to 103.25°: what the path does there is not evaluated."
     ]
+    (gap,) = [one for one in evaluate_circle(test).findings if one.code == "CW-C005"]
+    assert "von 99,75° bis 103,25°" in gap.sentence.text("de")
 
 
 def test_a_circle_that_stopped_early() -> None:

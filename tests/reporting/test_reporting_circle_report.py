@@ -300,6 +300,10 @@ def test_no_name_of_a_key_is_on_the_page() -> None:
         "Scale mismatch Z − X (9 times, similar to Straightness X)"
     )
     assert named_in_words("my_file.b5r", AXES) == "my_file.b5r"
+    assert [str(say("CW-D001.more", count=count)) for count in (1, 2)] == [
+        "and of 1 more cause",
+        "and of 2 more causes",
+    ]
 
 
 #: Rows of the results and their three columns, rows of the causes.

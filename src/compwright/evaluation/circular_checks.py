@@ -20,7 +20,7 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularTest
-from compwright.words.sentences import Amount
+from compwright.words.sentences import Amount, say
 
 #: Samples farther apart (deg) can miss a reversal spike, which lasts about 1 mm of path (a 20 ms
 #: answer at 3 m/min); 1° is 2.6 mm at 150 mm. The examples of ISO 230-4:1996 (figures 4 and 5) have
@@ -211,7 +211,7 @@ def _holes(test: CircularTest, path: ActualPath) -> list[Finding]:
         ]
     if not holes:
         return []
-    where = [f"{begin:.5g}° to {end:.5g}°" for begin, end in holes[:5]]
+    where = [say("circle.part", start=begin, end=end) for begin, end in holes[:5]]
     return [Finding.of("CW-C005.gap", "warning", run=_named(path), gaps=where)]
 
 

@@ -12,7 +12,7 @@ SENTENCES: Final[dict[str, str]] = {
         " grows much}"
     ),
     "CW-D001.cause": "{cause} ({factor:.0f} times, similar to {other})",
-    "CW-D001.more": "and of {count} more causes",
+    "CW-D001.more": "and of {count} more {count:plural|cause|causes}",
     "CW-D002": (
         "an arc of {arc:g}° separates the causes of deviation less well than a full circle."
         " {causes:if|Standard errors grow, most of all those of {causes:join|; }|No standard error"

@@ -25,6 +25,7 @@ SENTENCES: Final[dict[str, str]] = {
         " straightness}"
     ),
     "between.squareness": "squareness of {output} over {input} ({slope:+.1f} µm/m)",
+    "circle.part": "{start:.5g}° to {end:.5g}°",
     "compared_not_removed": "{parameters:join|; }. The result contains all readings.",
     "direct_squareness": (
         "{input} and {output}: squareness {squareness:+.1f} µm/m according to the"

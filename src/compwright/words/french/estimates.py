@@ -11,7 +11,7 @@ SENTENCES: Final[dict[str, str]] = {
         " {causes:join| ; }|Aucune erreur type ne croît beaucoup}"
     ),
     "CW-D001.cause": "{cause} ({factor:.0f} fois, ressemble à {other})",
-    "CW-D001.more": "et de {count} autres causes",
+    "CW-D001.more": "et de {count} {count:plural|autre cause|autres causes}",
     "CW-D002": (
         "un arc de {arc:g}° sépare moins bien les causes qu'un cercle complet."
         " {causes:if|Des erreurs types croissent, surtout celles de {causes:join| ; }|Aucune erreur"

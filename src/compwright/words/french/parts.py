@@ -25,6 +25,7 @@ SENTENCES: Final[dict[str, str]] = {
         " de travail : aucune autre table ne corrige une rectitude}"
     ),
     "between.squareness": "perpendicularité de {output} à {input} ({slope:+.1f} µm/m)",
+    "circle.part": "{start:.5g}° à {end:.5g}°",
     "compared_not_removed": "{parameters:join|; }. Le résultat contient toutes les mesures.",
     "direct_squareness": (
         "{input} et {output} : perpendicularité {squareness:+.1f} µm/m d'après la"

@@ -11,7 +11,7 @@ SENTENCES: Final[dict[str, str]] = {
         " {causes:join|; }|Kein Standardfehler wächst viel}"
     ),
     "CW-D001.cause": "{cause} ({factor:.0f}-fach, ähnelt {other})",
-    "CW-D001.more": "und bei {count} weiteren Ursachen",
+    "CW-D001.more": "und bei {count} weiteren {count:plural|Ursache|Ursachen}",
     "CW-D002": (
         "ein Bogen von {arc:g}° trennt die Ursachen schlechter als ein Vollkreis."
         " {causes:if|Standardfehler wachsen, am meisten bei {causes:join|; }|Kein Standardfehler"

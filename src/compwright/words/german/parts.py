@@ -25,6 +25,7 @@ SENTENCES: Final[dict[str, str]] = {
         " andere Tabelle korrigiert eine Geradheit}"
     ),
     "between.squareness": "Rechtwinkligkeit von {output} zu {input} ({slope:+.1f} µm/m)",
+    "circle.part": "{start:.5g}° bis {end:.5g}°",
     "compared_not_removed": "{parameters:join|; }. Das Ergebnis enthält alle Messwerte.",
     "direct_squareness": (
         "{input} und {output}: Rechtwinkligkeit {squareness:+.1f} µm/m nach der"

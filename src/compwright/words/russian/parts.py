@@ -24,6 +24,7 @@ SENTENCES: Final[dict[str, str]] = {
         " не исправит}"
     ),
     "between.squareness": "перпендикулярность {output} к {input} ({slope:+.1f} мкм/м)",
+    "circle.part": "{start:.5g}°–{end:.5g}°",
     "compared_not_removed": "{parameters:join|; }. Результат содержит все отсчёты.",
     "direct_squareness": (
         "{input} и {output}: перпендикулярность {squareness:+.1f} мкм/м по"
