@@ -23,6 +23,7 @@ from compwright.records.circular import CircularResult
 from compwright.records.job import Acknowledged
 from compwright.records.prediction import AcceptDecision, CirclePrediction, Quantiles
 from compwright.records.result import ExpandedUncertainty, PositioningResult
+from compwright.records.verification import SquarenessAfter
 from compwright.words.sentences import SentenceText, say
 
 SCHEMA = "compwright/verification/1"
@@ -65,8 +66,7 @@ class VerifiedCircle:
     """The results of ``verify`` for one circular test: before loading, as predicted, after loading,
     and the decisions on limits.
 
-    ``squareness``: the comparison with the prediction, with the keys of the JSON, only if the
-    squareness of its plane was corrected from circular tests.
+    ``squareness``: only if the squareness of its plane was corrected from circular tests.
     ``accept``, ``acknowledged``: see `VerifiedAxis`. ``findings``: open doubts, because of which
     its limits stay undecided. ``comparable``: whether radius, feed and arc are those of the test
     before, so that the predicted values are those of this circle.
@@ -74,7 +74,7 @@ class VerifiedCircle:
 
     prediction: CirclePrediction
     after: CircularResult
-    squareness: Mapping[str, Any] | None = None
+    squareness: SquarenessAfter | None = None
     comparable: bool = True
     accept: Mapping[str, AcceptDecision] = field(default_factory=dict)
     acknowledged: tuple[Acknowledged, ...] = ()
@@ -124,7 +124,7 @@ def _headline(
     """Return the verdict as a sentence; limits are mentioned only if the job has limits."""
     if verdict == "bad":
         decisions = [entry.decision for one in circles.values() for entry in one.accept.values()]
-        decisions += [one.squareness["decision"] for one in circles.values() if one.squareness]
+        decisions += [one.squareness.decision for one in circles.values() if one.squareness]
         return SentenceText(say("headline.bad", circles="reject" in decisions or not axes))
     if verdict == "undecided":
         return SentenceText(say("headline.undecided"))
@@ -187,7 +187,7 @@ def _circle(circle: VerifiedCircle) -> dict[str, Any]:
             name: _within(after.get(name), band) if circle.comparable else None
             for name, band in predicted.items()
         },
-        "squareness": None if circle.squareness is None else dict(circle.squareness),
+        "squareness": None if circle.squareness is None else _squareness(circle.squareness),
         "accept": _accept(
             {name: replace(entry, value=after[name]) for name, entry in circle.accept.items()}
         ),
@@ -198,6 +198,19 @@ def _circle(circle: VerifiedCircle) -> dict[str, Any]:
                 *(circle.after.diagnosis.findings if circle.after.diagnosis else ()),
             )
         ),
+    }
+
+
+def _squareness(found: SquarenessAfter) -> dict[str, Any]:
+    return {
+        "value": found.value,
+        "expected": found.expected,
+        "U": found.U,
+        "unit": "um/m",
+        "decision": found.decision,
+        "verdict": found.verdict,
+        "factor": found.factor,
+        "active": found.active,
     }
 
 

@@ -9,7 +9,7 @@ for the same readings. For both editions, G and F are those of 1996.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Final, get_args
 
 import numpy as np
@@ -340,3 +340,19 @@ def _run_faults(run: CircularRun, nominal_radius: float) -> list[Fault]:
             )
         ]
     return []
+
+
+def without_noise(result: CircularResult, parameter: str) -> float | None:
+    """Return a ``parameter`` of the circular test without noise: computed from the fitted causes
+    alone. None without a diagnosis.
+    """
+    fitted = () if result.diagnosis is None else result.diagnosis.fitted
+    runs = tuple(
+        CircularRun(
+            sense=each.sense, angles=each.angles, deviations=each.deviations, number=each.number
+        )
+        for each in fitted
+    )
+    if not runs:
+        return None
+    return evaluate_circle(replace(result.test, runs=runs)).parameters[parameter]

@@ -12,7 +12,7 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.circle import LEAST_SAMPLES
-from compwright.evaluation.circular import evaluate_circle
+from compwright.evaluation.circular import without_noise
 from compwright.evaluation.circular_uncertainty import circular_uncertainties
 from compwright.foundations.errors import (
     CompwrightError,
@@ -28,7 +28,7 @@ from compwright.planning.limit_decisions import limit_faults
 from compwright.prediction.active_corrections import ActiveCorrections
 from compwright.prediction.circular import moved_test, predict_circle
 from compwright.records.axis import Axis, AxisKind
-from compwright.records.circular import CircularEffect, CircularResult, CircularRun, CircularTest
+from compwright.records.circular import CircularEffect, CircularResult, CircularTest
 from compwright.records.conditions import CircularBudget, Thermal
 from compwright.records.job import CircleRequest, Job
 from compwright.records.plan import PlannedCircle
@@ -301,26 +301,10 @@ def _growing(circle: CirclePrediction) -> str | None:
             was is not None
             and becomes is not None
             and becomes.p05 > was
-            and becomes.median - was > WORSE * min(was, _without_noise(circle.before, name) or was)
+            and becomes.median - was > WORSE * min(was, without_noise(circle.before, name) or was)
         ):
             return name
     return None
-
-
-def _without_noise(result: CircularResult, parameter: str) -> float | None:
-    """Return a ``parameter`` of the circular test without noise: computed from the fitted causes
-    alone. None without a diagnosis.
-    """
-    fitted = () if result.diagnosis is None else result.diagnosis.fitted
-    runs = tuple(
-        CircularRun(
-            sense=each.sense, angles=each.angles, deviations=each.deviations, number=each.number
-        )
-        for each in fitted
-    )
-    if not runs:
-        return None
-    return evaluate_circle(replace(result.test, runs=runs)).parameters[parameter]
 
 
 def _worse(name: str, circle: CirclePrediction, parameter: str) -> Finding:

@@ -7,6 +7,7 @@ from typing import Literal
 
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Direction
+from compwright.records.prediction import Decision
 from compwright.words.sentences import Sentence, SentenceText
 
 LoadingName = Literal[
@@ -94,3 +95,21 @@ class ReadBack:
     direction: Direction
     verdict: str
     message: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SquarenessAfter:
+    """The squareness (µm/m) after loading beside the prediction ``expected``, with the decision.
+
+    ``value``: None if the circle does not determine it. ``U`` (k = 2): of their difference.
+    ``factor``: the part of the correction that is active, None if the tests do not show it.
+    ``active``: whether the correction is active as planned, so that a further one may be added.
+    """
+
+    value: float | None
+    expected: float
+    U: float
+    decision: Decision
+    verdict: Literal["loaded", "not_active", "inverted", "scaled", "undecided"]
+    factor: float | None
+    active: bool

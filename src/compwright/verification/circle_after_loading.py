@@ -1,7 +1,9 @@
 """Check whether a circular test after loading is credible beside the first test and the prediction.
 
-The causes of its deviations are compared by their effect on the circle: a change counts if it is
-clear of the noise of both tests, and large beside the predicted circular deviation.
+The causes of its deviations are compared by their effect on the circle. A change counts if it is
+clear of the errors of both fits, and larger than what another day and set-up change (`_believed`).
+Noise is compared by itself, as of an axis; the circular deviations are compared without it. Smaller
+deviations than predicted are no fault.
 """
 
 from __future__ import annotations
@@ -12,11 +14,12 @@ from typing import Final
 
 import numpy as np
 
+from compwright.evaluation.circular import without_noise
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.circular import CircularEffect, CircularResult
 from compwright.records.prediction import CirclePrediction, Quantiles
-from compwright.verification.measurement_faults import IMPROBABLE, scatter_findings
+from compwright.verification.measurement_faults import BELIEVED, IMPROBABLE, scatter_findings
 from compwright.words.sentences import Amount, Sentence, say
 
 #: A circular deviation of both runs, else that of one run.
@@ -84,18 +87,22 @@ def turned_findings(
     prediction: CirclePrediction, after: CircularResult, part: float
 ) -> Iterator[Finding]:
     """Yield the finding CW-V026 if every clear lost motion and servo mismatch has the opposite sign
-    ``after`` loading. No table does this, a turned file does. ``part``: see `unexpected_findings`.
+    ``after`` loading, lost motion of one axis at least. No table does this, a turned file does; a
+    servo mismatch alone may be the tuning of the loops. ``part``: see `unexpected_findings`.
     """
     changes = {change.name: change for change in _changes(prediction, after, part)}
     clear = {
         name: effect.value
         for name, effect in _effects(prediction.expected).items()
         if name in _ODD and abs(effect.value) > IMPROBABLE * effect.std_error
-        if effect.effect > part * _deviation(prediction)
+        if effect.effect > _believed(prediction, part)
     }
     turned = [changes[name] for name in clear if name in changes]
-    if len(turned) == len(clear) > 0 and all(
-        abs(each.now + clear[each.name]) < abs(clear[each.name]) for each in turned
+    lost_motion = any(each.name != "servo_mismatch" for each in turned)
+    if (
+        len(turned) == len(clear)
+        and lost_motion
+        and all(abs(each.now + clear[each.name]) < abs(clear[each.name]) for each in turned)
     ):
         yield Finding.of("CW-V026.turned", "warning", what=_sentences(turned, after))
 
@@ -107,16 +114,19 @@ def unexpected_findings(
     prediction allows, or if a cause is not as predicted.
 
     A value counts if its distance from the median occurs in less than one of 1000 repetitions, and
-    if it changes the circle by more than the ``part`` of the predicted circular deviation. Left out
-    are values that are ``judged`` elsewhere.
+    if the circle without noise grows by more than another day and set-up explain, the ``part`` of
+    the predicted circular deviation at least. Left out are values that are ``judged`` elsewhere.
     """
     what = []
-    name = next((each for each in DEVIATIONS if each in prediction.predicted), None)
-    value = None if name is None else after.parameters.get(name)
-    if name is not None and value is not None and name not in judged:
+    name = _deviation(prediction)
+    value = after.parameters.get(name)
+    if value is not None and name not in judged:
         band = prediction.predicted[name]
         reach = IMPROBABLE / _NINETY * (band.p95 - band.median)
-        if value - band.median > max(reach, part * band.median):
+        was, now = (without_noise(each, name) for each in (prediction.expected, after))
+        grown = value - band.median if was is None or now is None else now - was
+        least = _believed(prediction, part) / MICROMETRES_PER_MILLIMETRE
+        if value - band.median > reach and grown > least:
             shown, low, high = map(_micrometres, (value, band.p05, band.p95))
             of = say("as_written", text=name.replace("_", " "))
             what.append(say("CW-V036.value", name=of, value=shown, low=low, high=high))
@@ -136,22 +146,37 @@ def _effects(result: CircularResult) -> dict[str, CircularEffect]:
     }
 
 
-def _deviation(prediction: CirclePrediction) -> float:
-    """Return the predicted circular deviation, µm; infinite if there is none."""
-    found = (prediction.predicted[name] for name in DEVIATIONS if name in prediction.predicted)
-    median = next((each.median for each in found), np.inf)
-    return float(median * MICROMETRES_PER_MILLIMETRE)
+def _deviation(prediction: CirclePrediction) -> str:
+    """Return the name of the predicted circular deviation; an empty text if there is none."""
+    return next((each for each in DEVIATIONS if each in prediction.predicted), "")
+
+
+def _believed(prediction: CirclePrediction, part: float) -> float:
+    """Return the change of the circle (µm) that is believed of another day and set-up; infinite
+    without a predicted circular deviation.
+
+    It is the largest of three: the ``part`` of this deviation; `BELIEVED` times the scatter of the
+    first test, as between the files of an axis; its declared uncertainty (instrument, set-up and
+    environment).
+    """
+    name = _deviation(prediction)
+    if not name:
+        return float(np.inf)
+    first = prediction.before
+    declared = first.uncertainty[name].U if first.uncertainty else 0.0
+    least = part * prediction.predicted[name].median
+    return max(least, BELIEVED * _scatter(first)[0], declared) * MICROMETRES_PER_MILLIMETRE
 
 
 def _changes(
     prediction: CirclePrediction, after: CircularResult, part: float
 ) -> list[_UnexpectedCause]:
     """Return the causes that are clearly not as predicted, the largest change first."""
-    least, now, found = part * _deviation(prediction), _effects(after), []
+    least, now, found = _believed(prediction, part), _effects(after), []
     for name, was in _effects(prediction.expected).items():
-        if name not in now:
-            continue
-        each = now[name]
+        each = now.get(name, was)
+        if name in _ODD and each.value * was.value >= 0.0 and abs(each.value) <= abs(was.value):
+            continue  # better than predicted
         off = abs(each.value - was.value)
         larger = max(was, each, key=lambda one: abs(one.value))
         size = off * larger.effect / abs(larger.value) if larger.value else 0.0

@@ -36,7 +36,7 @@ from compwright.words.sentences import Amount, Sentence, say
 #: Honest tests of one axis scatter differently: another day, another averaging of the instrument.
 #: Up to three times as quiet or as loud is believed; beyond, the ratio of the pooled variances has
 #: to be as improbable as 1 in 1000 (normal score 3.09).
-_BELIEVED: Final = 3.0
+BELIEVED: Final = 3.0
 IMPROBABLE: Final = 3.09
 #: Readings rounded to a step scatter by 0.29 of it: a first test as coarse as that cannot say that
 #: another one is too quiet.
@@ -206,10 +206,10 @@ def noise_odds(
     """
     if min(dof, dof_first) < 1.0 or s_first <= 0.0:
         return ""
-    if s <= 0.0 or normal_score((s_first / _BELIEVED / s) ** 2, dof_first, dof) > IMPROBABLE:
+    if s <= 0.0 or normal_score((s_first / BELIEVED / s) ** 2, dof_first, dof) > IMPROBABLE:
         return "quiet" if dof >= 4.0 else ""
     return (
-        "loud" if normal_score((s / _BELIEVED / s_first) ** 2, dof, dof_first) > IMPROBABLE else ""
+        "loud" if normal_score((s / BELIEVED / s_first) ** 2, dof, dof_first) > IMPROBABLE else ""
     )
 
 
@@ -308,7 +308,7 @@ def scatter_findings(
         ratio=ratio,
         less=odds == "quiet",
         first=text(s_first),
-        factor=_BELIEVED,
+        factor=BELIEVED,
     )
 
 
@@ -342,7 +342,7 @@ def file_disagreement(parts: Sequence[PositioningTest]) -> tuple[PositioningTest
     test, with the difference as text; None if all files agree.
 
     Two files differ if their means at the same targets and directions differ by more than
-    `_BELIEVED` times the scatter of a reading within the files. They then have another datum or
+    `BELIEVED` times the scatter of a reading within the files. They then have another datum or
     another correction, and their common mean would describe no existing machine. Files without
     repeated readings are not compared.
     """
@@ -353,7 +353,7 @@ def file_disagreement(parts: Sequence[PositioningTest]) -> tuple[PositioningTest
     s = math.sqrt(sum(each * one**2 for one, each in scatter) / dof)
     gaps = [_apart(parts[0], part) for part in parts[1:]]
     far = max(gaps, default=0.0)
-    if far <= _BELIEVED * max(s, SAME_READING):
+    if far <= BELIEVED * max(s, SAME_READING):
         return None
     part = parts[1 + gaps.index(far)]
     return part, f"{text_of(far, part)} rms, and repeated readings scatter by {text_of(s, part)}"

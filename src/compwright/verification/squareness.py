@@ -10,6 +10,7 @@ from typing import Final, Literal
 from compwright.foundations.findings import Finding
 from compwright.records.correction_need import NEGLIGIBLE, most_uncertain
 from compwright.records.prediction import Decision
+from compwright.records.verification import SquarenessAfter
 
 #: A loading fault of a squareness is named if U is below this part of the correction: the nearest
 #: faults (not active, opposite sign) are a whole correction apart.
@@ -73,6 +74,19 @@ class SquarenessCheck:
             return "accept" if most_uncertain(planned) > self.U else "undecided"
         negligible = abs(self.value) + self.U < NEGLIGIBLE and off + self.U < 0.5 * planned
         return "accept" if negligible else "reject"
+
+    @property
+    def result(self) -> SquarenessAfter:
+        """The comparison as a record."""
+        return SquarenessAfter(
+            value=self.value,
+            expected=self.expected,
+            U=self.U,
+            decision=self.decision,
+            verdict=self.verdict,
+            factor=self.factor,
+            active=self.active,
+        )
 
     @property
     def findings(self) -> tuple[Finding, ...]:

@@ -175,8 +175,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V036": (
         "The circle after loading is not as predicted: {what:join|; }. Compare what is loaded with"
-        " the plan. Check feed, set-up and servo parameters. Then measure again as for the first"
-        " test."
+        " the plan. Feed, noise, the set-up of the instrument, a warmer machine, friction or servo"
+        " parameters can also be the reason. Check them, and measure again as for the first test."
+        " If this stays, the machine has changed: start a new job from this circle and the present"
+        " files of the control."
     ),
     "CW-V036.value": "{name} {value} (predicted {low} to {high})",
     "headline.active": "Table{tables:plural||s} active. No limits given.",

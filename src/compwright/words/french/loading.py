@@ -179,8 +179,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V036": (
         "Le cercle après chargement n'est pas comme prévu : {what:join| ; }. Comparer ce qui est"
-        " chargé avec le plan. Vérifier l'avance, le montage et les paramètres d'asservissement."
-        " Mesurer ensuite de nouveau comme au premier essai."
+        " chargé avec le plan. L'avance, le bruit, le montage de l'instrument, une machine plus"
+        " chaude, le frottement ou l'asservissement peuvent aussi en être la cause. Les vérifier et"
+        " mesurer de nouveau comme au premier essai. Si cela reste, la machine a changé :"
+        " commencer un nouveau dossier de travail avec ce cercle et les fichiers actuels de la"
+        " commande."
     ),
     "CW-V036.value": "{name} {value} (prévu {low} à {high})",
     "headline.active": "{tables:plural|Table active|Tables actives}. Aucune limite donnée.",

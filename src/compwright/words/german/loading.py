@@ -182,8 +182,10 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V036": (
         "Der Kreis nach dem Laden ist nicht wie vorhergesagt: {what:join|; }. Das Geladene mit dem"
-        " Plan vergleichen. Vorschub, Aufbau und Regelparameter prüfen. Dann neu messen wie bei der"
-        " ersten Prüfung."
+        " Plan vergleichen. Auch Vorschub, Rauschen, Aufbau des Messgeräts, eine wärmere Maschine,"
+        " Reibung oder Regelparameter können die Ursache sein. Sie prüfen und neu messen wie bei"
+        " der ersten Prüfung. Bleibt es so, hat sich die Maschine geändert: einen neuen Auftrag mit"
+        " diesem Kreis und den jetzigen Dateien der Steuerung beginnen."
     ),
     "CW-V036.value": "{name} {value} (vorhergesagt {low} bis {high})",
     "headline.active": "{tables:plural|Tabelle|Tabellen} aktiv. Keine Grenzwerte angegeben.",

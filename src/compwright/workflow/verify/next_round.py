@@ -183,7 +183,7 @@ def _no_axis(found: Verified) -> str:
         {
             circle.after.test.plane
             for circle in found.circles.values()
-            if circle.squareness is not None and not circle.squareness["active"]
+            if circle.squareness is not None and not circle.squareness.active
         }
     )
     if faulty:
@@ -327,9 +327,7 @@ def _squareness(found: Verified, axes: Collection[str]) -> Iterator[str]:
             if frozenset(found.plan.circles[name].test.axes) == pair
         ]
         corrected = [entry for entry in found.plan.cross if entry.pair == pair]
-        proven = all(
-            circle.squareness is not None and circle.squareness["active"] for circle in again
-        )
+        proven = all(circle.squareness is not None and circle.squareness.active for circle in again)
         if again and not pair & doubted and (proven or not corrected):
             yield plane
 

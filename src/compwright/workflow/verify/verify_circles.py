@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -190,10 +189,11 @@ def _verified(
     then: ActiveCorrections,
 ) -> VerifiedCircle:
     before, result = (
-        with_uncertainty(
-            diagnose_circle(test, CIRCULAR_STANDARD), job.uncertainty_circular, job.thermal
+        with_uncertainty(diagnose_circle(test, CIRCULAR_STANDARD), budget, job.thermal)
+        for test, budget in (
+            (circle.test, circle.budget),
+            (replace(after, name=circle.test.name), job.uncertainty_circular),
         )
-        for test in (circle.test, replace(after, name=circle.test.name))
     )
     result = after_test_doubts(result, _loaded(plan, circle.test.axes))
     prediction = predicted_circle(before, circle, during, then)
@@ -240,7 +240,7 @@ def _verified(
     return VerifiedCircle(
         prediction=prediction,
         after=result,
-        squareness=None if check is None else _document(check),
+        squareness=None if check is None else check.result,
         accept=accept,
         acknowledged=acknowledged,
         comparable=not other,
@@ -250,19 +250,6 @@ def _verified(
             *found,
         ),
     )
-
-
-def _document(check: SquarenessCheck) -> dict[str, Any]:
-    return {
-        "value": check.value,
-        "expected": check.expected,
-        "U": check.U,
-        "unit": "um/m",
-        "decision": check.decision,
-        "verdict": check.verdict,
-        "factor": check.factor,
-        "active": check.active,
-    }
 
 
 def _loaded(plan: Plan, axes: Sequence[str]) -> list[str]:
@@ -321,9 +308,7 @@ def _judged(
 def squareness_decisions(circles: Mapping[str, VerifiedCircle]) -> list[Decision]:
     """Return the decisions on squareness, from those circles whose plane was corrected."""
     return [
-        circle.squareness["decision"]
-        for circle in circles.values()
-        if circle.squareness is not None
+        circle.squareness.decision for circle in circles.values() if circle.squareness is not None
     ]
 
 
