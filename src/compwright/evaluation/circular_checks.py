@@ -298,7 +298,7 @@ def _still(path: ActualPath) -> list[Finding]:
             continue
         beside = np.r_[max(start - count, 0) : start, start + count : start + 2 * count]
         beside = beside[beside < values.size]
-        if np.unique(beside < start).size == 2:
+        if np.unique(beside < start).size == 2 and beside.size > 3:  # enough for a cubic
             cubic = np.polynomial.Polynomial.fit(angles[beside], values[beside], 3)
             if np.max(np.abs(cubic(angles[start : start + count]) - values[start])) > limit:
                 parts.append(f"{min(ends) % 360.0:.5g}° to {max(ends) % 360.0:.5g}°")
