@@ -205,7 +205,7 @@ def lost_motion_x(value: float) -> dict[str, Any]:
         (lost_motion_x(3.4), 0.3, [], ""),
         (lost_motion_x(4.6), 0.3, [], ""),
         (lost_motion_x(2.0), 0.3, [], ""),
-        ({}, 3.0, ["CW-V021", "CW-V036"], "G bidirectional"),
+        ({}, 3.0, ["CW-V021"], "CW-V021"),
         ({"servo_mismatch": 0.5}, 0.3, ["CW-V036"], "Servo mismatch X − Y"),
         ({"servo_mismatch": 1.0}, 0.3, ["CW-V036"], "G bidirectional 11"),
         (lost_motion_x(6.0), 0.3, ["CW-V036"], "Lost motion X"),

@@ -95,7 +95,7 @@ def turned_findings(
         name: effect.value
         for name, effect in _effects(prediction.expected).items()
         if name in _ODD and abs(effect.value) > IMPROBABLE * effect.std_error
-        if effect.effect > _believed(prediction, part)
+        if effect.effect > _believed(prediction, after, part)
     }
     turned = [changes[name] for name in clear if name in changes]
     lost_motion = any(each.name != "servo_mismatch" for each in turned)
@@ -125,7 +125,7 @@ def unexpected_findings(
         reach = IMPROBABLE / _NINETY * (band.p95 - band.median)
         was, now = (without_noise(each, name) for each in (prediction.expected, after))
         grown = value - band.median if was is None or now is None else now - was
-        least = _believed(prediction, part) / MICROMETRES_PER_MILLIMETRE
+        least = _believed(prediction, after, part) / MICROMETRES_PER_MILLIMETRE
         if value - band.median > reach and grown > least:
             shown, low, high = map(_micrometres, (value, band.p05, band.p95))
             of = say("as_written", text=name.replace("_", " "))
@@ -151,12 +151,12 @@ def _deviation(prediction: CirclePrediction) -> str:
     return next((each for each in DEVIATIONS if each in prediction.predicted), "")
 
 
-def _believed(prediction: CirclePrediction, part: float) -> float:
+def _believed(prediction: CirclePrediction, after: CircularResult, part: float) -> float:
     """Return the change of the circle (µm) that is believed of another day and set-up; infinite
     without a predicted circular deviation.
 
-    It is the largest of three: the ``part`` of this deviation; `BELIEVED` times the scatter of the
-    first test, as between the files of an axis; its declared uncertainty (instrument, set-up and
+    It is the largest of three: the ``part`` of this deviation; `BELIEVED` times the scatter of
+    both tests, as between the files of an axis; the declared uncertainty (instrument, set-up and
     environment).
     """
     name = _deviation(prediction)
@@ -165,14 +165,16 @@ def _believed(prediction: CirclePrediction, part: float) -> float:
     first = prediction.before
     declared = first.uncertainty[name].U if first.uncertainty else 0.0
     least = part * prediction.predicted[name].median
-    return max(least, BELIEVED * _scatter(first)[0], declared) * MICROMETRES_PER_MILLIMETRE
+    (s, dof), (s_first, dof_first) = _scatter(after), _scatter(first)
+    pooled = np.sqrt((dof * s**2 + dof_first * s_first**2) / max(dof + dof_first, 1.0))
+    return float(max(least, BELIEVED * pooled, declared)) * MICROMETRES_PER_MILLIMETRE
 
 
 def _changes(
     prediction: CirclePrediction, after: CircularResult, part: float
 ) -> list[_UnexpectedCause]:
     """Return the causes that are clearly not as predicted, the largest change first."""
-    least, now, found = _believed(prediction, part), _effects(after), []
+    least, now, found = _believed(prediction, after, part), _effects(after), []
     for name, was in _effects(prediction.expected).items():
         each = now.get(name, was)
         if name in _ODD and each.value * was.value >= 0.0 and abs(each.value) <= abs(was.value):
