@@ -149,6 +149,8 @@ def test_unequal_numbers() -> None:
     (doubt,) = (one for one in evaluate_circle(slower).findings if one.code == "CW-C008")
     assert doubt.is_doubt
     assert "one direction had 50 % of the feed" in doubt.message
+    few = circular_test([run_of(perfect, "ccw", n=24), run_of(perfect, "cw", n=25)])
+    assert found(few, "CW-C008") == []
 
 
 def test_repeated_angles() -> None:
@@ -232,22 +234,35 @@ def test_samples_on_both_sides_of_an_axis_may_step() -> None:
     assert found(circular_test([run], arc=(5.0, 360.0)), "CW-C012") == []
 
 
+def flicker(values: FloatArray, size: float) -> FloatArray:
+    return values + np.round(np.random.default_rng(8).normal(0.0, size, values.size), 1)
+
+
 @pytest.mark.parametrize(
     ("spoiled", "name"),
     [
         (lambda values: np.clip(values, -4.0, 4.0), "still"),
+        (lambda values: flicker(np.clip(values, -4.0, 4.0), 0.2), "still"),
         (lambda values: np.r_[values[:300], np.full(200, values[299]), values[500:]], "still"),
-        (lambda values: values + 30.0 * (np.arange(1500) == 150), "single"),
-        (lambda values: 5.0 * np.round(values / 5.0), "coarse"),
+        (lambda values: np.r_[values[:1200], np.full(300, values[1199])], "still"),
+        (lambda values: np.r_[np.full(500, values[500]), values[500:]], "still"),
+        (lambda values: values + 30.0 * (np.arange(1500) == 100), "single"),
+        (lambda values: values + 30.0 * np.isin(np.arange(1500), [100, 101, 102]), "single"),
+        (np.round, "coarse"),
+        (lambda values: np.round(2.54 * np.round(values / 2.54), 1), "coarse"),
+        (lambda values: 5.0 * np.round(values / 5.0) + 1.3 * (np.arange(1500) == 700), "coarse"),
     ],
 )
 def test_readings_that_an_instrument_cannot_have_measured(spoiled: Spoil, name: str) -> None:
-    """The end of the range, a reading that stops, a knock, steps of 5 µm. The same readings with
-    the 0.1 µm of a ballbar, with and without noise, are sound.
+    """The end of the range, also with flicker; a reading that stops within or at an end of the run;
+    a knock of one or three samples; steps of 1 µm, 0.0001 inch and 5 µm. The same readings with the
+    0.1 µm of a ballbar, with and without noise, are sound.
     """
     rng = np.random.default_rng(5)
     angles = 45.0 + np.arange(1500) * 0.24
-    path = 10.0 * np.cos(np.radians(2.0 * angles)) + 3.0 * np.sin(np.radians(angles))
+    theta = np.radians(angles)
+    path = 10.0 * np.cos(2.0 * theta) + 3.0 * np.sin(theta)
+    path += 1.5 * np.sign(np.sin(theta)) * np.cos(theta)
     for noise in (0.0, 0.1, 0.4):
         readings = np.round(path + rng.normal(0.0, noise, 1500), 1)
         test = circular_test([plain_run("ccw", angles, readings)], arc=(45.0, 360.0))
@@ -256,6 +271,25 @@ def test_readings_that_an_instrument_cannot_have_measured(spoiled: Spoil, name: 
         (doubt,) = (one for one in evaluate_circle(wrong).findings if one.code == "CW-C016")
         assert doubt.is_doubt
         assert doubt.sentence.name == f"CW-C016.{name}"
+
+
+@pytest.mark.parametrize("late", [0.0, 8.0])
+@pytest.mark.parametrize("step", [0.1, 0.5])
+def test_a_level_path_between_steps_of_lost_motion_is_sound(late: float, step: float) -> None:
+    """Squareness and lost motion make a path nearly level before a reversal, which an axis that
+    lags passes some degrees later.
+    """
+    rng = np.random.default_rng(7)
+    angles = 45.0 + np.arange(3000) * 0.12
+    theta, there = np.radians(angles), np.radians(angles - late)
+    for lost in (2.0, 5.0, 8.0):
+        path = 2.0 * np.sin(2.0 * theta)
+        path += 0.5 * lost * np.sign(np.sin(there)) * np.cos(theta)
+        path -= 0.4 * lost * np.sign(np.cos(there)) * np.sin(theta)
+        for noise in (0.0, 0.05, 0.2):
+            readings = step * np.round((path + rng.normal(0.0, noise, 3000)) / step)
+            test = circular_test([plain_run("ccw", angles, readings)], arc=(45.0, 360.0))
+            assert found(test, "CW-C016") == []
 
 
 def test_a_run_of_zeros() -> None:

@@ -143,7 +143,12 @@ def test_a_turned_sign_shows_as_negative_lost_motion(way: str) -> None:
 
 def test_little_negative_lost_motion_is_no_doubt() -> None:
     """A backlash value that is a little too large makes it; CW-T032 has the same bound."""
-    machine = Machine(backlash_first_at_positive=-1.5, backlash_first_at_negative=-1.0)
+    machine = Machine(
+        backlash_first_at_positive=-1.7,
+        backlash_first_at_negative=-1.5,
+        backlash_second_at_positive=-1.7,
+        backlash_second_at_negative=-1.7,
+    )
     test = measured(machine, Setup(noise=0.2), np.random.default_rng(3))
     result = diagnose_circle(test, "iso230-4:2005")
     assert "CW-D013" not in {finding.code for finding in result.findings}

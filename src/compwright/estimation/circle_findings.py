@@ -24,8 +24,8 @@ _INFLATED: Final = 2.5
 _MOST_NAMED: Final = 4  # of such causes in one finding
 #: A doubt about the scale below this, um/m, is not worth a second test.
 _LEAST_DOUBT: Final = 1.0
-#: Lost motion of both axes together that is less than this, um, is not clearly negative, nor within
-#: so many of its standard errors (as CW-T032 of positioning tests).
+#: The lost motion of an axis, um, that is clearly negative, also by so many standard errors (as
+#: CW-T032 of positioning tests).
 _NEGATIVE: Final = -3.0
 _SURE: Final = 4.0
 #: Standard errors beyond which a deviation is reported.
@@ -47,18 +47,17 @@ def diagnosis_findings(
 
 
 def negative_findings(diagnosis: Diagnosis) -> Iterator[Finding]:
-    """Yield the finding CW-D013 if the lost motion of both axes together is clearly negative: it is
-    compensated too much, or a sign or direction of the file is turned. With the sign or the sense
-    of the angles, squareness is turned too.
+    """Yield the finding CW-D013 if the lost motion of an axis is clearly negative, and that of both
+    together below zero: it is compensated too much, or a sign or direction of the file is turned.
+    With the sign or the sense of the angles, squareness is turned too.
     """
     lost = [
         effect
         for name, effect in diagnosis.effects.items()
         if name in {"backlash_first", "backlash_second"} and name not in diagnosis.undetermined
     ]
-    total = sum(effect.value for effect in lost)
-    error = float(np.hypot.reduce([effect.std_error for effect in lost]))
-    if total < min(_NEGATIVE, -_SURE * error):
+    clear = any(effect.value < min(_NEGATIVE, -_SURE * effect.std_error) for effect in lost)
+    if clear and sum(effect.value for effect in lost) < 0.0:
         values = [Amount(effect.value, "µm", "+.1f") for effect in lost]
         yield Finding.of("CW-D013", "warning", values=values)
 

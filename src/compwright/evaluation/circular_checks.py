@@ -43,6 +43,7 @@ _ENDS: Final = 3
 #: the next number, mm.
 _OPEN_SCATTER: Final = 8.0
 _OPEN_LEAST: Final = 0.001
+_OPEN_STEPS: Final = 2.0  # of the readings
 #: Lost motion makes a true step where an axis reverses: ends nearer to an axis (deg) are not
 #: compared.
 _NEAR_AXIS: Final = 3.0
@@ -51,17 +52,27 @@ _READINGS: Final = 1e-5
 #: Steps of the readings from this size on, mm, hide what a circular test shows. A ballbar has a
 #: tenth of it.
 _COARSE_STEP: Final = 0.001
-_WHOLE: Final = 0.01  # rounding of the file, in such steps
-#: An instrument that stopped, or is at the end of its range: equal readings over at least so many
-#: degrees and samples, which the cubic through as many samples on both sides leaves by more than
-#: the third number, mm, so many scatters of a sample, and so many steps of the instrument.
-_STILL: Final = (5.0, 20)
+_WHOLE: Final = 0.1  # rounding of the file, in such steps
+#: Share of the changes that may be smaller than a step, and of the samples that may be between two
+#: steps, as wrong readings are.
+_UNUSUAL: Final = 0.2
+_OFF_GRID: Final = 0.01
+#: An instrument that stopped, or is at the end of its range: the means of so many blocks of the
+#: next number of degrees or more are equal, to so many standard errors or one step of the readings,
+#: and the causes that the rest of the run shows move the path there by more than the fourth number,
+#: mm, so many times this tolerance, what they leave of the rest, and their standard errors.
+_BLOCKS: Final = 4
+_BLOCK: Final = 5.0
+_EQUAL: Final = 4.0
 _STILL_LEAST: Final = 0.001
-_STILL_SCATTER: Final = 8.0
-_STILL_STEPS: Final = 5.0
-#: A single wrong reading lies off the mean of its neighbours by so many scatters of a sample and by
-#: the second number, mm, and its neighbours differ by less than a quarter of this. A reversal spike
-#: may be as short, so the reversals (`_NEAR_AXIS`) are left out.
+_STILL_TIMES: Final = 8.0
+_BLOCK_SAMPLES: Final = 4  # at least
+_ENOUGH: Final = 1000  # samples of a run
+_LATE: Final = 10.0  # degrees by which an axis may reverse later
+#: Wrong readings, as of a knock, lie off the median of so many samples on both sides by so many
+#: scatters of a sample and by the second number, mm, and this median changes by less than a quarter
+#: of that. A reversal spike may be as short, so the reversals (`_NEAR_AXIS`) are left out.
+_KNOCK: Final = 5
 _SINGLE: Final = (20.0, 0.005)
 #: Where commanded and measured angles would give radii that differ by more than this (mm), a
 #: finding states how the angle was read.
@@ -96,9 +107,7 @@ def run_findings(test: CircularTest, path: ActualPath, centre: Point) -> list[Fi
         *_beyond(test, path),
         *_closing(test, path, centre),
         *_zeros(path),
-        *_coarse(path),
-        *_still(path),
-        *_single(path),
+        *(_coarse(path) or [*_still(path), *_single(path)]),
     ]
 
 
@@ -157,7 +166,7 @@ def _unequal(test: CircularTest) -> list[Finding]:
         if test.of("ccw") and test.of("cw")
         else [1, 1]
     )
-    if max(counts) <= (1.0 + _UNEQUAL) * min(counts):
+    if max(counts) <= max((1.0 + _UNEQUAL) * min(counts), min(counts) + 2):
         return []
     share = 100.0 * min(counts) / max(counts)
     if share < 100.0 / (1.0 + _OTHER_FEED):
@@ -243,7 +252,8 @@ def _closing(test: CircularTest, path: ActualPath, centre: Point) -> list[Findin
         return []
     radial = path.distances(centre)
     step = abs(float(np.median(radial[-_ENDS:]) - np.median(radial[:_ENDS])))
-    if step <= max(_OPEN_LEAST, _OPEN_SCATTER * _scatter(radial)):
+    steps = _resolution(path.run.deviations)
+    if step <= max(_OPEN_LEAST, _OPEN_SCATTER * _scatter(radial), _OPEN_STEPS * steps):
         return []
     return [Finding.of("CW-C012", "warning", run=_named(path), step=_um(step))]
 
@@ -263,9 +273,10 @@ def _zeros(path: ActualPath) -> list[Finding]:
 
 
 def _resolution(values: FloatArray) -> float:
-    """Return the smallest change, mm, from sample to sample; infinite if there is none."""
+    """Return the smallest usual change, mm, from sample to sample; infinite if there is none."""
     change = np.abs(np.diff(values))
-    return float(np.min(change[change > _READINGS], initial=np.inf))
+    change = change[change > _READINGS]
+    return float(np.quantile(change, _UNUSUAL, method="lower")) if change.size else np.inf
 
 
 def _coarse(path: ActualPath) -> list[Finding]:
@@ -273,50 +284,87 @@ def _coarse(path: ActualPath) -> list[Finding]:
     are multiples of one step.
     """
     step = _resolution(path.run.deviations)
+    if not _COARSE_STEP - _READINGS < step < np.inf:
+        return []
     steps = np.diff(path.run.deviations) / step
-    if not _COARSE_STEP <= step < np.inf or np.max(np.abs(steps - np.round(steps))) > _WHOLE:
+    if np.mean(np.abs(steps - np.round(steps)) > _WHOLE) > _OFF_GRID:
         return []
     return [Finding.of("CW-C016.coarse", "warning", run=_named(path), step=_um(step))]
 
 
 def _still(path: ActualPath) -> list[Finding]:
-    """Return the finding CW-C016 if the reading does not change over a part of the run although the
-    path beside it does, as at the end of the instrument's range.
+    """Return the finding CW-C016 if the reading does not change over a part of the run, although
+    the causes that the rest of the run shows move the path there: the instrument was at the end of
+    its range, or it stopped.
     """
     angles, values = path.run.angles, path.run.deviations
-    starts = np.flatnonzero(np.diff(values, prepend=np.nan) != 0.0)
-    counts = np.diff(np.append(starts, values.size))
-    limit = max(
-        _STILL_LEAST,
-        _STILL_SCATTER * _scatter(values),
-        _STILL_STEPS * _resolution(values),
-    )
-    parts = []
-    for start, count in zip(starts.tolist(), counts.tolist(), strict=True):
-        ends = float(angles[start]), float(angles[start + count - 1])
-        if count < _STILL[1] or abs(ends[1] - ends[0]) < _STILL[0]:
-            continue
-        beside = np.r_[max(start - count, 0) : start, start + count : start + 2 * count]
-        beside = beside[beside < values.size]
-        if np.unique(beside < start).size == 2 and beside.size > 3:  # enough for a cubic
-            cubic = np.polynomial.Polynomial.fit(angles[beside], values[beside], 3)
-            if np.max(np.abs(cubic(angles[start : start + count]) - values[start])) > limit:
-                parts.append(f"{min(ends) % 360.0:.5g}° to {max(ends) % 360.0:.5g}°")
+    interval = max(float(np.median(np.abs(np.diff(angles)))), SAME_ANGLE)
+    count = max(int(np.ceil(_BLOCK / interval)), _BLOCK_SAMPLES)
+    blocks = values.size // count
+    if blocks < 3 * _BLOCKS:
+        return []
+    means = np.mean(values[: blocks * count].reshape(blocks, count), axis=1)
+    same = max(_EQUAL * _scatter(values) * np.sqrt(2.0 / count), _resolution(values))
+    parts, start = [], 0
+    while start < blocks:
+        other = np.flatnonzero(np.abs(means[start:] - means[start]) > same)
+        end = start + int(other[0]) if other.size else blocks
+        part = slice(start * count, end * count if end < blocks else values.size)
+        if _BLOCKS <= end - start < 0.75 * blocks and _moves(angles, values, part, same):
+            ends = sorted((float(angles[part.start]), float(angles[part.stop - 1])))
+            parts.append(say("circle.part", start=ends[0] % 360.0, end=ends[1] % 360.0))
+            start = end
+        start += 1
     if not parts:
         return []
     return [Finding.of("CW-C016.still", "warning", run=_named(path), parts=parts[:5])]
 
 
+def _moves(angles: FloatArray, values: FloatArray, part: slice, same: float) -> bool:
+    """Return whether the causes of ISO 230-4:1996, annex B, that all other ``values`` (n,) of a run
+    show at ``angles`` (n,) move the path in a ``part`` by clearly more than ``same``, mm. Steps at
+    the reversals and what is near them do not count, because an axis that lags reverses later.
+    """
+    inside = np.zeros(angles.size, dtype=bool)
+    inside[part] = True
+    thin = slice(None, None, 1 + angles.size // _ENOUGH)
+    angles, values, inside = angles[thin], values[thin], inside[thin]
+    rest = ~inside & (np.abs(np.mod(angles + 45.0, 90.0) - 45.0) > _LATE)
+    theta = np.radians(angles)
+    cos, sin = np.cos(theta), np.sin(theta)
+    columns = [np.ones_like(cos)]
+    columns += [f(order * theta) for order in (1, 2, 3) for f in (np.cos, np.sin)]
+    for along, step in ((cos, np.sign(sin) * cos), (sin, np.sign(cos) * sin)):
+        columns += [step * (along > 0.0), step * (along < 0.0)]
+    matrix = np.column_stack(columns)
+    inverse = np.linalg.pinv(matrix[rest], rcond=1e-6)
+    sizes = inverse @ values[rest]
+    scatter = float(np.sqrt(np.mean((values[rest] - matrix[rest] @ sizes) ** 2)))
+    there = matrix[inside]
+    error = scatter * float(np.max(np.linalg.norm(there @ inverse, axis=1)))
+    limit = max(_STILL_LEAST, _STILL_TIMES * same, _EQUAL * scatter, _STILL_TIMES * error)
+    path, quadrant = there @ sizes, np.floor(angles[inside] / 90.0)
+    return any(np.ptp(path[quadrant == each]) > limit for each in np.unique(quadrant))
+
+
 def _single(path: ActualPath) -> list[Finding]:
-    """Return the finding CW-C016 if single readings lie far off both neighbours, away from the
+    """Return the finding CW-C016 if a few readings lie far off those beside them, away from the
     reversals of the axes.
     """
     angles, values = path.run.angles, path.run.deviations
-    before, here, after = values[:-2], values[1:-1], values[2:]
-    off = here - 0.5 * (before + after)
-    near = np.abs(np.mod(angles[1:-1] + 45.0, 90.0) - 45.0) < _NEAR_AXIS
+    half = _KNOCK
+    if values.size < 4 * half:
+        return []
+    beside = np.median(np.lib.stride_tricks.sliding_window_view(values, 2 * half + 1), axis=1)
+    level = np.pad(beside, half, mode="edge")
+    off = values - level
+    apart = np.abs(np.roll(level, -half) - np.roll(level, half))
+    near = np.abs(np.mod(angles + 45.0, 90.0) - 45.0) < max(
+        _NEAR_AXIS, half * float(np.median(np.abs(np.diff(angles))))
+    )
     limit = max(_SINGLE[0] * _scatter(values), _SINGLE[1], 2.0 * _resolution(values))
-    wrong = (np.abs(off) > limit) & (np.abs(before - after) < 0.25 * np.abs(off)) & ~near
+    wrong = (np.abs(off) > limit) & (apart < 0.25 * np.abs(off)) & ~near
+    wrong[:half] = wrong[-half:] = False
     where = np.flatnonzero(wrong)
     if not where.size:
         return []
@@ -327,7 +375,7 @@ def _single(path: ActualPath) -> list[Finding]:
             "warning",
             run=_named(path),
             count=int(where.size),
-            angle=float(angles[1 + largest]) % 360.0,
+            angle=float(angles[largest]) % 360.0,
             off=_um(float(np.abs(off[largest]))),
         )
     ]

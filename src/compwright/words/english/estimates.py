@@ -65,15 +65,17 @@ SENTENCES: Final[dict[str, str]] = {
         " corrected for this delay"
     ),
     "CW-D012": (
-        "The two directions seem to be exchanged in the file ({odds}): what follows a reversal is"
-        " in front of it. Lost motion and servo mismatch then have the wrong sign. Check which run"
-        " was clockwise. Exchange ccw and cw in the file, or acknowledge CW-D012 in the job."
+        "What follows a reversal is in front of it in the file ({odds}). Either the two"
+        " directions are exchanged, and lost motion and servo mismatch have the wrong sign, or the"
+        " angles are too far ahead. Check which run was clockwise, and at which angle the first"
+        " sample was taken. Correct the file, or acknowledge CW-D012 in the job."
     ),
     "CW-D013": (
-        "The lost motion is {values:and}, but a circle with lost motion shows it above zero. Unless"
-        " the backlash compensation is too large, the sign of the deviations, the sense of the"
-        " angles or the two directions are turned. With the first two, squareness has the wrong"
-        " sign too. Check at the machine: move outwards by 10 µm, the reading must rise."
+        "The lost motion is {values:and}, but a circle with lost motion shows it above zero."
+        " Unless the backlash compensation is too large, the sign of the deviations, the sense of"
+        " the angles or the two directions are turned. With the first two, squareness has the"
+        " wrong sign too. Check at the machine: move outwards by 10 µm, the reading must rise."
+        " Correct the file or reduce the compensation, or acknowledge CW-D013 in the job."
     ),
     "CW-E001": (
         "Only one direction was measured. The error is assumed to be the same in the other"

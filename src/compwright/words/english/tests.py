@@ -89,12 +89,12 @@ SENTENCES: Final[dict[str, str]] = {
         " export more decimals."
     ),
     "CW-C016.single": (
-        "{count:plural|A single reading|{count} single readings} of {run} {count:plural|lies|lie}"
+        "{count:plural|One reading|{count} readings} of {run} {count:plural|lies|lie}"
         " far off the readings beside {count:plural|it|them}; the largest by {off} at"
         " {angle:.5g}°. A knock or dirt can be the reason. Measure the run again."
     ),
     "CW-C016.still": (
-        "The reading of {run} does not change over {parts:and}, although the path beside it does."
+        "The reading of {run} does not change over {parts:and}, although the path there does."
         " The instrument was at the end of its range, or it stopped. Set it up nearer to the"
         " centre and measure again."
     ),

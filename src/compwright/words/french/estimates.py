@@ -65,17 +65,19 @@ SENTENCES: Final[dict[str, str]] = {
         " corrigés de ce retard"
     ),
     "CW-D012": (
-        "Les deux sens semblent échangés dans le fichier ({odds}) : ce qui suit une inversion se"
-        " trouve avant elle. Le jeu et la différence d'asservissement ont alors le mauvais signe."
-        " Vérifier quel parcours était dans le sens horaire. Échanger ccw et cw dans le fichier, ou"
-        " acquitter CW-D012 dans le dossier de travail."
+        "Dans le fichier, ce qui suit une inversion se trouve avant elle ({odds}). Soit les deux"
+        " sens sont échangés, et le jeu et la différence d'asservissement ont le mauvais signe,"
+        " soit les angles sont en avance. Vérifier quel parcours était dans le sens horaire et à"
+        " quel angle se trouve le premier point. Corriger le fichier, ou acquitter CW-D012 dans le"
+        " dossier de travail."
     ),
     "CW-D013": (
-        "Le jeu est de {values:and}, mais un cercle avec du jeu le montre au-dessus de zéro. Si la"
-        " compensation du jeu n'est pas trop grande, le signe des écarts, le sens des angles ou les"
-        " deux sens de parcours sont inversés. Dans les deux premiers cas, la perpendicularité a"
-        " aussi le mauvais signe. Vérifier sur la machine : avancer de 10 µm vers l'extérieur, la"
-        " mesure doit augmenter."
+        "Le jeu est de {values:and}, mais un cercle avec du jeu le montre au-dessus de zéro. Si"
+        " la compensation du jeu n'est pas trop grande, le signe des écarts, le sens des angles ou"
+        " les deux sens de parcours sont inversés. Dans les deux premiers cas, la perpendicularité"
+        " a aussi le mauvais signe. Vérifier sur la machine : avancer de 10 µm vers l'extérieur,"
+        " la mesure doit augmenter. Corriger le fichier ou réduire la compensation, ou acquitter"
+        " CW-D013 dans le dossier de travail."
     ),
     "CW-E001": (
         "Un seul sens a été mesuré. La même erreur est supposée dans l'autre sens, et le jeu est"

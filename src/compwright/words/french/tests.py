@@ -96,13 +96,13 @@ SENTENCES: Final[dict[str, str]] = {
         " ou exporter plus de décimales."
     ),
     "CW-C016.single": (
-        "{count:plural|Une mesure isolée|{count} mesures isolées} de {run}"
+        "{count:plural|Une mesure|{count} mesures} de {run}"
         " {count:plural|est|sont} loin des mesures voisines ; la plus grande de {off} à"
         " {angle:.5g}°. Un choc ou une saleté peut en être la cause. Mesurer de nouveau ce"
         " parcours."
     ),
     "CW-C016.still": (
-        "La mesure de {run} ne change pas sur {parts:and}, alors que la trajectoire voisine"
+        "La mesure de {run} ne change pas sur {parts:and}, alors que la trajectoire y"
         " change. L'instrument était en fin de course, ou il s'est arrêté. Le placer plus près du"
         " centre et mesurer de nouveau."
     ),

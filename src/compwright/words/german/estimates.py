@@ -66,17 +66,19 @@ SENTENCES: Final[dict[str, str]] = {
         " um diesen Verzug berichtigt"
     ),
     "CW-D012": (
-        "Die beiden Drehrichtungen scheinen in der Datei vertauscht zu sein ({odds}): Was auf eine"
-        " Umkehr folgt, liegt vor ihr. Umkehrspiel und Unterschied der Lageregelung haben dann das"
-        " falsche Vorzeichen. Prüfen Sie, welcher Lauf im Uhrzeigersinn war. Vertauschen Sie ccw"
-        " und cw in der Datei, oder bestätigen Sie CW-D012 im Auftrag."
+        "Was auf eine Umkehr folgt, liegt in der Datei vor ihr ({odds}). Entweder sind die beiden"
+        " Drehrichtungen vertauscht, und Umkehrspiel und Unterschied der Lageregelung haben das"
+        " falsche Vorzeichen, oder die Winkel eilen vor. Prüfen Sie, welcher Lauf im Uhrzeigersinn"
+        " war und bei welchem Winkel der erste Messpunkt liegt. Berichtigen Sie die Datei, oder"
+        " bestätigen Sie CW-D012 im Auftrag."
     ),
     "CW-D013": (
         "Das Umkehrspiel ist {values:and}, ein Kreis mit Umkehrspiel zeigt es aber über null. Ist"
         " die Losekompensation nicht zu groß, dann sind das Vorzeichen der Abweichungen, der Sinn"
         " der Winkel oder die beiden Drehrichtungen vertauscht. Bei den ersten beiden hat auch die"
-        " Rechtwinkligkeit das falsche Vorzeichen. An der Maschine prüfen: 10 µm nach außen fahren,"
-        " die Anzeige muss steigen."
+        " Rechtwinkligkeit das falsche Vorzeichen. An der Maschine prüfen: 10 µm nach außen"
+        " fahren, die Anzeige muss steigen. Die Datei berichtigen oder die Kompensation"
+        " verkleinern, oder CW-D013 im Auftrag bestätigen."
     ),
     "CW-E001": (
         "Nur eine Richtung wurde gemessen. In der anderen wird derselbe Fehler angenommen, das"

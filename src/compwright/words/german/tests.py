@@ -95,12 +95,12 @@ SENTENCES: Final[dict[str, str]] = {
         " mehr Stellen exportieren."
     ),
     "CW-C016.single": (
-        "{count:plural|Ein einzelner Messwert|{count} einzelne Messwerte} von {run}"
+        "{count:plural|Ein Messwert|{count} Messwerte} von {run}"
         " {count:plural|liegt|liegen} weit neben den benachbarten, der größte um {off} bei"
         " {angle:.5g}°. Ein Stoß oder Schmutz kann die Ursache sein. Den Lauf neu messen."
     ),
     "CW-C016.still": (
-        "Der Messwert von {run} ändert sich bei {parts:and} nicht, obwohl die Bahn daneben es tut."
+        "Der Messwert von {run} ändert sich bei {parts:and} nicht, obwohl die Bahn dort es tut."
         " Das Messgerät war am Ende seines Messbereichs oder blieb stehen. Es näher an die Mitte"
         " setzen und neu messen."
     ),
