@@ -52,7 +52,7 @@ from compwright.records.circular import (
 LEAST_ARC: Final = 90.0
 #: Samples of one run below which the causes cannot be distinguished from the noise.
 LEAST_SAMPLES: Final = 24
-#: Standard errors from which a lag is told.
+#: Standard errors from which a finding names a lag.
 _CLEAR_LAG: Final = 2.0
 #: Samples of one run that are fitted: five times those of the finest ballbar; a million would fill
 #: the memory and tell no more.

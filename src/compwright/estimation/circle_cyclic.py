@@ -133,7 +133,7 @@ def likeliest_delay(
     """Return the most probable delay, mm, of a cyclic error of this ``frequency``, 1/mm, and its
     standard deviation over all delays. ``late``: a delay to try too.
 
-    The prior is what the reversals tell of the lag, or that they mislead, once in a thousand.
+    The prior is the lag that the reversals show, or any lag, once in a thousand.
     """
     samples = problem.samples
     delays = np.append(_delays(samples, 0.25 / frequency), late)

@@ -266,7 +266,7 @@ def _with_cyclic(start: CircleStart, axis: str, wave: _Wave) -> tuple[CircleStar
 def _at_delay(
     start: CircleStart, waves: dict[str, _Wave], vibration: Vibration
 ) -> tuple[CircleStart, dict[str, _Wave]]:
-    """Return a fit at the actual angles of the axes, if a cyclic error tells their common lag much
+    """Return a fit at the actual angles of the axes, if a cyclic error shows their common lag much
     better than the reversals did, and this fit is the more probable one.
 
     A cyclic error shows the delay of its axis. The common lag differs from it by half of the servo

@@ -126,7 +126,7 @@ def _away(samples: CircleSamples) -> NDArray[np.bool_]:
 
 
 def _correlated(solution: Solution) -> float:
-    """Return the number of neighbouring residuals that tell as much as one independent residual."""
+    """Return the number of neighbouring residuals that count as one independent residual."""
     densities = [each.density for each in solution.fitted.spectra]
     return float(np.mean([np.mean(f**2) / np.mean(f) ** 2 for f in densities]))
 
