@@ -274,6 +274,21 @@ class TestPitch:
         # backlash is not magnified: 3 * 3 - 4 pulses
         assert values(control(text), [100], DOWN) == [pytest.approx(0.005, abs=EXACT)]
 
+    @pytest.mark.parametrize(
+        ("unit", "same"), [("0.0006667", True), ("0.000667", False), ("0.00066", False)]
+    )
+    def test_a_detection_unit_that_the_files_contradict(self, unit: str, *, same: bool) -> None:
+        """1820 = 3 of an IS-B axis: 0.001 mm / 1.5 = 0.00066666.. mm. Four digits leave less than a
+        tenth of a pulse in a thousand pulses; three leave half a pulse.
+        """
+        text = in_style(("N01851", "N01820Q1A1P3\nN01013Q1A1P00000000\nN01851"))
+        options = {"detection_unit": unit}
+        if same:
+            assert values(control(text, options=options), [50], UP) == [2 * float(unit)]
+            return
+        with pytest.raises(InputError, match=f"detection_unit {unit} of axis 1"):
+            control(text, options=options)
+
     def test_travel_from_and_to_the_reference(self) -> None:
         # 0..100 mm: 3621 = r with increment 0 at r; -100..0: 3622 = r + 1 with increment 0 there
         ahead = control(
