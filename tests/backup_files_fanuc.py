@@ -7,6 +7,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -33,6 +34,16 @@ Rng = np.random.Generator
 # --------------------------------------------------------------------------------------------------
 
 
+@cache
+def _parameters(*, whole: bool) -> bytes:
+    content = (FOLDER / PARAMETERS).read_bytes()
+    lines = content.split(b"\n")
+    kept = (
+        line for line in lines if line[:1] != b"N" or any(int(line[1:6]) in part for part in _KEPT)
+    )
+    return content if whole else b"\n".join(kept)
+
+
 class Backup:
     """The two files of a backup as lines; every byte that is not set stays."""
 
@@ -50,15 +61,7 @@ class Backup:
 
     @staticmethod
     def real(whole: bool = False) -> Backup:
-        parameters = (FOLDER / PARAMETERS).read_bytes()
-        if not whole:
-            lines = parameters.split(b"\n")
-            parameters = b"\n".join(
-                line
-                for line in lines
-                if line[:1] != b"N" or any(int(line[1:6]) in part for part in _KEPT)
-            )
-        return Backup(parameters, (FOLDER / PITCH).read_bytes())
+        return Backup(_parameters(whole=whole), (FOLDER / PITCH).read_bytes())
 
     def files(self, newline: bytes = b"\n") -> dict[str, bytes]:
         return {PARAMETERS: newline.join(self.parameters), PITCH: newline.join(self.pitch)}

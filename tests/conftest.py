@@ -19,6 +19,8 @@ from __future__ import annotations
 import gc
 import os
 from collections.abc import Iterator
+from dataclasses import replace
+from functools import wraps
 from inspect import unwrap
 from typing import Any, Final
 
@@ -29,6 +31,7 @@ from cached_results import cached
 from compwright.estimation import (
     axis,
     circle,
+    circle_directions,
     circle_reversal,
     hidden_periods,
     likelihood,
@@ -38,6 +41,7 @@ from compwright.estimation import (
     posterior_peaks,
     step_evidence,
 )
+from compwright.evaluation.circular import evaluate_circle
 from compwright.fitting import fit
 from compwright.foundations.processors import look_for_garbage_seldom
 from compwright.planning import (
@@ -50,6 +54,7 @@ from compwright.planning import (
     tables,
     wanted_correction,
 )
+from compwright.records.circular import CircularResult, CircularTest
 from compwright.verification import likelihood as after_tests
 from frames import frame
 from skips import skipped_line
@@ -95,6 +100,15 @@ _SAMPLING: Final = (
     (step_evidence, "_LOCAL", 3),
 )
 _WHOLE: Final = tuple(getattr(room, name) for room, name, _ in _SAMPLING)
+_evaluated_circle = cached(evaluate_circle)
+
+
+@wraps(evaluate_circle)
+def _evaluate_circle_once(test: CircularTest, standard: str) -> CircularResult:
+    return replace(_evaluated_circle(test, standard), test=test)  # from whichever file
+
+
+_EXCHANGE_ODDS: Final = cached(circle_directions.exchange_odds)
 #: Where estimates are asked for, and the function that caches them: brief ones, others.
 _BRIEF_ESTIMATES, _WHOLE_ESTIMATES = (
     (
@@ -103,7 +117,9 @@ _BRIEF_ESTIMATES, _WHOLE_ESTIMATES = (
         (wanted_correction, "estimate_axis", cached(axis.estimate_axis)),
         (sign_and_unit_doubts, "log_likelihood", cached(likelihood.log_likelihood)),
         (reading_interpretations, "smooth_part", cached(likelihood.smooth_part)),
+        (circle_diagnosis, "evaluate_circle", _evaluate_circle_once),
         (circle_diagnosis, "diagnose", cached(circle.diagnose)),
+        (circle_directions, "exchange_odds", _EXCHANGE_ODDS),
         (tables, "fit_table", cached(fit.fit_table)),
     )
     for infer_noise in (cached(noise.infer_noise), cached(noise.infer_noise))

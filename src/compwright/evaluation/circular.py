@@ -103,50 +103,49 @@ def evaluate_circle(
     Raises UsageError for an unknown standard. Raises InputError for an arc below 90° (3.1), for
     readings that do not fit together, and for points that are not near a circle.
     """
-    chosen = circular_standard_by_id(standard)
-    _require_sound(test)
-    placed = paths(test.runs, test.nominal_radius)
-    ordered = {sense: _of(placed, sense) for sense in _SENSES}
-    evaluated = {sense: runs[0] for sense, runs in ordered.items() if runs}
-    one_way = {sense: _OneWay.of(path) for sense, path in evaluated.items()}
-    values: dict[str, float] = {}
-    for sense, found in one_way.items():
-        values |= _one_way_values(test, sense, found)
-    common = _common_values(test, evaluated) if len(evaluated) == len(_SENSES) else None
-    if common is not None:
-        values |= common.values
-    reasons = _reasons(test, chosen, values)
-    zones = {str(sense): found.zone for sense, found in one_way.items()} | (
+    found = _Measures.of(test, circular_standard_by_id(standard))
+    one_way, common = found.one_way, found.common
+    zones = {str(sense): each.zone for sense, each in one_way.items()} | (
         {"both": common.zone} if common else {}
     )
-    centres = {str(sense): found.centre for sense, found in one_way.items()} | (
+    centres = {str(sense): each.centre for sense, each in one_way.items()} | (
         {"common": common.centre} if common else {}
     )
+    reasons = found.reasons
     findings = [
         *test.findings,
-        *_further_runs(ordered),
+        *_further_runs(found.ordered),
         *test_findings(
             test, centres, F_given="F_max_ccw" not in reasons or "F_max_cw" not in reasons
         ),
         *(
             finding
-            for sense, path in evaluated.items()
-            for finding in run_findings(test, path, one_way[sense].centre)
+            for each in one_way.values()
+            for finding in run_findings(test, each.path, each.centre)
         ),
     ]
     return CircularResult(
         test=test,
-        standard=chosen.id,
-        parameters={name: None if name in reasons else values[name] for name in CIRCULAR_NAMES},
+        standard=standard,
+        parameters=found.parameters,
         centres=centres,
         mean_radius_deviation={
-            str(sense): found.radius - test.nominal_radius for sense, found in one_way.items()
+            str(sense): each.radius - test.nominal_radius for sense, each in one_way.items()
         },
         zone_centres={name: zone[0] for name, zone in zones.items()},
         zone_radii={name: (zone[1], zone[2]) for name, zone in zones.items()},
         not_applicable=reasons,
         findings=tuple(findings),
     )
+
+
+def circle_parameters(
+    test: CircularTest, standard: str = DEFAULT_CIRCULAR_STANDARD
+) -> dict[str, float | None]:
+    """Return the parameters of `evaluate_circle`, mm, without its checks of the readings. Those
+    take most of its time, and simulated readings need none. Errors as `evaluate_circle`.
+    """
+    return _Measures.of(test, circular_standard_by_id(standard)).parameters
 
 
 _Zone = tuple[Point, float, float]
@@ -174,6 +173,36 @@ class _Common:
     values: dict[str, float]
     centre: Point
     zone: _Zone
+
+
+@dataclass(frozen=True, slots=True)
+class _Measures:
+    """All runs of each direction, circle and zone of the evaluated ones, and of both together; the
+    parameters, and the reason for each one that is missing.
+    """
+
+    ordered: dict[Sense, list[ActualPath]]
+    one_way: dict[Sense, _OneWay]
+    common: _Common | None
+    parameters: dict[str, float | None]
+    reasons: dict[str, str]
+
+    @classmethod
+    def of(cls, test: CircularTest, standard: CircularStandard) -> _Measures:
+        _require_sound(test)
+        placed = paths(test.runs, test.nominal_radius)
+        ordered = {sense: _of(placed, sense) for sense in _SENSES}
+        evaluated = {sense: runs[0] for sense, runs in ordered.items() if runs}
+        one_way = {sense: _OneWay.of(path) for sense, path in evaluated.items()}
+        values: dict[str, float] = {}
+        for sense, found in one_way.items():
+            values |= _one_way_values(test, sense, found)
+        common = _common_values(test, evaluated) if len(evaluated) == len(_SENSES) else None
+        if common is not None:
+            values |= common.values
+        reasons = _reasons(test, standard, values)
+        parameters = {name: None if name in reasons else values[name] for name in CIRCULAR_NAMES}
+        return cls(ordered, one_way, common, parameters, reasons)
 
 
 def _of(placed: tuple[ActualPath, ...], sense: Sense) -> list[ActualPath]:
@@ -355,4 +384,4 @@ def without_noise(result: CircularResult, parameter: str) -> float | None:
     )
     if not runs:
         return None
-    return evaluate_circle(replace(result.test, runs=runs)).parameters[parameter]
+    return circle_parameters(replace(result.test, runs=runs))[parameter]

@@ -17,7 +17,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.evaluation.circular import evaluate_circle
+from compwright.evaluation.circular import circle_parameters
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularResult, CircularRun, CircularTest, Diagnosis
 from compwright.records.prediction import CirclePrediction, Quantiles
@@ -117,9 +117,8 @@ def predict_circle(
         runs = tuple(
             replace(run, deviations=each) for run, each in zip(test.runs, deviations, strict=True)
         )
-        for name, value in evaluate_circle(
-            replace(test, runs=runs, findings=()), expected.standard
-        ).parameters.items():
+        simulated = circle_parameters(replace(test, runs=runs), expected.standard)
+        for name, value in simulated.items():
             if value is not None and before.parameters.get(name) is not None:
                 rows.setdefault(name, []).append(value)
     return CirclePrediction(
