@@ -32,11 +32,8 @@ from compwright.estimation.circle_noise import (
 from compwright.estimation.circle_path import undetermined_causes
 from compwright.estimation.circle_plain import harmonic_regression
 from compwright.estimation.circle_report import report_effects
-from compwright.estimation.circle_search import solve, start_fit, without_fast_vibration
+from compwright.estimation.circle_search import solve, start_fit
 from compwright.estimation.circle_solution import Solution
-from compwright.estimation.circle_vibration import (
-    Vibration,
-)
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.records.axis import FloatArray
@@ -80,11 +77,7 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
     _refuse_few(test, samples)
     frequencies, findings = _visible_periods(test, samples, periods or {})
     measured, plain, grid = samples, harmonic_regression(samples), angle_grid(samples)
-    start = start_fit(samples, grid, common_lag(every))
-    fast = Vibration()
-    if averaged > 1:
-        start, fast = without_fast_vibration(start, every)
-    solution = solve(start, frequencies, fast)
+    solution = solve(start_fit(samples, grid, common_lag(every)), frequencies, every)
     samples = solution.problem.samples
     if samples.lag > _CLEAR_LAG * samples.lag_std:
         findings.append(_lag_finding(samples))

@@ -75,7 +75,8 @@ def exchange_odds(samples: CircleSamples) -> float:
         [_after_reversals(samples, sense, shift, spacing) for shift in shifts]
         for sense in (samples.sense, -samples.sense)
     ]
-    rests = [_rest(timeless, way[_SHIFTS], values) for way in ways]
+    basis = np.linalg.qr(timeless)[0]
+    rests = [_rest(basis, way[_SHIFTS], values) for way in ways]
     rest = min(rests, key=lambda rest: float(rest @ rest))
     correlation = float(rest[1:] @ rest[:-1]) / max(float(rest @ rest), 1e-300)
     correlation = min(max(correlation, 0.0), _CORRELATED)
@@ -87,8 +88,8 @@ def exchange_odds(samples: CircleSamples) -> float:
         whitened[begins] = columns[begins] * np.sqrt(1.0 - correlation**2)
         return whitened
 
-    timeless, values = white(timeless), white(values)
-    rests = [_rest(timeless, white(after), values) for way in ways for after in way]
+    basis, values = np.linalg.qr(white(timeless))[0], white(values)
+    rests = [_rest(basis, white(after), values) for way in ways for after in way]
     squares = np.array([float(rest @ rest) for rest in rests]).reshape(2, -1)
     squares = np.maximum(squares, values.size * _FLOOR**2)
     log = -0.5 * free * np.log(squares / np.min(squares))
@@ -147,11 +148,10 @@ def _shapes(
             yield after * np.maximum(1.0 - (late / length) ** 2, 0.0)
 
 
-def _rest(timeless: FloatArray, after: FloatArray, values: FloatArray) -> FloatArray:
-    """Return the residuals (n,) of ``values`` (n,) after a fit of the columns ``timeless`` (n, s)
-    and ``after`` (n, k).
+def _rest(basis: FloatArray, after: FloatArray, values: FloatArray) -> FloatArray:
+    """Return the residuals (n,) of ``values`` (n,) after a fit of the orthonormal columns ``basis``
+    (n, s) and the columns ``after`` (n, k).
     """
-    basis = np.linalg.qr(timeless)[0]
     columns, values = (each - basis @ (basis.T @ each) for each in (after, values))
     normal = columns.T @ columns
     normal += _RIDGE * np.mean(np.diag(normal)) * np.eye(len(normal))

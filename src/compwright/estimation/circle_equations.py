@@ -63,8 +63,9 @@ _TAKEN_RATIO: Final = 1.35
 _SEEN: Final = 0.6
 #: A shape of which no sample shows this share is no hypothesis: its size would be its prior.
 _LEAST_SEEN: Final = 1e-3
-#: Share of the squares of all spikes in what is left out when they are made of fewer curves.
-_NEGLIGIBLE: Final = 1e-12
+#: Share of a spike that is left out when all shapes are made of fewer curves: a nanometre of the
+#: size that its prior (`PRIORS`) expects.
+_NEGLIGIBLE: Final = 1e-4
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -234,15 +235,19 @@ def _common_curves(shapes: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return q common curves (n, r * q) and weights (q, m). The weighted sums of the curves are all
     spike ``shapes`` (r, m, n) of r reversals.
 
-    Decays of similar lengths are nearly dependent. Only about half as many principal components
-    exceed the rounding error (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 2.4).
+    Decays of similar lengths are nearly dependent. Half as many principal components of the shapes,
+    each scaled to the same norm, make all of them up to the share `_NEGLIGIBLE` (Golub and Van
+    Loan, Matrix Computations, 4th ed. 2013, section 2.4).
     """
     if not shapes.size:
         return np.zeros((shapes.shape[2], 0)), np.zeros((0, shapes.shape[1]))
-    energy, vectors = np.linalg.eigh(np.sum(shapes @ np.swapaxes(shapes, 1, 2), axis=0))
-    mixture = vectors[:, energy > _NEGLIGIBLE * energy[-1]].T
-    curves = mixture @ shapes
-    return curves.reshape(-1, shapes.shape[2]).T, mixture
+    products = np.sum(shapes @ np.swapaxes(shapes, 1, 2), axis=0)
+    norms = np.sqrt(np.maximum(np.diag(products), 1e-300))
+    energy, vectors = np.linalg.eigh(products / np.outer(norms, norms))
+    left = np.cumsum(energy * vectors**2, axis=1)
+    vectors = vectors[:, np.max(left, axis=0) > _NEGLIGIBLE**2]
+    curves = (vectors.T / norms) @ shapes
+    return curves.reshape(-1, shapes.shape[2]).T, vectors.T * norms
 
 
 def _linear(

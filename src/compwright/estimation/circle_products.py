@@ -32,16 +32,15 @@ class PooledProducts:
 
     There are p fixed columns and c curves of spikes: k = p + c columns in one direction, k = p + 2
     * c in two. Each attribute has one entry for the sum and one for the difference of the
-    directions: the columns ``low`` (l, k), the products ``fixed`` (g, p, p) of the fixed columns
-    and ``mixed`` (g, p, k - p) of these with the curves. ``spikes``: products (g, c, c) of the
-    curves in the sum; with two directions also in the difference, and of the sum with the
-    difference. ``first`` (g,): first order of each group.
+    directions: the columns ``low`` (l, k), and the products ``fixed`` (g, p, k) of the fixed
+    columns with all columns. ``spikes``: products (g, c, c) of the curves in the sum; with two
+    directions also in the difference, and of the sum with the difference. ``first`` (g,): first
+    order of each group.
     """
 
     first: IndexArray
     low: tuple[FloatArray, ...]
     fixed: tuple[FloatArray, ...]
-    mixed: tuple[FloatArray, ...]
     spikes: tuple[FloatArray, ...]
 
     def weights(self, density: FloatArray) -> FloatArray:
@@ -62,10 +61,8 @@ class PooledProducts:
         groups = weights[self.first]
         count, curves = self.fixed[half].shape[1], self.spikes[half].shape[1]
         alike, unlike = slice(count, count + curves), slice(count + curves, None)
-        gram[:count, :count] += np.tensordot(groups, self.fixed[half], 1)
-        mixed = np.tensordot(groups, self.mixed[half], 1)
-        gram[:count, count:] += mixed
-        gram[count:, :count] += mixed.T
+        gram[:count] += np.tensordot(groups, self.fixed[half], 1)
+        gram[count:, :count] = gram[:count, count:].T
         gram[alike, alike] += np.tensordot(groups, self.spikes[half], 1)
         if len(self.low) == 2:
             across = np.tensordot(groups, self.spikes[2], 1)
@@ -81,16 +78,19 @@ class PooledProducts:
         """Return the products of other fixed ``columns``: those with the indices ``keep`` so far,
         then new ones. ``columns`` and ``curves`` as in `pooled_products`.
         """
-        mixed, edges = [], [*self.first.tolist(), curves[0].shape[0]]
-        for half, old, spikes in zip(columns, self.mixed, turned(curves), strict=True):
-            new = [_products(edges, half[:, len(keep) :], each) for each in spikes]
-            mixed.append(np.concatenate([old[:, keep], np.concatenate(new, axis=2)], axis=1))
-        return replace(
-            self,
-            low=_low(columns, curves, edges[0]),
-            fixed=tuple(_products(edges, half, half) for half in columns),
-            mixed=tuple(mixed),
-        )
+        edges, kept = [*self.first.tolist(), curves[0].shape[0]], len(keep)
+        low, fixed = [], []
+        for half, old, spikes in zip(columns, self.fixed, turned(curves), strict=True):
+            every = half, *spikes
+            new = np.concatenate([_products(edges, half[:, kept:], e) for e in every], axis=2)
+            found = np.empty((len(new), half.shape[1], new.shape[2]))
+            found[:, :kept, :kept] = old[:, keep][:, :, keep]
+            found[:, :kept, kept : half.shape[1]] = np.swapaxes(new[:, :, :kept], 1, 2)
+            found[:, :kept, half.shape[1] :] = old[:, keep, old.shape[1] :]
+            found[:, kept:] = new
+            low.append(np.concatenate([each[: edges[0]] for each in every], axis=1))
+            fixed.append(found)
+        return replace(self, low=tuple(low), fixed=tuple(fixed))
 
 
 def pooled_products(
@@ -107,7 +107,7 @@ def pooled_products(
         for pair in (*pairs, curves)[: 2 * len(curves) - 1]
     ]
     none = tuple(np.zeros((first.size, 0, curves[0].shape[1] * len(curves))) for _ in curves)
-    return PooledProducts(first, (), (), none, tuple(spikes)).with_columns([], columns, curves)
+    return PooledProducts(first, (), none, tuple(spikes)).with_columns([], columns, curves)
 
 
 def turned(curves: tuple[FloatArray, ...]) -> list[tuple[FloatArray, ...]]:
@@ -115,15 +115,6 @@ def turned(curves: tuple[FloatArray, ...]) -> list[tuple[FloatArray, ...]]:
     and those that change sign. The latter have their halves exchanged.
     """
     return [curves, curves[::-1]][: len(curves)]
-
-
-def _low(
-    columns: tuple[FloatArray, ...], curves: tuple[FloatArray, ...], count: int
-) -> tuple[FloatArray, ...]:
-    return tuple(
-        np.column_stack([half[:count], *(each[:count] for each in spikes)])
-        for half, spikes in zip(columns, turned(curves), strict=True)
-    )
 
 
 def _products(edges: Sequence[int], left: FloatArray, right: FloatArray) -> FloatArray:

@@ -182,6 +182,7 @@ class _Options:
         size = max(self.count * SIZES.size, 1)
         each = np.log(np.array(share)[:, np.newaxis, np.newaxis] * THERE / size)
         self.log_prior = each + 0.5 * np.log([PRIOR, PRIOR**2][: len(share)])
+        self.found: dict[bytes, FloatArray] = {}
 
     def evidence(self, shapes: SpikeShapes, place: tuple[int, int]) -> FloatArray:
         """Return the log probability of each possibility: no shape, a shape that is equal in both
@@ -192,10 +193,14 @@ class _Options:
         Then s * m entries are for equal shapes, and s * m for shapes that differ. With one
         direction, the last part is missing.
         """
+        chosen = shapes.chosen(place)
+        key = chosen.tobytes() + shapes.precision[chosen].tobytes()
         count = self.count
         if not count:
             return np.zeros(1)
-        rest, found, products, fitted = self.tried.added(shapes, shapes.chosen(place))
+        if key in self.found:
+            return self.found[key]
+        rest, found, products, fitted = self.tried.added(shapes, chosen)
         volume, gain = np.empty((2, len(self.log_prior), SIZES.size, count))
         weight = np.add(found[:count], PRIOR, out=volume[0])
         np.divide(rest[:count] ** 2, weight, out=gain[0])
@@ -214,7 +219,8 @@ class _Options:
         for each, other in enumerate(shapes.place[reversal].tolist()):
             if each != slot and other in self.index:
                 gain[..., self.index[other]] = -np.inf
-        return np.append(math.log(1.0 - THERE), gain)
+        self.found[key] = np.append(math.log(1.0 - THERE), gain)
+        return self.found[key]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

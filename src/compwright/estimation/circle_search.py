@@ -50,8 +50,13 @@ from compwright.records.axis import FloatArray
 _TUNING_ROUNDS: Final = 4
 #: Frequencies that are tuned again, at most, after a wave was added.
 _TUNINGS: Final = 3
+#: What the linear column of a frequency may leave of its change at the ends of the travel, by the
+#: standard error of the amplitude.
+_LINEAR: Final = 0.1
 #: The doubt of the lag by a cyclic error, relative to that before, up to which it is used.
 _SURER: Final = 0.5
+#: Log odds from which a fit from assumed noise is another one.
+_OTHER: Final = 1.0
 #: Log odds, a thousand to one, of a cyclic error that is not clear by the threshold of its search.
 _CLEAR_ODDS: Final = np.log(1e3)
 #: The noise is estimated again, so often at most, while its density at order zero still changes by
@@ -103,23 +108,23 @@ def start_fit(samples: CircleSamples, grid: AngleGrid, lag: Lag) -> CircleStart:
     a lag. Therefore the model is fitted with and without the lag, and the evidence of the whole
     model decides.
     """
-    without_lag = _likeliest(circle_problem(with_undetected_lag(samples, lag), grid))
+    without_lag = _likeliest(circle_problem(with_undetected_lag(samples, lag), grid), levels=None)
     if not lag.clear:
         return without_lag
-    with_lag = _likeliest(circle_problem(at_actual_angles(samples, lag), grid))
+    with_lag = _likeliest(circle_problem(at_actual_angles(samples, lag), grid), levels=None)
     return with_lag if with_lag.evidence > without_lag.evidence else without_lag
 
 
-def _likeliest(problem: CircleProblem, *starts: CircleStart) -> CircleStart:
+def _likeliest(problem: CircleProblem, *starts: CircleStart, levels: int | None = 0) -> CircleStart:
     """Return the most probable fit of a circular test. Several fits are tried: from the spike
-    shapes and the noise of each of the given fits ``starts``, and from assumed levels of white
-    noise. With a given fit, only the highest of these levels is tried.
+    shapes and the noise of each of the given fits ``starts``, and from so many assumed ``levels``
+    of white noise, the highest first (None: all).
 
     Several starts are needed because spike shapes are changed one at a time, which leads to the
     nearest optimum only. Noise can be fitted as a spike, or a spike as noise. The values and the
     covariance of the result belong to the last noise spectra.
     """
-    white = itertools.islice(white_problems(problem), 1 if starts else None)
+    white = itertools.islice(white_problems(problem), levels)
     tries = [(copy.deepcopy(s.shapes), weighted_problem(problem, s.fitted.spectra)) for s in starts]
     tries += [(SpikeShapes(problem), weighted) for weighted in white]
     fits = (CircleStart(problem, shapes, _fit_with_noise(w, shapes)) for shapes, w in tries)
@@ -129,33 +134,22 @@ def _likeliest(problem: CircleProblem, *starts: CircleStart) -> CircleStart:
     return replace(best, fitted=fit_causes(weighted, active, best.shapes.precision))
 
 
-def without_fast_vibration(
-    start: CircleStart, readings: CircleSamples
-) -> tuple[CircleStart, Vibration]:
-    """Return the fit of a circular test without the vibration that its samples, means of
-    neighbouring ``readings``, cannot show; and this vibration.
-    """
-    problem = start.problem
-    found, wave = search_between_means(readings, problem, start.residual)
-    if found.frequency is None:
-        return start, found
-    target = problem.target - wave
-    aims = sum_and_difference(problem.grid, target)
-    return _likeliest(replace(problem, target=target, aims=aims, removed=wave), start), found
-
-
-def solve(start: CircleStart, given: dict[str, float], fast: Vibration) -> Solution:
+def solve(start: CircleStart, given: dict[str, float], readings: CircleSamples) -> Solution:
     """Return the full solution of a circular test: noise, reversal spikes, cyclic errors and
-    vibration. ``given``: known frequencies of cyclic errors, 1/mm, by axis. ``fast``: vibration
-    that the samples, means of readings, cannot show.
+    vibration. ``given``: known frequencies of cyclic errors, 1/mm, by axis. ``readings``: all
+    samples, of which those of ``start`` are means in a long test.
 
     A vibration hides cyclic errors, and a cyclic error a vibration. Of the two, the one that
     explains the samples better is added first, and the other is searched again. On a short arc
     both have a nearly constant frequency, and what no cause explains may look like them. A
     vibration therefore has to make the model more probable than noise alone and than the likeliest
     cyclic error do. If this cyclic error is more probable by far, it is added, clear or not.
+
+    A changed model is fitted on from the fit before. When nothing more is found, it is also fitted
+    from assumed noise. If another fit is more probable, the search goes on from there.
     """
-    waves: dict[str, _Wave] = {}
+    waves, tried = dict[str, _Wave](), start.problem
+    start, fast = _without_fast_vibration(start, readings)
     for axis, frequency in given.items():
         late, doubt = likeliest_delay(start.problem, start.fitted, axis, frequency)
         start, waves[axis] = _with_cyclic(start, axis, _Wave(frequency, late, doubt, known=True))
@@ -189,6 +183,11 @@ def solve(start: CircleStart, given: dict[str, float], fast: Vibration) -> Solut
             start, waves = _tuned(with_vibration, waves)
         elif shown:
             slow = replace(slow, hidden=_hidden(with_vibration, found))
+        if not changed and start.problem is not tried:
+            tried = start.problem
+            again = _likeliest(tried, levels=1)
+            if again.evidence > start.evidence + _OTHER:
+                start, changed = again, True
     problem, shapes, fitted = start.problem, start.shapes, start.fitted
     draws = draw_shapes(
         weighted_problem(problem, fitted.spectra),
@@ -204,6 +203,23 @@ def solve(start: CircleStart, given: dict[str, float], fast: Vibration) -> Solut
         hidden=hidden,
         vibration=slow.or_stronger(fast),
     )
+
+
+def _without_fast_vibration(
+    start: CircleStart, readings: CircleSamples
+) -> tuple[CircleStart, Vibration]:
+    """Return the fit of a circular test without the vibration that its samples, means of
+    neighbouring ``readings``, cannot show; and this vibration.
+    """
+    problem = start.problem
+    if problem.samples.averaged == 1:
+        return start, Vibration()
+    found, wave = search_between_means(readings, problem, start.residual)
+    if found.frequency is None:
+        return start, found
+    target = problem.target - wave
+    aims = sum_and_difference(problem.grid, target)
+    return _likeliest(replace(problem, target=target, aims=aims, removed=wave), start), found
 
 
 def _fit_with_noise(weighted: WeightedProblem, shapes: SpikeShapes) -> CircleFit:
@@ -314,19 +330,25 @@ def _columns(
 def _tuned(start: CircleStart, waves: dict[str, _Wave]) -> tuple[CircleStart, dict[str, _Wave]]:
     """Return a fit with tuned frequencies of the cyclic errors ``waves``, by axis.
 
-    A wave that is not in the model yet counts as noise, and disturbs the tuning of the others. A
-    frequency is therefore tuned again while the fit of all causes changes it by more than its
-    standard error.
+    A wave that is not in the model yet counts as noise, and disturbs the tuning of the others. The
+    fit of all causes changes a frequency by its linear column. A frequency is tuned again while
+    this leaves more than a part of the standard error of the amplitude.
     """
-    found = dict(waves)
+    found, radius = dict(waves), start.problem.samples.radius
+
+    def left(axis: str) -> float:
+        turned = 2.0 * np.pi * radius * _fitted(start, f"_frequency_{axis}")[0]
+        both = np.array([_fitted(start, f"_cyclic_{part}_{axis}") for part in ("cos", "sin")])
+        size, error = np.hypot(*both)
+        return float(0.5 * turned**2 * size / error)
+
     for _ in range(_TUNINGS):
-        shifts = {axis: _fitted(start, f"_frequency_{axis}") for axis in found}
-        axis = max(shifts, key=lambda each: abs(shifts[each][0]) / shifts[each][1], default=None)
-        if axis is None or abs(shifts[axis][0]) <= shifts[axis][1]:
+        axis = max(found, key=left, default=None)
+        if axis is None or left(axis) <= _LINEAR:
             break
         wave = replace(
             found[axis],
-            frequency=found[axis].frequency + shifts[axis][0],
+            frequency=found[axis].frequency + _fitted(start, f"_frequency_{axis}")[0],
             late=found[axis].late + _fitted(start, f"_late_{axis}")[0],
         )
         start, found[axis] = _with_cyclic(start, axis, wave)

@@ -119,21 +119,15 @@ def search_vibration(
     threshold = _threshold(2.0 * places, len(runs))
     shown = mean_share(frequencies[keep], step, samples.averaged)
     found, hidden, density = Vibration(), {}, np.zeros(0)
+    tapered = [_tapered(samples, seconds[run], residual, run, step) for run in runs]
     for axis, turned in _DIRECTIONS.items():
         power, gain, weight, weights = np.zeros(frequencies.size), 0.0, 0.0, 0.0
-        share, one = turned(samples.theta), radial_share(samples, axis)
-        seen = residual * share
-        for run in runs:
-            order = run[np.argsort(seconds[run])]
-            start, stop = seconds[order[[0, -1]]]
-            even = start + step * np.arange(round((stop - start) / step) + 1)
-            taper = np.sin(np.pi * (np.arange(even.size) + 0.5) / even.size)
-            scale = np.sqrt(np.sum(taper**2))
-            values = np.interp(even, seconds[order], seen[order]) * taper / scale
-            power += np.abs(np.fft.rfft(values, length)) ** 2
-            moved = np.interp(even, seconds[order], (share * one)[order])
-            gain += (0.5 * UM * float(taper @ moved) / scale) ** 2
-            weight, weights = weight + float(taper @ moved), weights + float(np.sum(taper))
+        for theta, taper, values in tapered:
+            share = turned(theta)
+            power += np.abs(np.fft.rfft(values * share, length)) ** 2
+            moved = float(taper @ share**2) * _unit(samples, axis)
+            gain += (0.5 * UM * moved) ** 2 / float(np.sum(taper**2))
+            weight, weights = weight + moved, weights + float(np.sum(taper))
         floor = _floor(power, len(runs))
         if axis is None:
             density = floor / len(runs)
@@ -154,6 +148,20 @@ def search_vibration(
                 step=step / samples.averaged,
             )
     return replace(found, hidden=hidden)
+
+
+def _tapered(
+    samples: CircleSamples, seconds: FloatArray, residual: FloatArray, run: IndexArray, step: float
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return the angles, rad, of a run at times ``step`` apart, a taper, and the residuals, mm,
+    times the taper over its norm: each (m,). ``seconds``: time of each sample of the ``run``.
+    """
+    order = np.argsort(seconds)
+    seconds, order = seconds[order], run[order]
+    even = seconds[0] + step * np.arange(round((seconds[-1] - seconds[0]) / step) + 1)
+    taper = np.sin(np.pi * (np.arange(even.size) + 0.5) / even.size)
+    theta, values = (np.interp(even, seconds, each[order]) for each in (samples.theta, residual))
+    return theta, taper, values * taper / np.sqrt(np.sum(taper**2))
 
 
 def search_between_means(

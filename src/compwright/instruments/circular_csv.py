@@ -382,7 +382,7 @@ def _check_size(table: CsvTable, faults: FaultList) -> None:
 
 # one caller
 def _check_unique(samples: _Samples, name: str, numbered: bool, faults: FaultList) -> None:  # noqa: FBT001
-    if np.unique(samples.angles).size == samples.angles.size:
+    if np.all(np.diff(np.sort(samples.angles))):
         return
     lines: dict[float, int] = {}
     for angle, line in zip(samples.angles.tolist(), samples.lines.tolist(), strict=True):
