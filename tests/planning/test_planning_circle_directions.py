@@ -152,3 +152,19 @@ def test_little_negative_lost_motion_is_no_doubt() -> None:
     test = measured(machine, Setup(noise=0.2), np.random.default_rng(3))
     result = diagnose_circle(test, "iso230-4:2005")
     assert "CW-D013" not in {finding.code for finding in result.findings}
+
+
+@pytest.mark.parametrize(
+    ("start", "drift", "lost", "runs"),
+    [(0.0, 8.0, 0.0, 2), (90.0, -12.0, 4.0, 2), (45.0, 8.0, 0.0, 2), (0.0, 0.0, 8.0, 0)],
+)
+def test_a_radius_that_drifts_is_named_wherever_the_run_begins(
+    start: float, drift: float, lost: float, runs: int
+) -> None:
+    """At a reversal point lost motion makes the same step between the ends as a drift."""
+    machine = Machine(
+        spiral=drift, backlash_first_at_positive=lost, backlash_second_at_positive=lost
+    )
+    test = measured(machine, Setup(noise=0.2, start=start), np.random.default_rng(4))
+    findings = diagnose_circle(test, "iso230-4:2005").findings
+    assert len([finding for finding in findings if finding.code == "CW-C012"]) == runs

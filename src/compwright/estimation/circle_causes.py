@@ -20,7 +20,7 @@ from compwright.words.sentences import Sentence
 _TURN: Final = 0.2
 #: Share of a changeover that another response in the same time makes of it (2 to 5 % by least
 #: squares).
-_OTHER_RESPONSE: Final = 0.05
+OTHER_RESPONSE: Final = 0.05
 #: Scale mismatch with the second harmonic of a changeover of 1 um: 4 * 4/pi * 1/2.
 _OF_CHANGEOVER: Final = 8.0 / np.pi
 #: Servo loops, s: time constant of a velocity loop (30 Hz); least lag behind full feedforward; most
@@ -94,17 +94,16 @@ def squareness(solution: Solution) -> ReportedCause:
     return replace(cause, variance=cause.variance + float(np.mean(turn**2)))
 
 
-def changeover(solution: Solution) -> ReportedCause:
-    """Return the changeover of master and slave axis: the step of the radius, with any shape."""
-    names = [name for name in solution.problem.names if name.startswith("master_slave")]
-    cause = linear_cause(solution, "master_slave", dict.fromkeys(names, 1.0))
-    return replace(cause, variance=cause.variance + (_OTHER_RESPONSE * cause.value) ** 2)
+def shapes_cause(solution: Solution, name: str) -> ReportedCause:
+    """Return the cause ``name`` that has several shapes in the model: the sum of all of them."""
+    names = [each for each in solution.problem.names if each.partition("@")[0] == name]
+    return linear_cause(solution, name, dict.fromkeys(names, 1.0))
 
 
 def scale_mismatch(solution: Solution, changed: float) -> ReportedCause:
     """Return the scale mismatch after the effect of unequal servo loops is subtracted.
 
-    ``changed``: size of the `changeover`, um. Its part counts in the variance, not in the draws.
+    ``changed``: size of the changeover, um. Its part counts in the variance, not in the draws.
 
     A position loop of time constant T with the share f of velocity feedforward lags by (1 - f) T,
     and reduces the radius of its axis by (1 - f²)(ωT)² / 2. A servo mismatch τ thus changes the
@@ -119,7 +118,7 @@ def scale_mismatch(solution: Solution, changed: float) -> ReportedCause:
     """
     samples = solution.problem.samples
     cause = linear_cause(solution, "scale_mismatch", {"scale_mismatch": 1.0})
-    step = _OF_CHANGEOVER * _OTHER_RESPONSE * changed
+    step = _OF_CHANGEOVER * OTHER_RESPONSE * changed
     cause = replace(cause, variance=cause.variance + step**2)
     if not samples.both_senses:
         return replace(cause, more={"lag_taken_off": 0.0, "lag_error": 0.0})

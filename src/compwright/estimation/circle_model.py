@@ -68,7 +68,7 @@ PRIORS: Final = {
 }
 #: Prior probability of causes and nuisances that most machines do not have (`is_rare`).
 RARE: Final = {
-    "spiral": 0.2,
+    "spiral": 0.4,
     "_spiral_change": 0.1,
     "master_slave": 0.1,
     "_changeover_after": 0.1,
@@ -80,6 +80,10 @@ RARE: Final = {
     "_lateral_change_first": 0.3,
     "_lateral_change_second": 0.3,
 }
+#: Widths of the prior of a spiral, equally probable, in the one of `PRIORS`: most machines drift by
+#: a few um during a run, with a cold spindle or a loose ball by far more. The narrow one alone
+#: would take the rest for lost motion where a run begins at a reversal point.
+_SPIRALS: Final = (1, 10)
 #: Causes that displace the tool by a constant along a quarter of the circle.
 _DISPLACED: Final = ("_centre", "offset_change", "backlash", "lateral_play")
 #: Least and longest time, s, that a changeover of master and slave axis may take, if it is no step,
@@ -216,17 +220,20 @@ def fixed_columns(samples: CircleSamples) -> tuple[CauseColumn, ...]:
     )
 
 
-def rare_cause(name: str, samples: CircleSamples) -> str | None:
+def rare_cause(name: str, samples: CircleSamples) -> tuple[str | None, float]:
     """Return the cause in `RARE` of which a model column is one shape, or None if the column is in
-    every model: a spiral, on a full circle in one direction.
+    every model, and the prior probability of this cause.
 
-    From the end of a run to its start the radius jumps. Where the start is a reversal point, this
-    jump has the shape of lost motion. Only the ramp distinguishes them, which in one direction
-    other causes can hide. Without the spiral in the model, all of it is lost motion.
+    A spiral is always there on a full circle in one direction. From the end of a run to its start
+    the radius jumps. Where the start is a reversal point, this jump has the shape of lost motion.
+    Only the ramp distinguishes them, which in one direction other causes can hide. Without the
+    spiral in the model, all of it is lost motion.
     """
     cause = name.partition("@")[0]
+    if cause not in RARE:
+        return None, 1.0
     always = cause == "spiral" and samples.full_circle and not samples.both_senses
-    return cause if cause in RARE and not always else None
+    return cause, 1.0 if always else RARE[cause]
 
 
 _Named = tuple[str, FloatArray, FloatArray]
@@ -234,12 +241,13 @@ _Named = tuple[str, FloatArray, FloatArray]
 
 def prior_width(name: str, radius: float) -> float:
     """Return the standard deviation (`PRIORS`) of the size of a cause on typical machines. The
-    scale mismatch is 100 um/m over the diameter 2 ``radius`` (mm).
+    scale mismatch is 100 um/m over the diameter 2 ``radius`` (mm). "@10": ten times as much.
     """
     if name == "scale_mismatch":
         return 2.0 * radius * PRIOR_SCALE * UM
-    kind = name.removesuffix("_at_positive").removesuffix("_at_negative")
-    return PRIORS[kind.removesuffix("_first").removesuffix("_second")]
+    kind, _, times = name.partition("@")
+    kind = kind.removesuffix("_at_positive").removesuffix("_at_negative")
+    return float(times or 1) * PRIORS[kind.removesuffix("_first").removesuffix("_second")]
 
 
 def _set_up(samples: CircleSamples) -> Iterator[_Named]:
@@ -249,7 +257,8 @@ def _set_up(samples: CircleSamples) -> Iterator[_Named]:
     yield "_centre_y", zero, one
     yield "_radius", cos, sin
     progress = UM * travelled_share(samples)
-    yield "spiral", progress * cos, progress * sin
+    for width in _SPIRALS:
+        yield f"spiral@{width}", progress * cos, progress * sin
     if samples.both_senses:
         half = 0.5 * UM * samples.sense
         yield "offset_change_first", half, zero

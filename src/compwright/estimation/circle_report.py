@@ -11,11 +11,12 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.circle_causes import (
+    OTHER_RESPONSE,
     ReportedCause,
-    changeover,
     linear_cause,
     scale_errors,
     scale_mismatch,
+    shapes_cause,
     squareness,
 )
 from compwright.estimation.circle_centre import radial_ranges
@@ -147,7 +148,9 @@ def _causes(test: CircularTest, solution: Solution) -> Iterator[ReportedCause]:
         return linear_cause(solution, name, parts, detail=detail)
 
     yield squareness(solution)
-    changed = changeover(solution)
+    changed = shapes_cause(solution, "master_slave")
+    # Another response in the same time.
+    changed = replace(changed, variance=changed.variance + (OTHER_RESPONSE * changed.value) ** 2)
     mismatch = scale_mismatch(solution, changed.value)
     yield mismatch
     if test.calibrated:
@@ -171,7 +174,7 @@ def _causes(test: CircularTest, solution: Solution) -> Iterator[ReportedCause]:
     if samples.both_senses:
         for name in ("radius_change", "offset_change_first", "offset_change_second"):
             yield linear(name, {name: 1.0})
-    yield linear("spiral", {"spiral": 1.0})
+    yield shapes_cause(solution, "spiral")
     yield changed
     yield from _symptoms(test, solution)
 
@@ -274,14 +277,19 @@ def _spike(
     samples = solution.problem.samples
     pick = slice(None) if index is None else slice(index, index + 1)
     deviation, of_shape, inside = _peak(spike, pick)
-    outward, chance = np.mean(spike.heights[:, pick], axis=1), 1.0
+    # The other possibility is the peak on the other side, if all else is lost motion.
+    other = np.mean(spike.heights[:, pick], axis=1) if inside else np.zeros_like(deviation)
+    deepest = np.mean(spike.depths + spike.deeper if inside else -spike.heights, axis=1)
+    left = solution.draws.values[:, spike.lost] - deepest
+    size = _EDGE * float(np.mean(deepest))
+    doubt = 2.0 * float(np.hypot(np.std(left), np.hypot(spike.least_error, size)))
+    chance, equal = 1.0, abs(float(np.mean(left))) < doubt
     if inside and taken_up_over(solution, spike) is not None:
-        deepest = np.mean(spike.depths + spike.deeper, axis=1)
-        left = solution.draws.values[:, spike.lost] - deepest
-        doubt = np.hypot(np.std(left), np.hypot(spike.least_error, _EDGE * np.mean(deepest)))
-        chance = _INSIDE if float(np.mean(left)) < 2.0 * float(doubt) else 0.5
-    of_cause = chance * (1.0 - chance) * float(np.mean((deviation - outward) ** 2))
-    heights = chance * deviation + (1.0 - chance) * outward
+        chance = _INSIDE if equal or float(np.mean(left)) < 0.0 else 0.5
+    elif equal and not inside and -float(np.mean(deepest)) > doubt:
+        chance = 0.5
+    of_cause = chance * (1.0 - chance) * float(np.mean((deviation - other) ** 2))
+    heights = chance * deviation + (1.0 - chance) * other
     value = float(np.mean(heights))
     decay = np.where(spike.decay > 0.0, spike.decay, np.inf)
     response = max(_RESPONSE * samples.speed, _FILTER * sample_spacing(samples))
@@ -417,7 +425,7 @@ def _symptoms(test: CircularTest, solution: Solution) -> Iterator[ReportedCause]
         found = stick_slip(solution, axis)
         yield _stated(solution, f"stick_slip_{axis}", reason, found, detail=False)
     for order in (2, 3):
-        found = lobes(solution, order) if test.full_circle else None
+        found = lobes(test, solution, order) if test.full_circle else None
         reason = by_full_circle(say("undetermined.lobes"))
         yield _stated(solution, f"lobes_{order}", reason, found, detail=True)
     whole = test.full_circle and test.calibrated

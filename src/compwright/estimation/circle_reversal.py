@@ -20,7 +20,7 @@ import numpy as np
 
 from compwright.estimation.circle_equations import CircleProblem, Reversal, scaled_inverse
 from compwright.estimation.circle_fit import WeightedProblem
-from compwright.estimation.circle_model import RARE, UM, SpikeShape, sample_spacing
+from compwright.estimation.circle_model import UM, SpikeShape, sample_spacing
 from compwright.estimation.circle_noise import IndexArray
 from compwright.estimation.circle_shapes import (
     DECAYS,
@@ -145,10 +145,14 @@ def _odds(
     prior = shapes.precision[columns]
     weight = found + prior
     gain = 0.5 * rest**2 / weight - 0.5 * np.log(weight / prior)
-    there = math.log(RARE[name] / columns.size)
+    chance = shapes.chance[name]
+    there, absent = (
+        math.log(chance / columns.size),
+        math.log1p(-chance) if chance < 1.0 else -math.inf,
+    )
     if name.startswith("_changeover") and shapes.present["master_slave"] < 0:
         there = -math.inf  # the response of a changeover that is absent
-    return np.concatenate([[math.log(1.0 - RARE[name])], there + gain]), 1.0 / np.sqrt(weight)
+    return np.concatenate([[absent], there + gain]), 1.0 / np.sqrt(weight)
 
 
 def _drawn(score: FloatArray, rng: np.random.Generator) -> int:

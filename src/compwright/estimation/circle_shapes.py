@@ -55,18 +55,16 @@ class SpikeShapes:
             self._find_columns(*slot)
         self.count = len(problem.names)
         self.rare: dict[str, list[int]] = {}
-        self.always = np.array(
-            [
-                index
-                for index, name in enumerate(problem.names)
-                if not self._add_rare(index, rare_cause(name, problem.samples))
-            ]
-        )
-
-    def _add_rare(self, index: int, cause: str | None) -> bool:
-        if cause is not None:
-            self.rare.setdefault(cause, []).append(index)
-        return cause is not None
+        self.chance: dict[str, float] = {}
+        always = []
+        for index, name in enumerate(problem.names):
+            cause, chance = rare_cause(name, problem.samples)
+            if cause is None:
+                always.append(index)
+            else:
+                self.rare.setdefault(cause, []).append(index)
+                self.chance[cause] = chance
+        self.always = np.array(always)
 
     def columns(self, reversal: int, slot: int) -> list[int]:
         """Return the model columns (indices) of the shape in ``slot`` at a reversal point."""
@@ -135,7 +133,8 @@ class SpikeShapes:
                 total += float(np.log(UNLIKE if unlike else 1.0 - UNLIKE))
         for name, columns in self.rare.items():
             there = self.present[name] >= 0
-            total += float(np.log(RARE[name] / len(columns) if there else 1.0 - RARE[name]))
+            chance = self.chance[name]
+            total += float(np.log(chance / len(columns) if there else 1.0 - chance))
         return total
 
     def slots(self) -> Iterator[tuple[int, int]]:

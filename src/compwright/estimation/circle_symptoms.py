@@ -12,10 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.estimation.circle_causes import scale_mismatch
+from compwright.estimation.circle_centre import recentre, second_order
 from compwright.estimation.circle_lag import shrink_uncertainty
 from compwright.estimation.circle_model import AXES, ENDS, UM, CircleSamples, since_reversal
 from compwright.estimation.circle_solution import Solution
 from compwright.records.axis import FloatArray
+from compwright.records.circular import CircularTest
 
 #: Arc, rad, after a reversal in which its peak lies, and about it in which an axis is slow.
 _PEAK: Final = np.radians(10.0)
@@ -131,28 +133,33 @@ def _correlated(solution: Solution) -> float:
     return float(np.mean([np.mean(f**2) / np.mean(f) ** 2 for f in densities]))
 
 
-def lobes(solution: Solution, order: int) -> tuple[float, float]:
+def lobes(test: CircularTest, solution: Solution, order: int) -> tuple[float, float]:
     """Return the amplitude, um, of the harmonic of ``order`` in the mean of both directions, over
     the commanded angles, with its standard error.
+
+    It is that of all readings: without the one at a reversal, a step of lost motion would be a few
+    nanometres of every harmonic. The ball at the centre of each direction's least-squares circle
+    has no part in it (`second_order`).
 
     For the harmonic a cos nθ + b sin nθ of the readings, the amplitude is sqrt(a² + b² - σ²)
     (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995). σ comes from the spectrum of
     the residuals at that order. Lobes of order 2 are caused by scale and squareness, lobes of order
     3 by straightness (ISO 230-4:1996, annex B).
     """
-    problem = solution.problem
-    samples = problem.samples
-    theta = samples.commanded
-    rows = [np.ones_like(theta)]
-    for each in range(1, 6):
-        rows += [np.cos(each * theta), np.sin(each * theta)]
-    matrix = np.column_stack([*rows, *(samples.sense * row for row in rows)])
-    if not samples.both_senses:
-        matrix = matrix[:, : len(rows)]
-    solved = np.linalg.solve(matrix.T @ matrix, matrix.T @ (problem.target / UM))
-    power = float(solved[2 * order - 1] ** 2 + solved[2 * order] ** 2)
+    waves, radius = [], test.nominal_radius
+    for sense in sorted({run.sense for run in test.runs}):
+        runs = [run for run in test.runs if run.sense == sense]
+        theta = np.radians(np.concatenate([run.angles for run in runs]))
+        readings = np.concatenate([run.deviations for run in runs])
+        x, y, _ = recentre(theta, readings, radius)
+        turns = np.outer(theta, np.arange(1.0, 6.0))
+        matrix = np.column_stack([np.ones_like(theta), np.cos(turns), np.sin(turns)])
+        about = readings - second_order(theta, (x, y), radius)
+        solved = np.linalg.solve(matrix.T @ matrix, matrix.T @ (about / UM))
+        waves.append(complex(solved[order], solved[5 + order]))
+    power = (abs(sum(waves)) / len(waves)) ** 2
     density = float(solution.fitted.spectra[0].density[2 * order]) / UM**2
-    variance = 2.0 * density / theta.size
+    variance = 2.0 * density / sum(run.angles.size for run in test.runs)
     return float(np.sqrt(max(power - variance, 0.0))), float(np.sqrt(variance))
 
 

@@ -19,7 +19,7 @@ from compwright.evaluation.circular_points import SAME_ANGLE, ActualPath
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
-from compwright.records.circular import CircularTest
+from compwright.records.circular import CircularRun, CircularTest
 from compwright.words.sentences import Amount, say
 
 #: Samples farther apart (deg) can miss a reversal spike, which lasts about 1 mm of path (a 20 ms
@@ -42,7 +42,7 @@ _ENDS: Final = 3
 #: The ends differ when they do by so many robust standard deviations of a sample, and by more than
 #: the next number, mm.
 _OPEN_SCATTER: Final = 8.0
-_OPEN_LEAST: Final = 0.001
+OPEN_LEAST: Final = 0.001
 _OPEN_STEPS: Final = 2.0  # of the readings
 #: Lost motion makes a true step where an axis reverses: ends nearer to an axis (deg) are not
 #: compared.
@@ -111,8 +111,8 @@ def run_findings(test: CircularTest, path: ActualPath, centre: Point) -> list[Fi
     ]
 
 
-def _named(path: ActualPath) -> str:
-    return f"{path.run.sense} run {path.run.number}"
+def _named(run: CircularRun) -> str:
+    return f"{run.sense} run {run.number}"
 
 
 def _um(value: float) -> Amount:
@@ -194,7 +194,7 @@ def _sampling(path: ActualPath) -> list[Finding]:
     interval = float(np.ptp(path.run.angles)) / (path.run.angles.size - 1)
     if interval <= _COARSE:
         return []
-    return [Finding.of("CW-C004", "warning", run=_named(path), interval=interval)]
+    return [Finding.of("CW-C004", "warning", run=_named(path.run), interval=interval)]
 
 
 def _holes(test: CircularTest, path: ActualPath) -> list[Finding]:
@@ -213,7 +213,7 @@ def _holes(test: CircularTest, path: ActualPath) -> list[Finding]:
             Finding.of(
                 "CW-C005.arc",
                 "warning",
-                run=_named(path),
+                run=_named(path.run),
                 covered=float(np.ptp(angles)),
                 arc=test.arc[1],
             )
@@ -221,7 +221,7 @@ def _holes(test: CircularTest, path: ActualPath) -> list[Finding]:
     if not holes:
         return []
     where = [say("circle.part", start=begin, end=end) for begin, end in holes[:5]]
-    return [Finding.of("CW-C005.gap", "warning", run=_named(path), gaps=where)]
+    return [Finding.of("CW-C005.gap", "warning", run=_named(path.run), gaps=where)]
 
 
 def _duplicates(path: ActualPath) -> list[Finding]:
@@ -231,7 +231,7 @@ def _duplicates(path: ActualPath) -> list[Finding]:
     repeated = int(np.count_nonzero(np.diff(np.sort(path.run.angles)) <= SAME_ANGLE))
     if repeated == 0:
         return []
-    return [Finding.of("CW-C009", "warning", repeated=repeated, run=_named(path))]
+    return [Finding.of("CW-C009", "warning", repeated=repeated, run=_named(path.run))]
 
 
 def _beyond(test: CircularTest, path: ActualPath) -> list[Finding]:
@@ -239,7 +239,9 @@ def _beyond(test: CircularTest, path: ActualPath) -> list[Finding]:
     covered = float(np.ptp(path.run.angles))
     if covered <= test.arc[1] + SAME_ANGLE:
         return []
-    return [Finding.of("CW-C007", "warning", run=_named(path), covered=covered, arc=test.arc[1])]
+    return [
+        Finding.of("CW-C007", "warning", run=_named(path.run), covered=covered, arc=test.arc[1])
+    ]
 
 
 def _closing(test: CircularTest, path: ActualPath, centre: Point) -> list[Finding]:
@@ -253,9 +255,14 @@ def _closing(test: CircularTest, path: ActualPath, centre: Point) -> list[Findin
     radial = path.distances(centre)
     step = abs(float(np.median(radial[-_ENDS:]) - np.median(radial[:_ENDS])))
     steps = _resolution(path.run.deviations)
-    if step <= max(_OPEN_LEAST, _OPEN_SCATTER * _scatter(radial), _OPEN_STEPS * steps):
+    if step <= max(OPEN_LEAST, _OPEN_SCATTER * _scatter(radial), _OPEN_STEPS * steps):
         return []
-    return [Finding.of("CW-C012", "warning", run=_named(path), step=_um(step))]
+    return [open_ends(path.run, step)]
+
+
+def open_ends(run: CircularRun, step: float) -> Finding:
+    """Return the finding CW-C012: the ends of a ``run`` differ by ``step``, mm."""
+    return Finding.of("CW-C012", "warning", run=_named(run), step=_um(step))
 
 
 def _scatter(radial: FloatArray) -> float:
@@ -269,7 +276,7 @@ def _zeros(path: ActualPath) -> list[Finding]:
     """
     if np.any(path.run.deviations):
         return []
-    return [Finding.of("CW-C013", "warning", run=_named(path))]
+    return [Finding.of("CW-C013", "warning", run=_named(path.run))]
 
 
 def _resolution(values: FloatArray) -> float:
@@ -289,7 +296,7 @@ def _coarse(path: ActualPath) -> list[Finding]:
     steps = np.diff(path.run.deviations) / step
     if np.mean(np.abs(steps - np.round(steps)) > _WHOLE) > _OFF_GRID:
         return []
-    return [Finding.of("CW-C016.coarse", "warning", run=_named(path), step=_um(step))]
+    return [Finding.of("CW-C016.coarse", "warning", run=_named(path.run), step=_um(step))]
 
 
 def _still(path: ActualPath) -> list[Finding]:
@@ -317,7 +324,7 @@ def _still(path: ActualPath) -> list[Finding]:
         start += 1
     if not parts:
         return []
-    return [Finding.of("CW-C016.still", "warning", run=_named(path), parts=parts[:5])]
+    return [Finding.of("CW-C016.still", "warning", run=_named(path.run), parts=parts[:5])]
 
 
 def _moves(angles: FloatArray, values: FloatArray, part: slice, same: float) -> bool:
@@ -373,7 +380,7 @@ def _single(path: ActualPath) -> list[Finding]:
         Finding.of(
             "CW-C016.single",
             "warning",
-            run=_named(path),
+            run=_named(path.run),
             count=int(where.size),
             angle=float(angles[largest]) % 360.0,
             off=_um(float(np.abs(off[largest]))),

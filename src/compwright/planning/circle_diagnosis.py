@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
+from typing import Final
 
 import numpy as np
 
@@ -12,8 +14,14 @@ from compwright.estimation.circle_directions import exchange_findings
 from compwright.estimation.circle_findings import negative_findings
 from compwright.estimation.circle_model import circle_samples
 from compwright.evaluation.circular import evaluate_circle
+from compwright.evaluation.circular_checks import OPEN_LEAST, open_ends
 from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.circular import CircularResult, CircularTest, Diagnosis
+
+#: A drift of the radius is clear from so many standard errors.
+_CLEAR: Final = 4.0
 
 
 def diagnose_circle(test: CircularTest, standard: str) -> CircularResult:
@@ -25,7 +33,11 @@ def diagnose_circle(test: CircularTest, standard: str) -> CircularResult:
     result = evaluate_circle(test, standard)
     try:
         diagnosis = _diagnosed(result.test)
-        doubts = *exchange_findings(circle_samples(result.test)), *negative_findings(diagnosis)
+        doubts = (
+            *exchange_findings(circle_samples(result.test)),
+            *negative_findings(diagnosis),
+            *_drift_findings(result, diagnosis),
+        )
         return replace(result, diagnosis=diagnosis, findings=(*result.findings, *doubts))
     except InputError as error:
         reason = "; ".join(str(replace(fault, file="", hint="")) for fault in error.faults)
@@ -49,3 +61,17 @@ def _diagnosed(test: CircularTest) -> Diagnosis:
             "smoothing",
         )
     )
+
+
+def _drift_findings(result: CircularResult, diagnosis: Diagnosis) -> Iterator[Finding]:
+    """Yield the finding CW-C012 for each run of a full circle whose radius clearly drifts, if the
+    ``result`` does not have it. Where a run begins at a reversal point, its ends differ by the lost
+    motion too, and only the fit of all causes distinguishes them.
+    """
+    known = any(finding.code == "CW-C012" for finding in result.findings)
+    if known or not result.test.full_circle or "spiral" in diagnosis.undetermined:
+        return
+    drift = diagnosis.effects["spiral"]
+    step = abs(drift.value) / MICROMETRES_PER_MILLIMETRE
+    if step > OPEN_LEAST and abs(drift.value) > _CLEAR * drift.std_error:
+        yield from (open_ends(run, step) for run in result.test.runs)
