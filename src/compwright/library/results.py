@@ -44,6 +44,16 @@ def _listed(values: Mapping[str, float | None], unit: str) -> str:
     return ", ".join(f"{name} {value:.2f} {_micro(unit)}" for name, value in known.items())
 
 
+def _copied(value: Any) -> Any:
+    """Return a copy of plain data; numbers in one piece, because a circle has 100 000 of them."""
+    if isinstance(value, dict):
+        return {key: _copied(each) for key, each in value.items()}
+    if isinstance(value, list):
+        numbers = set(map(type, value)) == {float}
+        return value.copy() if numbers else [_copied(each) for each in value]
+    return deepcopy(value)
+
+
 @dataclass(frozen=True, slots=True, repr=False)
 class DocumentResult:
     """A result of a command, with its JSON document, whose keys state the units."""
@@ -52,7 +62,7 @@ class DocumentResult:
 
     def to_dict(self) -> dict[str, Any]:
         """Return the JSON document of the command line as plain data that you may change."""
-        return deepcopy(dict(self._document))
+        return {key: _copied(value) for key, value in self._document.items()}
 
     @property
     def findings(self) -> list[dict[str, Any]]:
