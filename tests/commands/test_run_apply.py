@@ -25,7 +25,12 @@ from compwright.records.axis import Direction
 pytestmark = pytest.mark.short_estimate
 
 #: What the option cec of the SINUMERIK needs to be written at all; whole jobs differ in the rest.
-ADDRESSES = {SIEMENS: ("AX1", "AX2"), "linuxcnc": ("0", "1"), "fanuc-30i": ("1", "2")}
+ADDRESSES = {
+    SIEMENS: ("AX1", "AX2"),
+    "linuxcnc": ("0", "1"),
+    "fanuc-30i": ("1", "2"),
+    "isg-kernel": ("1", "2"),
+}
 
 
 @pytest.fixture(scope="module")
@@ -1178,3 +1183,60 @@ def test_a_circle_of_another_machine_is_a_doubt(
         codes[serial] = (code, "CW-P171" in capsys.readouterr().out)
     assert codes["7"] == (1, True)
     assert not codes["8"][1]
+
+
+#: Y = F(X): an old column of errors that bends Y by + 25 µm/m up to X 400, and by less beyond.
+COLUMN_OF_Y = """BEGIN X      .COM MM DATUM:0 DIST:400
+NR   1=F()     2=F()
+0    +0        +0
+1    +0        -0.0100
+2    +0        -0.0050
+END   X      .COM
+"""
+CROSS_LIST = """kopf.achs_nr 2
+lr_param.crosscomp {on}
+kw.crosscomp.unit 1
+kw.crosscomp.last_index 2
+kw.crosscomp.master_ax_nr 1
+kw.crosscomp.table[0].setpoint 0
+kw.crosscomp.table[0].correction 0
+kw.crosscomp.table[1].setpoint 4000000
+kw.crosscomp.table[1].correction -100
+kw.crosscomp.table[2].setpoint 8000000
+kw.crosscomp.table[2].correction -50
+"""
+LINE_OF_X = "BEGIN CONFIG .CMA MM\nNR   1    2\n0    X\nEND   CONFIG .CMA\n"
+PARAMETERS = "MP710.0 : 0\nMP710.1 : 0\nMP720.0 : 0\nMP720.1 : 0\n"
+
+
+@pytest.mark.parametrize(
+    ("control", "files", "active"),
+    [
+        ("isg-kernel", {"axis2.lis": CROSS_LIST.format(on=0)}, "yes"),
+        ("heidenhain-itnc530", {"X.COM": COLUMN_OF_Y, "MP.TXT": PARAMETERS}, "no"),
+        (
+            "heidenhain-itnc530",
+            {"X.COM": COLUMN_OF_Y, "MP.TXT": PARAMETERS + "MP730 : %00001\n"},
+            "yes",
+        ),
+    ],
+)
+def test_a_table_that_the_files_switch_otherwise_than_the_job_says_takes_no_squareness(
+    folder: Path,
+    capsys: pytest.CaptureFixture[str],
+    control: str,
+    files: dict[str, str],
+    active: str,
+) -> None:
+    """What was active while the circle was measured belongs in the new table, what was not does
+    not. Each of these was written the other way round: 6 to 12 µm/m of 40 were wrong.
+    """
+    own = {**files, "CONFIG.CMA": LINE_OF_X} if "X.COM" in files else files
+    for name, text in own.items():
+        (folder / name).write_text(text)
+    option = "cross_values" if control == "isg-kernel" else "table_values"
+    states = f"{{files: [{', '.join(own)}], active: {active}}}"
+    assert run(folder, control, options=f"{{{option}: error}}", states=states) == 1
+    assert "leave out `active`" in capsys.readouterr().err
+    assert not (folder / "job" / "tables").exists()
+    assert not list((folder / "job" / "card").glob("cross*.csv"))

@@ -105,15 +105,20 @@ def write_planned(
         )
         return control.format.between(request)
 
-    whole, answer = planned, answered(planned)
+    whole, now = planned, as_found.state.cross
+    idle = [entry for entry in planned if _unlike(entry, now, state(base).cross)]
+    planned = [entry for entry in planned if entry not in idle]
+    answer = answered(planned) if planned else Between()
+    refused = [_of_unclear_switch(entry) for entry in idle]
     partners = _gantry_partners(axes)
     racked = [entry for entry in planned if entry.output in partners]
     if racked and (answer.files is not None or answer.sheets):
         planned = [entry for entry in planned if entry not in racked]
         answer = answered(planned) if planned else Between()
-        refused = combined_answer(_racked(entry, partners) for entry in racked)
-        remarks, steps = (*answer.remarks, *refused.remarks), (*answer.steps, *refused.steps)
-        answer = replace(answer, remarks=remarks, steps=steps)
+        refused += [_racked(entry, partners) for entry in racked]
+    more = combined_answer(refused)
+    remarks, steps = (*answer.remarks, *more.remarks), (*answer.steps, *more.steps)
+    answer = replace(answer, remarks=remarks, steps=steps)
     sheets = {entry.addresses: replace(entry, typed=True) for entry in answer.typed}
     outcome = CrossOutcome(
         files=tables,
@@ -134,6 +139,31 @@ def write_planned(
     return replace(
         outcome, planned=(*held, *rest), written=True, files=files, after=after, totals=totals
     )
+
+
+def _unlike(
+    entry: PlannedCross, active: Sequence[CrossCompensation], filed: Sequence[CrossCompensation]
+) -> bool:
+    """Return whether the table of the axes of ``entry`` that was ``active`` during the test is not
+    the one that the control's files switch on (``filed``).
+    """
+    pair = entry.added.input, entry.added.output
+    first, second = (
+        [each for each in tables if (each.input, each.output) == pair] for tables in (active, filed)
+    )
+    where = np.concatenate([entry.added.positions, *(each.positions for each in (*first, *second))])
+    return any(
+        np.max(np.abs(_sum(first, where, way) - _sum(second, where, way))) > READ_BACK_WITHIN
+        for way in Direction
+    )
+
+
+def _of_unclear_switch(entry: PlannedCross) -> Between:
+    """Return the answer that a correction is not written, because the job's answer `active` and the
+    switches in the control's files differ: the new table replaces the old one or is added to it.
+    """
+    why = say("between.switches", output=entry.output, input=entry.input)
+    return cannot_hold(entry, SentenceText(why))
 
 
 def _gantry_partners(axes: Mapping[str, Axis]) -> dict[str, tuple[str, str]]:
