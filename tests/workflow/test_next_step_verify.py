@@ -11,7 +11,7 @@ import pytest
 from compwright.workflow.results.next_step import after_run, after_verify
 
 
-def step(verdicts: dict[str, str], *codes: str) -> str:
+def step(verdicts: dict[str, str], *codes: str, read_back: bool = True) -> str:
     document: dict[str, Any] = {
         "verdict": "bad",
         "axes": {
@@ -24,7 +24,7 @@ def step(verdicts: dict[str, str], *codes: str) -> str:
     }
     outcome = SimpleNamespace(document=document, files=())
     job, out = Path("job.yaml"), Path("job")
-    return after_verify(outcome, job, out, ["a.csv"], plan=out, given=(), read_back=True)
+    return after_verify(outcome, job, out, ["a.csv"], plan=out, given=(), read_back=read_back)
 
 
 @pytest.mark.parametrize(
@@ -55,8 +55,23 @@ def test_a_coupling_that_is_new_is_nothing_to_load() -> None:
 
 def test_a_doubt_is_no_reason_for_another_round() -> None:
     assert step({"X": "loaded"}).endswith("--loaded READ_BACK --update --force")
-    assert step({"X": "loaded"}, "CW-V029").startswith("Next: correct what is named above, measure")
+    assert step({"X": "loaded"}, "CW-V029").startswith("Next: check the test after loading as")
     assert step({"X": "loaded"}, "CW-V033").endswith("compwright compare job --loaded READ_BACK")
+
+
+@pytest.mark.parametrize("code", ["CW-V021", "CW-V025", "CW-V026", "CW-V032"])
+@pytest.mark.parametrize("read_back", [True, False])
+def test_a_circle_that_cannot_be_trusted_is_checked_or_measured_before_the_control(
+    code: str, *, read_back: bool
+) -> None:
+    """A noisy, turned or old file, or one of another machine, is no fault of the table."""
+    first = step({}, code, read_back=read_back)
+    assert first.startswith(
+        f"Next: check the test after loading as {code} says, or measure it again"
+    )
+    assert "verify job.yaml --after AFTER_FILE" in first
+    assert "compare" not in first
+    assert "load what differs" in step({}, code, "CW-V011")
 
 
 @pytest.mark.parametrize("sheet", ["entry_X.csv", "cross_X_Y.csv", "straightness_X_Y.csv"])

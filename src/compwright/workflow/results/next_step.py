@@ -13,6 +13,8 @@ READ_BACK = "READ_BACK"
 _AFTER = "AFTER_FILE"
 #: How the names of entry sheets begin.
 _SHEETS: Final = ("entry_", "cross_", "straightness_")
+#: Findings that make the test of a circle after loading itself doubtful.
+_UNTRUSTED: Final = {"CW-V021", "CW-V024", "CW-V025", "CW-V026", "CW-V029", "CW-V032"}
 #: What shells read inside of double quotes.
 _ODD: Final = re.compile(r'["$`\\!%]')
 
@@ -78,18 +80,22 @@ def after_verify(
         plane["active"] for plane in planes
     )
     found = {finding["code"] for finding in document["findings"]}
-    lacking = sorted({"CW-V023", "CW-V034"} & found)
-    if active and lacking:
-        kept = () if "CW-V034" in lacking else again
-        return f"Next: measure what {' and '.join(lacking)} names, then type: " + _command(
-            "verify", job, *kept, "--after", _AFTER, *given, *loaded, "--force"
+    codes = found | {finding["code"] for axis in axes for finding in axis["findings"]}
+    wrong = codes & {"CW-V011", "CW-S087"}
+    doubtful = [] if wrong else sorted(_UNTRUSTED & found)
+    lacking = doubtful or (sorted({"CW-V023", "CW-V034"} & found) if active else [])
+    if lacking:
+        names = " and ".join(lacking)
+        what = f"check the test after loading as {names} says, or measure it again"
+        kept = again if lacking == ["CW-V023"] else ()
+        return f"Next: {what if doubtful else f'measure what {names} names'}, then type: " + (
+            _command("verify", job, *kept, "--after", _AFTER, *given, *loaded, "--force")
         )
     if not read_back:
         return f"Next: save the control's files to {READ_BACK}, then type: " + _command(
             "compare", plan, "--loaded", READ_BACK
         )
-    codes = {finding["code"] for part in (document, *axes) for finding in part["findings"]}
-    if codes & {"CW-V011", "CW-S087"}:
+    if wrong:
         return (
             "Next: load what differs from the plan or is missing, save the control's files to"
             f" {READ_BACK}, then type: " + _command("compare", plan, "--loaded", READ_BACK)
