@@ -312,7 +312,11 @@ def test_what_is_remarkable(content: bytes, words: str) -> None:
         ),
         (
             document().replace(b'TEST_PLANE="YZ"', b'TEST_PLANE="Q"'),
-            "DYNAMIC_BALLBAR/PLANE names no plane",
+            'Next: write the plane into a copy of the file: TEST_PLANE="XY"',
+        ),
+        (
+            document().replace(b"<B_AXIS_NAME>Z", b"<B_AXIS_NAME>y"),
+            "DYNAMIC_BALLBAR/PLANE names one axis twice",
         ),
         (document(run_xml("UP")), "BALLBAR_RUN/RUN_DIRECTION: direction is neither CCW nor CW"),
         (

@@ -288,6 +288,34 @@ def test_the_circles_of_one_state_that_contradict_each_other_are_not_averaged() 
     assert "± 60.0 µm/m is too uncertain" in far.finding.message
 
 
+def test_a_loop_that_is_softer_than_any_usual_one_gives_no_scale() -> None:
+    """A bar 5 µm longer in the second test, or a circle that was driven at another feed than the
+    file says, looks like a loop of 83 ms in the fit; 16.7/s (60 ms) is the softest usual one.
+    """
+    for lag, code in ((55.0, "CW-P120"), (83.0, "CW-P119")):
+        circles = [
+            circle_of(
+                {
+                    "scale_mismatch": (0.0, 0.06),
+                    "scale_error_first": (shown, float(np.hypot(0.3, doubt))),
+                    "scale_error_second": (shown, float(np.hypot(0.3, doubt))),
+                },
+                feed=feed,
+                radius=100.0,
+                name=name,
+            )
+            for name, feed in (("a", 500.0), ("b", 3000.0))
+            for shown in (50.0 - 0.5e6 * (feed / 6e6 * lag) ** 2,)
+            for doubt in (shrinking(circle_of({}, feed=feed, radius=100.0)) / np.sqrt(3.0) / PPM,)
+        ]
+        found = scaled(*circles)
+        assert found.finding.code == code
+        said = [one for one in network_findings(circles) if one.code == "CW-P136"]
+        assert len(said) == (0 if code == "CW-P120" else 2)  # X and Y
+        assert all("83 ms (usual: up to 60 ms)" in one.message for one in said)
+    assert -slope_of(scaled(*circles, acknowledged=KNOWN)) / PPM == pytest.approx(50.0, abs=1.0)
+
+
 def test_a_laser_on_the_axis_wins() -> None:
     job = job_of(axis_of(), apply=ApplyRequest(scale=("X", "W")))
     checks = CircleChecks(job, {}, {"as_found": NO_CORRECTIONS})

@@ -208,10 +208,18 @@ def _plane(bar: Element, faults: FaultList) -> tuple[str, tuple[str, str]]:
             place=f"line {(element or bar).line}, DYNAMIC_BALLBAR/PLANE",
             expected="TEST_PLANE XY, YZ or ZX",
             found=shown(plane),
-            hint="write the plane into a copy of the file: <TEST_PLANE>XY</TEST_PLANE>",
+            hint='write the plane into a copy of the file: TEST_PLANE="XY"',
         )
         return "", ("", "")
     if all(named):
+        if named[0].upper() == named[1].upper():
+            faults.add(
+                "names one axis twice",
+                place=f"line {(element or bar).line}, DYNAMIC_BALLBAR/PLANE",
+                expected="different names in A_AXIS_NAME and B_AXIS_NAME",
+                found=shown(" and ".join(named)),
+                hint="correct A_AXIS_NAME or B_AXIS_NAME in a copy of the file",
+            )
         return plane, (named[0], named[1])
     return plane, letters
 

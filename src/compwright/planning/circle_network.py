@@ -24,7 +24,7 @@ from compwright.planning.circles import CircleWork, as_shown_at_feed, effect_of
 from compwright.planning.value_with_error import SIGNIFICANT, ValueWithError, contradictory
 from compwright.records.circular import CircularResult
 from compwright.records.correction_need import NEGLIGIBLE
-from compwright.words.sentences import Sentence, say
+from compwright.words.sentences import Amount, Sentence, say
 
 _PPM: Final = 1e6
 #: What the softest usual position loop shrinks, um/m for one rad/s squared: T² / 2.
@@ -115,7 +115,18 @@ class CircleNetwork:
         """Return whether the scales that tests of this axis and its neighbours show contradict each
         other.
         """
-        return ("scale", "") in self.contradictions and ("scale", axis) in self.values
+        contradicted = ("scale", "") in self.contradictions and ("scale", axis) in self.values
+        return contradicted or axis in self.strange_loops()
+
+    def strange_loops(self) -> dict[str, ValueWithError]:
+        """Return the shrinking (1e-6 s²) of each axis that clearly shrinks or grows with the feed
+        by more than the softest usual position loop does.
+        """
+        return {
+            name: value
+            for name, value in self.values_of("shrinking").items()
+            if abs(value.value) > _MOST_SHRINKING + SIGNIFICANT * value.std_error
+        }
 
     def position_loops(self) -> dict[str, ValueWithError]:
         """Return the servo lag (time constant of the position loop, ms) of each axis for which the
@@ -264,6 +275,18 @@ def machine_findings(network: CircleNetwork) -> Iterator[Finding]:
                 dict.fromkeys(axis for one in seen for of, axis in one.parts if of != "shrinking")
             ),
             [(one.circle, one.axes, one.found.words(1.0, _UNITS[kind])) for one in seen],
+        )
+    for axis, shrinking in network.strange_loops().items():
+        lag = 1e3 * float(np.sqrt(2.0 * abs(shrinking.value) / _PPM))
+        yield Finding.of(
+            "CW-P136.lag",
+            "warning",
+            (axis,),
+            axis=axis,
+            circles=circles,
+            grows=shrinking.value < 0.0,
+            lag=Amount(lag, "ms", ".0f"),
+            most=Amount(1e3 / SOFTEST_LOOP, "ms", ".0f"),
         )
 
 

@@ -232,6 +232,13 @@ SENTENCES: Final[dict[str, str]] = {
         " Repeat the circle that deviates."
     ),
     "CW-P136.circle": "{circle} {axes} {value}",
+    "CW-P136.lag": (
+        "Axis {axis}: the circles get {grows:if|larger|smaller} with the feed"
+        " {grows:if|by more than any usual position loop makes them smaller|as with a time constant"
+        " of the position loop of {lag}} (usual: up to {most}). Feed, radius or temperature of"
+        " {circles:join|, } may not be as stated, and the scale depends on them. Check them, and"
+        " repeat the circle that deviates."
+    ),
     "CW-P140": (
         "Axis {axis}: the new table gets new points, {grid}. The points of the existing table,"
         " {existing}, cannot be kept: {why}"

@@ -246,6 +246,13 @@ SENTENCES: Final[dict[str, str]] = {
         " Ort, Vorschub oder Temperatur ab. Den Kreis wiederholen, der abweicht."
     ),
     "CW-P136.circle": "{circle} {axes} {value}",
+    "CW-P136.lag": (
+        "Achse {axis}: Die Kreise werden mit dem Vorschub {grows:if|größer|kleiner},"
+        " {grows:if|und zwar um mehr, als eine übliche Lageregelung sie verkleinert|wie bei einer"
+        " Zeitkonstante der Lageregelung von {lag}} (üblich: bis {most}). Vorschub, Radius oder"
+        " Temperatur von {circles:join|, } stimmen vielleicht nicht, und der Maßstab hängt davon"
+        " ab. Sie prüfen und den Kreis wiederholen, der abweicht."
+    ),
     "CW-P140": (
         "Achse {axis}: Die neue Tabelle bekommt neue Punkte, {grid}. Die Punkte der vorhandenen"
         " Tabelle, {existing}, können nicht bleiben: {why}"
