@@ -11,14 +11,18 @@ import pytest
 from compwright.workflow.results.next_step import after_run, after_verify
 
 
-def step(verdicts: dict[str, str], *codes: str, read_back: bool = True) -> str:
+def step(
+    verdicts: dict[str, str], *codes: str, of_circle: str | None = None, read_back: bool = True
+) -> str:
     document: dict[str, Any] = {
         "verdict": "bad",
         "axes": {
             name: {"loading": {"verdict": verdict}, "findings": []}
             for name, verdict in verdicts.items()
         },
-        "circles": {},
+        "circles": {"xy": {"squareness": None, "findings": [{"code": of_circle}]}}
+        if of_circle
+        else {},
         "findings": [{"code": code} for code in codes],
         "doubts": [{"code": code} for code in codes],
     }
@@ -65,13 +69,13 @@ def test_a_circle_that_cannot_be_trusted_is_checked_or_measured_before_the_contr
     code: str, *, read_back: bool
 ) -> None:
     """A noisy, turned or old file, or one of another machine, is no fault of the table."""
-    first = step({}, code, read_back=read_back)
+    first = step({}, of_circle=code, read_back=read_back)
     assert first.startswith(
         f"Next: check the test after loading as {code} says, or measure it again"
     )
     assert "verify job.yaml --after AFTER_FILE" in first
     assert "compare" not in first
-    assert "load what differs" in step({}, code, "CW-V011")
+    assert "load what differs" in step({}, "CW-V011", of_circle=code)
 
 
 @pytest.mark.parametrize("sheet", ["entry_X.csv", "cross_X_Y.csv", "straightness_X_Y.csv"])

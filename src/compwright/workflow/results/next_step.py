@@ -79,7 +79,7 @@ def after_verify(
     active = all(axis["loading"]["verdict"] == "loaded" for axis in axes) and all(
         plane["active"] for plane in planes
     )
-    found = {finding["code"] for finding in document["findings"]}
+    found = {finding["code"] for part in (document, *circles) for finding in part["findings"]}
     codes = found | {finding["code"] for axis in axes for finding in axis["findings"]}
     wrong = codes & {"CW-V011", "CW-S087"}
     doubtful = [] if wrong else sorted(_UNTRUSTED & found)
