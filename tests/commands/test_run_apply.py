@@ -102,13 +102,16 @@ def test_a_test_of_an_axis_that_had_none_is_refused_in_words(
 
 
 def test_a_squareness_on_an_entry_sheet_is_predicted_and_verified_as_typed_in(
-    folder: Path,
+    folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """The sheet is the way in: after it the angle is right, and a circle that still has it shows
     that nothing was typed in.
     """
     assert run(folder, "heidenhain-nck") == 0
     one = prediction(folder)["circles"]["xy-150"]
+    assert one["axes"] == ["X", "Y"]
+    shown = capsys.readouterr().out
+    assert all(name in shown for name in ("circle xy-150 · XY", "lost motion X", "lost motion Y"))
     assert one["before"]["squareness"] == pytest.approx(40, abs=1)  # µm/m
     assert one["predicted"]["squareness"]["median"] == pytest.approx(0, abs=1)
     words = ["verify", str(folder / "job.yaml"), "--after", str(folder / "after.csv"), "--force"]

@@ -93,6 +93,7 @@ def circle_outside(circle: CirclePrediction) -> dict[str, Any]:
     """
     reason = circle.before.not_applicable.get("diagnosis", "")
     return {
+        "axes": list(circle.before.test.axes),
         "before": circle_values(circle.before),
         "predicted": circle_quantiles(circle),
         **({} if circle.predicted else {"not_applicable": {"predicted": reason}}),

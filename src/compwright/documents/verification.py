@@ -180,6 +180,7 @@ def _circle(circle: VerifiedCircle) -> dict[str, Any]:
     """Return a verified circular test for JSON: parameters in µm, error causes in their units."""
     after, predicted = circle_values(circle.after), circle_quantiles(circle.prediction)
     return {
+        "axes": list(circle.prediction.before.test.axes),
         "before": circle_values(circle.prediction.before),
         "predicted": predicted,
         "after": after,

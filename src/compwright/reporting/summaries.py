@@ -173,11 +173,6 @@ _OF_CIRCLES = {
     "backlash_second": "µm",
     "servo_mismatch": "ms",
 }
-#: A circle of a prediction does not name its axes.
-_LOST_MOTION: Final = {
-    "backlash_first": "lost motion, first axis",
-    "backlash_second": "lost motion, second axis",
-}
 
 
 def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
@@ -187,6 +182,11 @@ def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
     shown: list[RenderableType] = []
     for name, circle in circles.items():
         after, accept = circle.get("after"), circle.get("accept") or {}
+        first, second = circle["axes"]
+        names = {
+            "backlash_first": f"lost motion {first}",
+            "backlash_second": f"lost motion {second}",
+        }
         limits = {**accept, **squareness_limit(circle)}
         table = plain_table()
         table.add_column("", no_wrap=True)
@@ -203,7 +203,7 @@ def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
             measured = [number(after.get(key), decimals)] if after else []
             limit = _decision(limits.get(key)) if limits else ()
             table.add_row(
-                _LOST_MOTION.get(key, key.replace("_", " ")),
+                names.get(key, key.replace("_", " ")),
                 number(value, decimals),
                 *cells,
                 *measured,
@@ -211,7 +211,9 @@ def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
                 *limit,
             )
         shown += [
-            Rule(Text(f"circle {name}", style="bold"), align="left", characters="─"),
+            Rule(
+                Text(f"circle {name} · {first}{second}", style="bold"), align="left", characters="─"
+            ),
             table,
             *(Text(str(line)) for line in rule_lines(accept, "µm", after=after is not None)),
             Text(),
