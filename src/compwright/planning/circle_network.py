@@ -284,7 +284,6 @@ def machine_findings(network: CircleNetwork) -> Iterator[Finding]:
             (axis,),
             axis=axis,
             circles=circles,
-            grows=shrinking.value < 0.0,
             lag=Amount(lag, "ms", ".0f"),
             most=Amount(1e3 / SOFTEST_LOOP, "ms", ".0f"),
         )

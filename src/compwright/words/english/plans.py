@@ -233,11 +233,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P136.circle": "{circle} {axes} {value}",
     "CW-P136.lag": (
-        "Axis {axis}: the circles get {grows:if|larger|smaller} with the feed"
-        " {grows:if|by more than any usual position loop makes them smaller|as with a time constant"
-        " of the position loop of {lag}} (usual: up to {most}). Feed, radius or temperature of"
-        " {circles:join|, } may not be as stated, and the scale depends on them. Check them, and"
-        " repeat the circle that deviates."
+        "Axis {axis}: the radius changes with the feed as much as by a position loop of {lag}"
+        " (usual: up to {most}). Check feed, radius and temperature of {circles:join|, }: the scale"
+        " depends on them."
     ),
     "CW-P140": (
         "Axis {axis}: the new table gets new points, {grid}. The points of the existing table,"

@@ -234,11 +234,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P136.circle": "{circle} {axes} {value}",
     "CW-P136.lag": (
-        "Axe {axis} : avec l'avance, les cercles deviennent plus {grows:if|grands|petits},"
-        " {grows:if|de plus que ce dont un asservissement usuel les réduit|comme avec une constante"
-        " de temps de l'asservissement de {lag}} (usuel : jusqu'à {most}). L'avance, le rayon ou la"
-        " température de {circles:join|, } ne sont peut-être pas ceux indiqués, et l'échelle en"
-        " dépend. Les vérifier, et répéter le cercle qui s'écarte."
+        "Axe {axis} : le rayon change avec l'avance autant que par un asservissement de {lag}"
+        " (usuel : jusqu'à {most}). Vérifier l'avance, le rayon et la température de"
+        " {circles:join|, } : l'échelle en dépend."
     ),
     "CW-P140": (
         "Axe {axis} : la nouvelle table reçoit de nouveaux points, {grid}. Les points de la table"

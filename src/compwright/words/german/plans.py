@@ -247,11 +247,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P136.circle": "{circle} {axes} {value}",
     "CW-P136.lag": (
-        "Achse {axis}: Die Kreise werden mit dem Vorschub {grows:if|größer|kleiner},"
-        " {grows:if|und zwar um mehr, als eine übliche Lageregelung sie verkleinert|wie bei einer"
-        " Zeitkonstante der Lageregelung von {lag}} (üblich: bis {most}). Vorschub, Radius oder"
-        " Temperatur von {circles:join|, } stimmen vielleicht nicht, und der Maßstab hängt davon"
-        " ab. Sie prüfen und den Kreis wiederholen, der abweicht."
+        "Achse {axis}: Der Radius ändert sich mit dem Vorschub so sehr wie bei einer Lageregelung"
+        " mit {lag} (üblich: bis {most}). Vorschub, Radius, Temperatur von {circles:join|, } prüfen."
     ),
     "CW-P140": (
         "Achse {axis}: Die neue Tabelle bekommt neue Punkte, {grid}. Die Punkte der vorhandenen"
