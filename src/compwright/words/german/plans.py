@@ -146,8 +146,7 @@ SENTENCES: Final[dict[str, str]] = {
         " und {circle} nach {test}. Verwendet wird der Wert des Lasers."
     ),
     "CW-P117": (
-        "{axis}: Das Umkehrspiel wird aus den Kreisen genommen. Es weicht um {shift} vom Wert des"
-        " Lasers ab."
+        "{axis}: Das Umkehrspiel kommt aus den Kreisen. Es weicht um {shift} vom Laser ab."
     ),
     "CW-P118": (
         "{axis}: Der Maßstab kommt aus der Positionierprüfung dieser Achse. Die Kreise prüfen ihn"
@@ -248,7 +247,7 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P136.circle": "{circle} {axes} {value}",
     "CW-P136.lag": (
         "Achse {axis}: Der Radius ändert sich mit dem Vorschub so sehr wie bei einer Lageregelung"
-        " mit {lag} (üblich: bis {most}). Vorschub, Radius, Temperatur von {circles:join|, } prüfen."
+        " mit {lag} (üblich bis {most}). Vorschub, Radius, Temperatur von {circles:join|, } prüfen."
     ),
     "CW-P140": (
         "Achse {axis}: Die neue Tabelle bekommt neue Punkte, {grid}. Die Punkte der vorhandenen"
