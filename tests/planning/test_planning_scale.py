@@ -288,32 +288,51 @@ def test_the_circles_of_one_state_that_contradict_each_other_are_not_averaged() 
     assert "± 60.0 µm/m is too uncertain" in far.finding.message
 
 
+def of_like_axes(growth: float) -> list[CircleWork]:
+    """Circles of two axes of 50 µm/m that grow by ``growth`` (1e-6 for (1 rad/s)²), R 100."""
+    return [
+        circle_of(
+            {
+                "scale_mismatch": (0.0, 0.06),
+                "scale_error_first": (shown, float(np.hypot(0.3, doubt))),
+                "scale_error_second": (shown, float(np.hypot(0.3, doubt))),
+            },
+            feed=feed,
+            radius=100.0,
+            name=name,
+        )
+        for name, feed in (("a", 500.0), ("b", 3000.0))
+        for shown in (50.0 + growth * (feed / 6000.0) ** 2,)
+        for doubt in (shrinking(circle_of({}, feed=feed, radius=100.0)) / np.sqrt(3.0) / PPM,)
+    ]
+
+
 def test_a_loop_that_is_softer_than_any_usual_one_gives_no_scale() -> None:
     """A bar 5 µm longer in the second test, or a circle that was driven at another feed than the
     file says, looks like a loop of 83 ms in the fit; 16.7/s (60 ms) is the softest usual one.
     """
     for lag, code in ((55.0, "CW-P120"), (83.0, "CW-P119")):
-        circles = [
-            circle_of(
-                {
-                    "scale_mismatch": (0.0, 0.06),
-                    "scale_error_first": (shown, float(np.hypot(0.3, doubt))),
-                    "scale_error_second": (shown, float(np.hypot(0.3, doubt))),
-                },
-                feed=feed,
-                radius=100.0,
-                name=name,
-            )
-            for name, feed in (("a", 500.0), ("b", 3000.0))
-            for shown in (50.0 - 0.5e6 * (feed / 6e6 * lag) ** 2,)
-            for doubt in (shrinking(circle_of({}, feed=feed, radius=100.0)) / np.sqrt(3.0) / PPM,)
-        ]
+        circles = of_like_axes(-0.5 * lag**2)
         found = scaled(*circles)
         assert found.finding.code == code
         said = [one for one in network_findings(circles) if one.code == "CW-P136"]
         assert len(said) == (0 if code == "CW-P120" else 2)  # X and Y
         assert all("83 ms (usual: up to 60 ms)" in one.message for one in said)
     assert -slope_of(scaled(*circles, acknowledged=KNOWN)) / PPM == pytest.approx(50.0, abs=1.0)
+
+
+@pytest.mark.parametrize(("growth", "doubts"), [(90.0, 0), (320.0, 2), (1770.0, 2)])
+def test_a_circle_that_grows_with_the_feed_gives_no_scale(growth: float, doubts: int) -> None:
+    """A loop of 60 ms under full feedforward before a velocity loop of 5 ms: T T' = 300e-6 s²,
+    75 µm/m from 500 to 3000 mm/min. With 15 ms and feedforward 1.05 it is 75 + 12. No loop makes
+    1770: 430 µm/m, or 43 µm of the radius.
+    """
+    circles = of_like_axes(growth)
+    said = [one for one in network_findings(circles) if one.code == "CW-P136"]
+    assert len(said) == doubts
+    assert all("grows with the feed" in one.message and one.is_doubt for one in said)
+    assert all("position loop of" not in one.message for one in said)
+    assert scaled(*circles).finding.code == ("CW-P119" if doubts else "CW-P120")
 
 
 def test_a_laser_on_the_axis_wins() -> None:

@@ -25,7 +25,7 @@ OTHER_RESPONSE: Final = 0.05
 _OF_CHANGEOVER: Final = 8.0 / np.pi
 #: Servo loops, s: time constant of a velocity loop (30 Hz); least lag behind full feedforward; most
 #: difference of the position loops of two axes (a tenth of 40 ms).
-_VELOCITY_LOOP: Final = 0.005
+VELOCITY_LOOP: Final = 0.005
 _LEAST_LAG: Final = 5e-4
 _UNLIKE_LOOPS: Final = 0.004
 
@@ -129,7 +129,7 @@ def scale_mismatch(solution: Solution, changed: float) -> ReportedCause:
     mismatch = 1e-3 * abs(float(np.mean(drawn)))
     lag = max(samples.lag * samples.radius / samples.speed, _LEAST_LAG)
     unlike = min(mismatch * softest / lag, _UNLIKE_LOOPS)
-    parts = softest * mismatch / np.sqrt(3.0), _VELOCITY_LOOP * unlike
+    parts = softest * mismatch / np.sqrt(3.0), VELOCITY_LOOP * unlike
     error = 1e3 * across * float(np.hypot(*parts))
     either = np.where(np.arange(off.size) % 2, error, -error)
     return replace(

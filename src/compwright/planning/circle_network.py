@@ -18,6 +18,7 @@ from typing import Final
 
 import numpy as np
 
+from compwright.estimation.circle_causes import VELOCITY_LOOP
 from compwright.estimation.circle_model import PRIOR_SCALE, PRIORS, SOFTEST_LOOP
 from compwright.foundations.findings import Finding
 from compwright.planning.circles import CircleWork, as_shown_at_feed, effect_of
@@ -29,6 +30,9 @@ from compwright.words.sentences import Amount, Sentence, say
 _PPM: Final = 1e6
 #: What the softest usual position loop shrinks, um/m for one rad/s squared: T² / 2.
 _MOST_SHRINKING: Final = _PPM / (2.0 * SOFTEST_LOOP**2)
+#: What the velocity loop behind it can make a circle grow under full feedforward, in the same unit:
+#: T T'. Feedforward f that is too large, (f² - 1) T² / 2, reaches this at f = 1.08.
+_MOST_GROWTH: Final = _PPM * VELOCITY_LOOP / SOFTEST_LOOP
 #: Least error of a scale by the fit, um/m.
 _LEAST: Final = 0.05
 #: Least error of an observation, as a share of what its unknowns may do to it.
@@ -119,13 +123,14 @@ class CircleNetwork:
         return contradicted or axis in self.strange_loops()
 
     def strange_loops(self) -> dict[str, ValueWithError]:
-        """Return the shrinking (1e-6 s²) of each axis that clearly shrinks or grows with the feed
-        by more than the softest usual position loop does.
+        """Return the shrinking (1e-6 s²) of each axis that clearly shrinks with the feed by more
+        than the softest usual position loop, or grows (below 0) by more than feedforward explains.
         """
         return {
             name: value
             for name, value in self.values_of("shrinking").items()
-            if abs(value.value) > _MOST_SHRINKING + SIGNIFICANT * value.std_error
+            if value.value > _MOST_SHRINKING + SIGNIFICANT * value.std_error
+            or value.value < -_MOST_GROWTH - SIGNIFICANT * value.std_error
         }
 
     def position_loops(self) -> dict[str, ValueWithError]:
@@ -277,7 +282,10 @@ def machine_findings(network: CircleNetwork) -> Iterator[Finding]:
             [(one.circle, one.axes, one.found.words(1.0, _UNITS[kind])) for one in seen],
         )
     for axis, shrinking in network.strange_loops().items():
-        lag = 1e3 * float(np.sqrt(2.0 * abs(shrinking.value) / _PPM))
+        if shrinking.value < 0.0:
+            yield Finding.of("CW-P136.growth", "warning", (axis,), axis=axis, circles=circles)
+            continue
+        lag = 1e3 * float(np.sqrt(2.0 * shrinking.value / _PPM))
         yield Finding.of(
             "CW-P136.lag",
             "warning",

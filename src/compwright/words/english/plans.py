@@ -232,6 +232,11 @@ SENTENCES: Final[dict[str, str]] = {
         " Repeat the circle that deviates."
     ),
     "CW-P136.circle": "{circle} {axes} {value}",
+    "CW-P136.growth": (
+        "Axis {axis}: the radius grows with the feed more than a position loop can cause: a feed,"
+        " radius, bar length or temperature is not as stated. Check these of {circles:join|, }, or"
+        " repeat the circle that deviates."
+    ),
     "CW-P136.lag": (
         "Axis {axis}: the radius changes with the feed as much as by a position loop of {lag}"
         " (usual: up to {most}). Check feed, radius and temperature of {circles:join|, }: the scale"
@@ -449,22 +454,5 @@ SENTENCES: Final[dict[str, str]] = {
     "run.no_state": (
         "no table is written: the job does not say what is active in the control; add `states:"
         " {{as_found: none}}` or `states: {{as_found: [files of the control]}}`"
-    ),
-    "table_advice": (
-        "{cause:choose|noise=the axis does not repeat, which no table corrects: check first how"
-        " the instrument is mounted (vibration, air, fixing), then call a mechanic (play, guides,"
-        " bearings, coupling, scale)|single outliers=a few readings are outliers, which no table"
-        " corrects: find what disturbs the measurement (laser beam interrupted, settling time,"
-        " dirt), and measure again|shifts between traverses=whole traverses are shifted, which no"
-        " table corrects: check whether instrument, spindle and clamping are firm, and look for"
-        " play that differs from run to run|drift=the axis changes during the test, which no"
-        " table corrects: warm it up as in work until it is stable, and measure again|one table"
-        " for both directions=the reversal changes along the travel, and one table with one"
-        " reversal value cannot correct that: call a mechanic (nut, screw, guides), or use a"
-        " control with a table for each direction|spacing too wide for the period=the points are"
-        " too far apart for so short a period; CW-F002 gives the interval that is needed. If the"
-        " control cannot store such a table, call a mechanic (screw, its bearings and coupling,"
-        " gear, encoder)|error that the test leaves open=the test does not determine the error"
-        " well enough: measure more targets or more runs}"
     ),
 }

@@ -70,6 +70,24 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "reading_off": "{traverse} à {target} (écart {off})",
     "scale_by": "{axis} : erreur d'échelle {scale} d'après {tests:join|; }",
+    "table_advice": (
+        "{cause:choose|noise=l'axe ne se répète pas, ce qu'aucune table ne corrige : vérifier"
+        " d'abord le montage de l'instrument (vibration, air, fixation), puis appeler un mécanicien"
+        " (jeu, guidages, paliers, accouplement, règle)|single outliers=quelques mesures sont"
+        " aberrantes, ce qu'aucune table ne corrige : chercher ce qui perturbe la mesure (faisceau"
+        " coupé, temps d'arrêt, saleté) et mesurer de nouveau|shifts between traverses=des parcours"
+        " entiers sont décalés, ce qu'aucune table ne corrige : vérifier que l'instrument, la"
+        " broche et le bridage sont fermes, et chercher un jeu qui diffère d'un parcours à"
+        " l'autre|drift=l'axe change pendant l'essai, ce qu'aucune table ne corrige : le mettre en"
+        " température comme au travail jusqu'à ce qu'il soit stable, et mesurer de nouveau|one"
+        " table for both directions=la réversibilité varie le long de la course, et une table avec"
+        " une valeur de réversibilité ne peut la contenir : appeler un mécanicien (écrou, vis,"
+        " guidages), ou utiliser une commande avec une table par sens|spacing too wide for the"
+        " period=les points sont trop espacés pour une période si courte ; CW-F002 donne"
+        " l'intervalle nécessaire. Si la commande ne peut le contenir, appeler un mécanicien (vis,"
+        " paliers et accouplement, réducteur, codeur)|error that the test leaves open=l'essai ne"
+        " détermine pas assez bien l'erreur : mesurer plus de points visés ou plus de parcours}"
+    ),
     "traverse": "parcours {run} dans le sens {direction}",
     "undetermined.bar": (
         "la longueur de la barre n'a pas été étalonnée : donner une longueur étalonnée, ou"

@@ -233,9 +233,14 @@ SENTENCES: Final[dict[str, str]] = {
         " lieu, de l'avance ou de la température. Répéter le cercle qui s'écarte."
     ),
     "CW-P136.circle": "{circle} {axes} {value}",
+    "CW-P136.growth": (
+        "Axe {axis} : le rayon augmente avec l'avance plus qu'une boucle de position ne peut le"
+        " causer : une avance, un rayon, une longueur de barre ou une température n'est pas comme"
+        " indiqué. Vérifier ces données de {circles:join|, }, ou répéter le cercle qui s'écarte."
+    ),
     "CW-P136.lag": (
-        "Axe {axis} : le rayon change avec l'avance autant que par un asservissement de {lag}"
-        " (usuel : jusqu'à {most}). Vérifier l'avance, le rayon et la température de"
+        "Axe {axis} : le rayon change avec l'avance comme avec une boucle de position de constante"
+        " de temps {lag} (usuel : jusqu'à {most}). Vérifier l'avance, le rayon et la température de"
         " {circles:join|, } : l'échelle en dépend."
     ),
     "CW-P140": (
@@ -466,23 +471,5 @@ SENTENCES: Final[dict[str, str]] = {
         "aucune table n'est écrite : le dossier de travail ne dit pas ce qui est actif dans la"
         " commande ; ajouter `states: {{as_found: none}}` ou `states: {{as_found: [fichiers de la"
         " commande]}}`"
-    ),
-    "table_advice": (
-        "{cause:choose|noise=l'axe ne se répète pas, ce qu'aucune table ne corrige : vérifier"
-        " d'abord le montage de l'instrument (vibration, air, fixation), puis appeler un mécanicien"
-        " (jeu, guidages, paliers, accouplement, règle)|single outliers=quelques mesures sont"
-        " aberrantes, ce qu'aucune table ne corrige : chercher ce qui perturbe la mesure (faisceau"
-        " coupé, temps d'arrêt, saleté) et mesurer de nouveau|shifts between traverses=des parcours"
-        " entiers sont décalés, ce qu'aucune table ne corrige : vérifier que l'instrument, la"
-        " broche et le bridage sont fermes, et chercher un jeu qui diffère d'un parcours à"
-        " l'autre|drift=l'axe change pendant l'essai, ce qu'aucune table ne corrige : le mettre en"
-        " température comme au travail jusqu'à ce qu'il soit stable, et mesurer de nouveau|one"
-        " table for both directions=la réversibilité varie le long de la course, et une table avec"
-        " une valeur de réversibilité ne peut la contenir : appeler un mécanicien (écrou, vis,"
-        " guidages), ou utiliser une commande avec une table par sens|spacing too wide for the"
-        " period=les points sont trop espacés pour une période si courte ; CW-F002 donne"
-        " l'intervalle nécessaire. Si la commande ne peut le contenir, appeler un mécanicien (vis,"
-        " paliers et accouplement, réducteur, codeur)|error that the test leaves open=l'essai ne"
-        " détermine pas assez bien l'erreur : mesurer plus de points visés ou plus de parcours}"
     ),
 }

@@ -68,6 +68,24 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "reading_off": "{traverse} bei {target} (Abweichung {off})",
     "scale_by": "{axis}: Maßstabsfehler {scale} nach {tests:join|; }",
+    "table_advice": (
+        "{cause:choose|noise=die Achse wiederholt nicht, was keine Tabelle korrigiert: zuerst"
+        " prüfen, wie das Messgerät aufgebaut ist (Schwingung, Luft, Befestigung), dann die"
+        " Mechanik (Spiel, Führungen, Lager, Kupplung, Maßstab)|single outliers=einige Messwerte"
+        " sind Ausreißer, was keine Tabelle korrigiert: suchen, was die Messung stört"
+        " (unterbrochener Strahl, Wartezeit, Schmutz), und neu messen|shifts between"
+        " traverses=ganze Läufe sind verschoben, was keine Tabelle korrigiert: prüfen, ob"
+        " Messgerät, Spindel und Klemmung fest sind, und Spiel suchen, das von Lauf zu Lauf anders"
+        " ist|drift=die Achse ändert sich während der Prüfung, was keine Tabelle korrigiert: wie"
+        " bei der Arbeit warmfahren, bis sie stabil ist, und neu messen|one table for both"
+        " directions=die Umkehrspanne ändert sich über den Verfahrweg, und eine Tabelle mit einem"
+        " Umkehrwert kann das nicht aufnehmen: Mechanik prüfen (Mutter, Spindel, Führungen) oder"
+        " eine Steuerung mit einer Tabelle je Richtung verwenden|spacing too wide for the"
+        " period=die Punkte liegen für eine so kurze Periode zu weit auseinander; CW-F002 nennt den"
+        " nötigen Abstand. Kann die Steuerung ihn nicht aufnehmen, Mechanik prüfen (Spindel, Lager"
+        " und Kupplung, Getriebe, Geber)|error that the test leaves open=die Prüfung bestimmt den"
+        " Fehler nicht gut genug: mehr Zielpositionen oder mehr Läufe messen}"
+    ),
     "traverse": "Lauf {run} in {direction}",
     "undetermined.bar": (
         "die Länge des Kreisformmessgeräts wurde nicht kalibriert: eine kalibrierte Länge"

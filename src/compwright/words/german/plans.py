@@ -245,8 +245,13 @@ SENTENCES: Final[dict[str, str]] = {
         " Ort, Vorschub oder Temperatur ab. Den Kreis wiederholen, der abweicht."
     ),
     "CW-P136.circle": "{circle} {axes} {value}",
+    "CW-P136.growth": (
+        "Achse {axis}: Der Radius wächst mit dem Vorschub stärker, als eine Lageregelung bewirken"
+        " kann: Vorschub, Radius, Länge des Messgeräts oder Temperatur ist nicht wie angegeben."
+        " Diese Angaben von {circles:join|, } prüfen, oder den Kreis wiederholen, der abweicht."
+    ),
     "CW-P136.lag": (
-        "Achse {axis}: Der Radius ändert sich mit dem Vorschub so sehr wie bei einer Lageregelung"
+        "Achse {axis}: Der Radius ändert sich mit dem Vorschub so stark wie bei einer Lageregelung"
         " mit {lag} (üblich bis {most}). Vorschub, Radius, Temperatur von {circles:join|, } prüfen."
     ),
     "CW-P140": (
@@ -478,23 +483,5 @@ SENTENCES: Final[dict[str, str]] = {
     "run.no_state": (
         "keine Tabelle geschrieben: Der Auftrag sagt nicht, was in der Steuerung aktiv ist;"
         " `states: {{as_found: none}}` oder `states: {{as_found: [Dateien der Steuerung]}}` angeben"
-    ),
-    "table_advice": (
-        "{cause:choose|noise=die Achse wiederholt nicht, was keine Tabelle korrigiert: zuerst"
-        " prüfen, wie das Messgerät aufgebaut ist (Schwingung, Luft, Befestigung), dann die"
-        " Mechanik (Spiel, Führungen, Lager, Kupplung, Maßstab)|single outliers=einige Messwerte"
-        " sind Ausreißer, was keine Tabelle korrigiert: suchen, was die Messung stört"
-        " (unterbrochener Strahl, Wartezeit, Schmutz), und neu messen|shifts between"
-        " traverses=ganze Läufe sind verschoben, was keine Tabelle korrigiert: prüfen, ob"
-        " Messgerät, Spindel und Klemmung fest sind, und Spiel suchen, das von Lauf zu Lauf anders"
-        " ist|drift=die Achse ändert sich während der Prüfung, was keine Tabelle korrigiert: wie"
-        " bei der Arbeit warmfahren, bis sie stabil ist, und neu messen|one table for both"
-        " directions=die Umkehrspanne ändert sich über den Verfahrweg, und eine Tabelle mit einem"
-        " Umkehrwert kann das nicht aufnehmen: Mechanik prüfen (Mutter, Spindel, Führungen) oder"
-        " eine Steuerung mit einer Tabelle je Richtung verwenden|spacing too wide for the"
-        " period=die Punkte liegen für eine so kurze Periode zu weit auseinander; CW-F002 nennt den"
-        " nötigen Abstand. Kann die Steuerung ihn nicht aufnehmen, Mechanik prüfen (Spindel, Lager"
-        " und Kupplung, Getriebe, Geber)|error that the test leaves open=die Prüfung bestimmt den"
-        " Fehler nicht gut genug: mehr Zielpositionen oder mehr Läufe messen}"
     ),
 }
