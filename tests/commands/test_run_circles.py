@@ -831,6 +831,21 @@ def test_disagreement_about_the_mismatch_of_scale(
     assert "CW-P116" in codes(capsys)
 
 
+@pytest.mark.parametrize("case", ["angles", "names"])
+def test_a_circle_whose_axes_are_exchanged_is_a_doubt_where_lasers_show_it(
+    folder: Path, case: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Angles that count from Y turn the sign of the squareness: its table would double the error.
+    YX for XY keeps the sign, but exchanges what the mechanic is told about X and Y.
+    """
+    circle = Bent().circle(3)
+    rotated = tuple(replace(run, angles=(run.angles - 90.0) % 360.0) for run in circle.runs)
+    turned = replace(circle, runs=rotated) if case == "angles" else replace(circle, plane="YX")
+    write_circle(folder / "xy.csv", turned)
+    assert compwright(["run", str(job(folder))]) == 1
+    assert "CW-P172" in codes(capsys)
+
+
 # --- direct measurements between axes ---
 
 

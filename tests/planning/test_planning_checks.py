@@ -155,7 +155,9 @@ def test_the_mismatch_is_the_first_axis_less_the_second() -> None:
     other = KnownAxis(lambda x: -10e-6 * x, lambda x: -10e-6 * x)
     works = {"X": work_of(LAGS), "Y": work_of(other, axis_of("Y"))}
     assert codes(checks_of(works), circle_of({"scale_mismatch": (6.0, 0.5)})) == []
-    assert codes(checks_of(works), circle_of({"scale_mismatch": (-6.0, 0.5)})) == ["CW-P116"]
+    assert codes(checks_of(works), circle_of({"scale_mismatch": (4.0, 0.5)})) == ["CW-P116"]
+    assert codes(checks_of(works), circle_of({"scale_mismatch": (-0.5, 0.05)})) == ["CW-P116"]
+    assert codes(checks_of(works), circle_of({"scale_mismatch": (-6.0, 0.5)})) == ["CW-P172"]
     turned = circle_of({"scale_mismatch": (-6.0, 0.5)}, ("Y", "X"))
     assert codes(checks_of(works), turned) == []
 

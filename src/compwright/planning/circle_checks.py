@@ -12,7 +12,8 @@ import numpy as np
 from compwright.foundations.findings import Finding
 from compwright.planning.axis_work import AxisWork
 from compwright.planning.circles import CircleWork, effect_of
-from compwright.planning.value_with_error import ValueWithError
+from compwright.planning.cross_doubts import SQUARE
+from compwright.planning.value_with_error import CONTRADICTORY, ValueWithError
 from compwright.prediction.active_corrections import NO_CORRECTIONS, ActiveCorrections, difference
 from compwright.records.axis import Axis, Direction
 from compwright.records.job import Job
@@ -159,15 +160,21 @@ class CircleChecks:
         laser = ValueWithError(first.scale.value - second.scale.value, error)
         if circle is None or not circle.differs(laser):
             return
-        axes = " minus ".join(work.planned.test.axes)
-        yield Finding.of(
-            "CW-P116",
-            "warning",
-            pair=axes,
-            laser=laser.words(_PPM, "µm/m"),
-            circle=circle.words(_PPM, "µm/m"),
-            test=work.name,
+        axes = work.planned.test.axes
+        pair, test = " minus ".join(axes), work.name
+        by_laser, by_circle = (each.words(_PPM, "µm/m") for each in (laser, circle))
+        clear = all(
+            abs(each.value) > max(CONTRADICTORY * each.std_error, SQUARE)
+            for each in (circle, laser)
         )
+        if clear and circle.value * laser.value < 0.0:
+            yield Finding.of(
+                "CW-P172", "warning", axes, pair=pair, laser=by_laser, circle=by_circle, test=test
+            )
+        else:
+            yield Finding.of(
+                "CW-P116", "warning", pair=pair, laser=by_laser, circle=by_circle, test=test
+            )
 
     def with_circle_backlash(
         self, circles: Sequence[CircleWork]

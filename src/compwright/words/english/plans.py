@@ -444,6 +444,13 @@ SENTENCES: Final[dict[str, str]] = {
         " {known}. A table from a test of another machine would be wrong. Give the file of this"
         " machine, or correct the number in the job or the file."
     ),
+    "CW-P172": (
+        "{pair}: the scale mismatch has opposite signs: {laser} according to the laser and"
+        " {circle} according to {test}. The angles count from the wrong axis, the axes of"
+        " the plane are exchanged, or a sign is turned. Squareness may have the wrong sign too."
+        " Check at the machine at which angle each axis is. Correct the file, or acknowledge"
+        " CW-P172 in the job."
+    ),
     "grid.even": "{points} points from {start:.10g} to {end:.10g} {unit}, every {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": "predicted {name} {value:.2f} {unit} ({elsewhere:.2f} at new targets)",

@@ -458,6 +458,13 @@ SENTENCES: Final[dict[str, str]] = {
         " fichier de cette machine, ou corriger le numéro dans le dossier de travail ou dans le"
         " fichier."
     ),
+    "CW-P172": (
+        "{pair} : la différence d'échelle a des signes opposés : {laser} d'après le laser et"
+        " {circle} d'après {test}. Les angles comptent à partir du mauvais axe, les axes du plan"
+        " sont échangés, ou un signe est inversé. La perpendicularité peut aussi avoir le mauvais"
+        " signe. Vérifier sur la machine à quel angle se trouve chaque axe. Corriger le fichier,"
+        " ou acquitter CW-P172 dans le dossier de travail."
+    ),
     "grid.even": "{points} points de {start:.10g} à {end:.10g} {unit}, tous les {step:.6g} {unit}",
     "grid.few": "{points} points",
     "grid.predicted": (

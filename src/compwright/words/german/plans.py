@@ -95,9 +95,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P110.circle": "{circle} {squareness:+.1f}",
     "CW-P111": (
-        "{pair}: Die Korrektur reicht über {travel:g} mm der Achse {axis}, aber die Messung"
-        " ({what}) hat nur {length:g} mm. Jenseits des gemessenen Teils ist sie extrapoliert:"
-        " dort prüfen."
+        "{pair}: Die Korrektur reicht über {travel:g} mm der Achse {axis}, die Messung ({what})"
+        " nur über {length:g} mm. Außerhalb davon ist sie extrapoliert: dort prüfen."
     ),
     "CW-P112": (
         "{axis} ist eine Gantry-Achse. Sie um Mikrometer zu bewegen, während eine andere Achse"
@@ -145,17 +144,14 @@ SENTENCES: Final[dict[str, str]] = {
         "Maßstab von {pair}: Laser und Kreis stimmen nicht überein. Er ist {laser} nach dem Laser"
         " und {circle} nach {test}. Verwendet wird der Wert des Lasers."
     ),
-    "CW-P117": (
-        "{axis}: Das Umkehrspiel kommt aus den Kreisen. Es weicht um {shift} vom Laser ab."
-    ),
+    "CW-P117": "{axis}: Das Umkehrspiel kommt aus den Kreisen, {shift} neben dem Laser.",
     "CW-P118": (
         "{axis}: Der Maßstab kommt aus der Positionierprüfung dieser Achse. Die Kreise prüfen ihn"
         " nur."
     ),
     "CW-P119.contradictory": (
-        "{axis}: Der Maßstab wird nicht korrigiert, denn die Kreise dieser Achse"
-        " widersprechen sich (CW-P136). Den Kreis wiederholen, der abweicht, oder CW-P136 im"
-        " Auftrag bestätigen."
+        "{axis}: Der Maßstab wird nicht korrigiert, denn die Kreise widersprechen sich (CW-P136)."
+        " Den Kreis wiederholen, der abweicht, oder CW-P136 im Auftrag bestätigen."
     ),
     "CW-P119.impossible": "{scale}. Er wird nicht korrigiert: {reasons:join|; }.",
     "CW-P119.lag": (
@@ -269,8 +265,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P142.line": (
         "Die Steigung von {slope} kommt in die getrennte Gerade der Steuerung. An den"
-        " Tabellenpunkten bliebe ohne diese Gerade ein Fehler von {left} (Effektivwert), mit ihr"
-        " {with_line}"
+        " Tabellenpunkten bliebe ohne sie ein Fehler von {left} (Effektivwert), mit ihr {with_line}"
     ),
     "CW-P142.table": (
         "Die Steigung von {slope} bleibt in der Tabelle. An den Tabellenpunkten bleibt ohne"
@@ -387,10 +382,9 @@ SENTENCES: Final[dict[str, str]] = {
         " und neu messen, oder den Schlüssel `compensation` der Datei berichtigen."
     ),
     "CW-P162.both": (
-        "die Dateien nennen die Kompensation ein und aus. Gibt der Auftrag die falsche Kompensation"
-        " an, ist auch die neue Tabelle falsch. An der Steuerung prüfen, was aktiv war. Dann den"
-        " Schlüssel `compensation` der Datei oder `measured_in` und `states` des Auftrags"
-        " berichtigen."
+        "die Dateien nennen die Kompensation ein und aus. Gibt der Auftrag die falsche an, ist auch"
+        " die neue Tabelle falsch. An der Steuerung prüfen, was aktiv war. Dann den Schlüssel"
+        " `compensation` der Datei oder `measured_in` und `states` des Auftrags berichtigen."
     ),
     "CW-P162.state": (
         "die Datei nennt die Kompensation {on:if|ein|aus}, aber states.{state} des Auftrags"
@@ -456,8 +450,7 @@ SENTENCES: Final[dict[str, str]] = {
         " {slopes:and}. Zusammen beseitigen sie {total:+.1f} µm/m. Zeigt jede die ganze"
         " Rechtwinkligkeit, wird sie zweimal korrigiert: dann die Gerade von den Abweichungen einer"
         " der beiden abziehen. Wurden beide gegen einen Winkel gemessen, das im Auftrag angeben:"
-        " `acknowledged: {{CW-P169: Grund}}`. Auch ein Kreis dieser Ebene im Auftrag zeigt, was"
-        " stimmt"
+        " `acknowledged: {{CW-P169: Grund}}`. Auch ein Kreis dieser Ebene zeigt, was stimmt"
     ),
     "CW-P169.slope": "{slope:+.1f} µm/m in {output} über {input}",
     "CW-P170": (
@@ -466,10 +459,16 @@ SENTENCES: Final[dict[str, str]] = {
         " Verfahrweg prüfen."
     ),
     "CW-P171": (
-        "eine Datei ist von der Maschine mit der Seriennummer {found:join| oder }, diese Maschine"
-        " hat aber {known}. Eine Tabelle aus der Prüfung einer anderen Maschine wäre falsch."
-        " Die Datei dieser Maschine angeben oder die Nummer im Auftrag oder in der Datei"
-        " berichtigen."
+        "eine Datei ist von der Maschine mit der Seriennummer {found:join| oder }, diese hat aber"
+        " {known}. Eine Tabelle aus der Prüfung einer anderen Maschine wäre falsch. Die Datei"
+        " dieser Maschine angeben oder die Nummer im Auftrag oder in der Datei berichtigen."
+    ),
+    "CW-P172": (
+        "{pair}: Der Maßstabsunterschied hat verschiedene Vorzeichen: {laser} nach dem Laser,"
+        " {circle} nach {test}. Die Winkel zählen von der falschen Achse, die Achsen der Ebene"
+        " sind vertauscht oder ein Vorzeichen ist falsch, vielleicht auch das der"
+        " Rechtwinkligkeit. An der Maschine prüfen, bei welchem Winkel jede Achse liegt. Die Datei"
+        " berichtigen oder CW-P172 im Auftrag bestätigen."
     ),
     "grid.even": "{points} Punkte von {start:.10g} bis {end:.10g} {unit}, alle {step:.6g} {unit}",
     "grid.few": "{points} Punkte",
