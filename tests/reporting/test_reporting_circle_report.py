@@ -56,6 +56,16 @@ RESULT: dict[str, Any] = {
 }
 
 
+def test_no_mechanic_can_remove_a_negative_lost_motion() -> None:
+    """An axis that turns round too far: its nut is not worn, its compensation is too large."""
+    for value, step in ((4.0, "check nut"), (-4.0, "reduce the control's backlash compensation")):
+        diagnosis = {"backlash_second": entry(value, 0.2, 4.0, 0.8)}
+        causes = ranked_causes({"axes": AXES, "diagnosis": diagnosis})
+        (said,) = map(str, steps_for(causes, AXES))
+        assert step in said
+        assert ("Mechanic" in said) == (value > 0.0)
+
+
 def test_causes_with_their_ends() -> None:
     table = _causes(ranked_causes(RESULT))
     lost, end, straight = [list(map(str, row)) for row in table["rows"]]

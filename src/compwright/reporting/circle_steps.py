@@ -24,8 +24,8 @@ _LARGE: Final = 0.1
 _STEPS: Final = frozenset(
     {
         "squareness", "scale_mismatch", "servo_mismatch", "radius_change", "backlash",
-        "lateral_play", "reversal_spike", "cyclic", "straightness", "offset_change", "spiral",
-        "vibration", "stick_slip", "master_slave",
+        "overcompensation", "lateral_play", "reversal_spike", "cyclic", "straightness",
+        "offset_change", "spiral", "vibration", "stick_slip", "master_slave",
     }
 )  # fmt: skip
 _WORD: Final = re.compile(r"[A-Za-z_][\w./-]*")
@@ -55,9 +55,12 @@ def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Senten
 
 def _mended(cause: CircleCause) -> str:
     """Return the name of the cause for which the next step is chosen: lateral play in place of a
-    lost motion that has opposite signs at the two ends.
+    lost motion that has opposite signs at the two ends, and overcompensation in place of a negative
+    one, which no mechanic can remove.
     """
-    return cause.name if cause.known else cause.name.replace("backlash", "lateral_play")
+    if not cause.known:
+        return cause.name.replace("backlash", "lateral_play")
+    return cause.name.replace("backlash", "overcompensation") if cause.value < 0.0 else cause.name
 
 
 def significant_causes(causes: Sequence[CircleCause]) -> list[CircleCause]:
