@@ -263,13 +263,15 @@ def test_a_next_round_for_squareness_alone(
     assert then["reason"] == "stop here: the squareness of XY needs no further correction"
 
 
-def write_own_table(control: Path) -> None:
-    """Write files of a control whose CEC table 0 corrects Y over X by 15 µm/m."""
+def write_own_table(control: Path, *, axis: int = 1, table: int = 1) -> None:
+    """Write files of a control whose CEC table 0 corrects Y over X by 15 µm/m. ``axis``, ``table``:
+    its switches MD32710 and SD41300.
+    """
     control.mkdir()
     values = "".join(f"$AN_CEC[0,{i}]={0.0015 * i:.6f}\n" for i in range(9))
     (control / "MD.INI").write_text(
-        "CHANDATA(1)\n$MA_CEC_ENABLE[AX2]=1\n$SN_CEC_TABLE_ENABLE[0]=1\n$SN_CEC_TABLE_WEIGHT[0]=1\n"
-        "$MN_MM_CEC_MAX_POINTS[0]=9\n$MA_BACKLASH[0,AX1]=0\n$MA_BACKLASH[0,AX2]=0\nM17\n"
+        f"CHANDATA(1)\n$MA_CEC_ENABLE[AX2]={axis}\n$SN_CEC_TABLE_ENABLE[0]={table}\n"
+        "$SN_CEC_TABLE_WEIGHT[0]=1\n$MN_MM_CEC_MAX_POINTS[0]=9\n$MA_BACKLASH[0,AX1]=0\n$MA_BACKLASH[0,AX2]=0\nM17\n"
     )
     (control / "CEC.INI").write_text(
         f"CHANDATA(1)\n{values}$AN_CEC_INPUT_AXIS[0]=(AX1)\n$AN_CEC_OUTPUT_AXIS[0]=(AX2)\n"
@@ -1240,6 +1242,39 @@ def test_a_table_that_the_files_switch_otherwise_than_the_job_says_takes_no_squa
     option = "cross_values" if control == "isg-kernel" else "table_values"
     states = f"{{files: [{', '.join(own)}], active: {active}}}"
     assert run(folder, control, options=f"{{{option}: error}}", states=states) == 1
-    assert "leave out `active`" in capsys.readouterr().err
+    said = " ".join(capsys.readouterr().err.split())
+    was = "active" if active == "yes" else "not active"
+    assert f"The job says (`active`) that the table of Y over X was {was} during the test." in said
+    assert "leave out `active`" in said
+    assert "cannot store" not in said
     assert not (folder / "job" / "tables").exists()
     assert not list((folder / "job" / "card").glob("cross*.csv"))
+
+
+@pytest.mark.parametrize(
+    ("axis", "table", "active"), [(1, 1, "no"), (0, 1, "yes"), (1, 0, "yes"), (0, 0, "no")]
+)
+def test_an_answer_about_a_numbered_table_that_the_files_contradict_takes_no_squareness(
+    folder: Path, capsys: pytest.CaptureFixture[str], axis: int, table: int, active: str
+) -> None:
+    """MD32710 and SD41300 switch a table of 15 µm/m: it belongs in the new one only if it was active
+    while the circle was measured. With a leadscrew table that was off, leave out its file.
+    """
+    control = folder / "control"
+    write_own_table(control, axis=axis, table=table)
+    options = CEC.replace("[0, 1, 2, 3, 4, 5, 6, 7]", "[0]" if axis * table else "[1]")
+    right = axis * table == (active == "yes")
+    states = f"{{files: [control], active: {active}}}"
+    assert run(folder, SIEMENS, options=options, states=states) == (0 if right else 1)
+    said = " ".join(capsys.readouterr().err.split())
+    was = "active" if active == "yes" else "not active"
+    assert (f"the table of Y over X was {was} during the test. The control" in said) is not right
+    assert ("without the tables that were off, and leave out `active`" in said) is not right
+    if axis * table:
+        (control / "EEC.INI").write_text(
+            "CHANDATA(1)\n$MA_ENC_COMP_ENABLE[0,AX2]=0\n$AA_ENC_COMP[0,0,AX2]=0\n"
+            "$AA_ENC_COMP[0,1,AX2]=0.01\n$AA_ENC_COMP_STEP[0,AX2]=500\n$AA_ENC_COMP_MIN[0,AX2]=-500"
+            "\n$AA_ENC_COMP_MAX[0,AX2]=0\n$AA_ENC_COMP_IS_MODULO[0,AX2]=0\nM17\n"
+        )
+        for files, code in (("control", 2), ("control/MD.INI, control/CEC.INI", 0)):
+            assert run(folder, SIEMENS, options=options, states=f"{{files: [{files}]}}") == code

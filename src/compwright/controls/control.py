@@ -331,7 +331,7 @@ def decode(
         (each, axis) for axis in axes for each in (axis.address, axis.gantry) if each is not None
     ]
     if control.definition.judged == "read_back":
-        return DecodedState(files, state, SingleReader(state))
+        return DecodedState(files, state, SingleReader(state), active)
     alone = address or (axes[0].address if len(axes) == 1 else None)
     judge = virtual_control(
         control.id,
@@ -360,7 +360,7 @@ def decode(
         },
     )
     raise_all(CompwrightError if written else InputError, disagreements(state, judge))
-    return DecodedState(files=files, state=state, judge=judge)
+    return DecodedState(files=files, state=state, judge=judge, active=active)
 
 
 def _judged_at(definition: Definition, axis: Axis) -> Mapping[str, str]:

@@ -18,7 +18,9 @@ from compwright.formats.families.axis_pairs import (
     BetweenRequest,
     cannot_hold,
     combined_answer,
+    error_label,
     merged_files,
+    not_corrected,
 )
 from compwright.formats.families.control_texts import texts_of
 from compwright.foundations.errors import CompwrightError, Fault, raise_all
@@ -105,11 +107,11 @@ def write_planned(
         )
         return control.format.between(request)
 
-    whole, now = planned, as_found.state.cross
-    idle = [entry for entry in planned if _unlike(entry, now, state(base).cross)]
+    whole = planned
+    idle = [entry for entry in planned if _unlike(entry, as_found, state(base).cross)]
     planned = [entry for entry in planned if entry not in idle]
     answer = answered(planned) if planned else Between()
-    refused = [_of_unclear_switch(entry) for entry in idle]
+    refused = [_of_unclear_switch(entry, active=bool(as_found.active)) for entry in idle]
     partners = _gantry_partners(axes)
     racked = [entry for entry in planned if entry.output in partners]
     if racked and (answer.files is not None or answer.sheets):
@@ -142,14 +144,29 @@ def write_planned(
 
 
 def _unlike(
-    entry: PlannedCross, active: Sequence[CrossCompensation], filed: Sequence[CrossCompensation]
+    entry: PlannedCross, as_found: DecodedState, filed: Sequence[CrossCompensation]
 ) -> bool:
-    """Return whether the table of the axes of ``entry`` that was ``active`` during the test is not
-    the one that the control's files switch on (``filed``).
+    """Return whether the table of the axes of ``entry`` that was active during the test, by the
+    job's answer, is not the one that the control's files switch on (``filed``).
+
+    The answer changes no numbered table (`PairTables`): such a table, of either axis over the
+    other, is unlike if it contradicts the answer.
     """
-    pair = entry.added.input, entry.added.output
+    pair, now, numbers = (entry.added.input, entry.added.output), as_found.state, set[int]()
+    if as_found.active is not None:
+        on = [
+            (one.input, one.output) for one in now.cross if one.positive.any() or one.negative.any()
+        ]
+        numbers = (
+            {*now.tables.off}
+            if as_found.active
+            else {index for index, axes in now.tables.used.items() if axes in on}
+        )
+    if any({*now.tables.used[index]} == {*pair} for index in numbers):
+        return True
     first, second = (
-        [each for each in tables if (each.input, each.output) == pair] for tables in (active, filed)
+        [each for each in tables if (each.input, each.output) == pair]
+        for tables in (now.cross, filed)
     )
     where = np.concatenate([entry.added.positions, *(each.positions for each in (*first, *second))])
     return any(
@@ -158,12 +175,19 @@ def _unlike(
     )
 
 
-def _of_unclear_switch(entry: PlannedCross) -> Between:
-    """Return the answer that a correction is not written, because the job's answer `active` and the
-    switches in the control's files differ: the new table replaces the old one or is added to it.
+def _of_unclear_switch(entry: PlannedCross, *, active: bool) -> Between:
+    """Return the answer that a correction is not written, because the job's answer ``active`` and
+    the switches in the control's files differ: the new table replaces the old one or is added to
+    it.
     """
-    why = say("between.switches", output=entry.output, input=entry.input)
-    return cannot_hold(entry, SentenceText(why))
+    why = say(
+        "CW-P113.switches",
+        what=error_label(entry),
+        output=entry.output,
+        input=entry.input,
+        active=active,
+    )
+    return not_corrected(entry, why, SentenceText(why))
 
 
 def _gantry_partners(axes: Mapping[str, Axis]) -> dict[str, tuple[str, str]]:

@@ -54,12 +54,14 @@ if TYPE_CHECKING:
 @dataclass(frozen=True, slots=True)
 class DecodedState:
     """A control's files, with the corrections that both file readers of compwright decoded from
-    them; no files means no compensation.
+    them; no files means no compensation. ``active``: the job's answer whether the tables were
+    active.
     """
 
     files: tuple[ControlFile, ...]
     state: ControlState
     judge: VirtualControl | SingleReader | None
+    active: bool | None = None
 
 
 def judged_values(

@@ -118,6 +118,7 @@ class PairTables:
     ``obstacles``: for each table to which no correction can be added, every reason with its next
     step (empty: only another table helps). Without one, the table is one curve for both directions,
     active beyond doubt.
+    ``off``: the tables between two axes that hold values and are switched off in the files.
     """
 
     used: Mapping[int, tuple[str, str]] = field(default_factory=dict)
@@ -125,3 +126,4 @@ class PairTables:
     stay: frozenset[int] = frozenset()
     curves: Mapping[int, tuple[tuple[float, ...], tuple[float, ...]]] = field(default_factory=dict)
     obstacles: Mapping[int, tuple[tuple[str, str], ...]] = field(default_factory=dict)
+    off: frozenset[int] = frozenset()

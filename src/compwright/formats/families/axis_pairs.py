@@ -128,10 +128,16 @@ def entry_sheet_answer(
 
 def cannot_hold(entry: PlannedCross, why: str) -> Between:
     """Return the answer that the control cannot store a correction, with the reason ``why``."""
+    remark = say("CW-P113.not_held", what=error_label(entry), why=why)
+    return not_corrected(entry, remark, control_text("{why}.", why=why))
+
+
+def not_corrected(entry: PlannedCross, remark: Sentence, step: str) -> Between:
+    """Return the answer that a correction is not written: a finding, and a ``step`` of the card."""
     title = control_text("Not corrected: {error}", error=SentenceText(error_label(entry)))
     return Between(
-        remarks=(("error", say("CW-P113.not_held", what=error_label(entry), why=why)),),
-        steps=({"title": title, "text": control_text("{why}.", why=why), "evidence": "inferred"},),
+        remarks=(("error", remark),),
+        steps=({"title": title, "text": step, "evidence": "inferred"},),
     )
 
 

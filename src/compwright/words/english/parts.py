@@ -25,11 +25,6 @@ SENTENCES: Final[dict[str, str]] = {
         " straightness}"
     ),
     "between.squareness": "squareness of {output} over {input} ({slope:+.1f} µm/m)",
-    "between.switches": (
-        "the job states in `active` whether the existing table of {output} over {input} was active"
-        " during the test, and the control's files do not switch it so. Next: give the files with"
-        " all switches as they were during the test, and leave out `active`"
-    ),
     "circle.part": "{start:.5g}° to {end:.5g}°",
     "compared_not_removed": "{parameters:join|; }. The result contains all readings.",
     "direct_squareness": (

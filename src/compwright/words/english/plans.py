@@ -114,6 +114,12 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P113.straightness": (
         "{what} is corrected in the files by straightness compensation: {values}."
     ),
+    "CW-P113.switches": (
+        "{what} is not corrected. The job says (`active`) that the table of {output} over {input}"
+        " was {active:if|active|not active} during the test. The control's files do not say so."
+        " Next: give the files with all switches as they were during the test, without the tables"
+        " that were off, and leave out `active`."
+    ),
     "CW-P113.typed": (
         "{what} is corrected by values that are in no file for the control ({why}). Type them into"
         " {where}, {rows}. The commissioning card and the entry sheet in its folder describe how."

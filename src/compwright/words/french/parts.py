@@ -25,12 +25,6 @@ SENTENCES: Final[dict[str, str]] = {
         " de travail : aucune autre table ne corrige une rectitude}"
     ),
     "between.squareness": "perpendicularité de {output} à {input} ({slope:+.1f} µm/m)",
-    "between.switches": (
-        "le dossier de travail indique par `active` si la table existante de {output} en fonction"
-        " de {input} était active pendant la mesure, et les fichiers de la commande ne l'activent"
-        " pas ainsi. Ensuite : donner les fichiers avec tous les commutateurs comme pendant la"
-        " mesure, et omettre `active`"
-    ),
     "circle.part": "{start:.5g}° à {end:.5g}°",
     "compared_not_removed": "{parameters:join|; }. Le résultat contient toutes les mesures.",
     "direct_squareness": (

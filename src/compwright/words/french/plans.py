@@ -116,6 +116,13 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P113.straightness": (
         "{what} : corrigé dans les fichiers par compensation de rectitude : {values}."
     ),
+    "CW-P113.switches": (
+        "{what} n'est pas corrigé. Le dossier de travail dit (`active`) que la table de {output} en"
+        " fonction de {input} {active:if|était active|n'était pas active} pendant la mesure. Les"
+        " fichiers de la commande ne le disent pas. Ensuite : donner les fichiers avec tous les"
+        " commutateurs comme pendant la mesure, sans les tables qui étaient désactivées, et omettre"
+        " `active`."
+    ),
     "CW-P113.typed": (
         "{what} : les valeurs de correction ne sont dans aucun fichier pour la commande ({why})."
         " Les saisir dans {where}, {rows}. La fiche de mise en service et la feuille de saisie du"

@@ -25,11 +25,6 @@ SENTENCES: Final[dict[str, str]] = {
         " andere Tabelle korrigiert eine Geradheit}"
     ),
     "between.squareness": "Rechtwinkligkeit von {output} zu {input} ({slope:+.1f} µm/m)",
-    "between.switches": (
-        "der Auftrag gibt mit `active` an, ob die vorhandene Tabelle von {output} über {input} bei"
-        " der Messung wirksam war, und die Dateien der Steuerung schalten sie nicht so. Weiter: die"
-        " Dateien mit allen Schaltern wie bei der Messung angeben und `active` weglassen"
-    ),
     "circle.part": "{start:.5g}° bis {end:.5g}°",
     "compared_not_removed": "{parameters:join|; }. Das Ergebnis enthält alle Messwerte.",
     "direct_squareness": (

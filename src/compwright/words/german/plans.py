@@ -124,6 +124,12 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P113.straightness": (
         "{what} wird in den Dateien durch Geradheitskompensation korrigiert: {values}."
     ),
+    "CW-P113.switches": (
+        "{what} wird nicht korrigiert. Der Auftrag sagt (`active`), dass die Tabelle von {output}"
+        " über {input} bei der Messung {active:if|aktiv|nicht aktiv} war. Die Dateien der Steuerung"
+        " sagen das nicht. Weiter: die Dateien mit allen Schaltern wie bei der Messung angeben,"
+        " ohne die Tabellen, die aus waren, und `active` weglassen."
+    ),
     "CW-P113.typed": (
         "Die Werte, die {what} korrigieren, sind in keiner Datei für die Steuerung ({why}). In"
         " {where} eintippen, {rows}. Die Inbetriebnahmekarte und das Eingabeblatt in ihrem Ordner"

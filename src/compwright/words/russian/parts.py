@@ -24,11 +24,6 @@ SENTENCES: Final[dict[str, str]] = {
         " не исправит}"
     ),
     "between.squareness": "перпендикулярность {output} к {input} ({slope:+.1f} мкм/м)",
-    "between.switches": (
-        "ключ `active` задания указывает, действовала ли при измерении имеющаяся таблица {output}"
-        " по {input}, а файлы ЧПУ включают её иначе. Далее: дайте файлы, в которых все"
-        " переключатели такие, как при измерении, и уберите `active`"
-    ),
     "circle.part": "{start:.5g}°–{end:.5g}°",
     "compared_not_removed": "{parameters:join|; }. Результат содержит все отсчёты.",
     "direct_squareness": (

@@ -211,7 +211,10 @@ class PairsReader(GridReader):
         }
         obstacles = {one.index: tuple(self._obstacles(one)) for one in between}
         obstacles |= {one.index: ((one.why, _CORRECT),) for one in self.cec.odd}
-        return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay(), curves, obstacles)
+        off = frozenset(one.index for one in between if not one.active and one.values.any())
+        return PairTables(
+            self.cec.occupied, self.cec.reserved, self.cec.stay(), curves, obstacles, off
+        )
 
     def _obstacles(self, one: CecTable) -> Iterator[tuple[str, str]]:
         """Yield each reason why no correction can be added to a table, with its next step.
