@@ -12,12 +12,19 @@ from compwright.workflow.results.next_step import after_run, after_verify
 
 
 def step(
-    verdicts: dict[str, str], *codes: str, of_circle: str | None = None, read_back: bool = True
+    verdicts: dict[str, str],
+    *codes: str,
+    of_circle: str | None = None,
+    own: str = "",
+    read_back: bool = True,
 ) -> str:
     document: dict[str, Any] = {
         "verdict": "bad",
         "axes": {
-            name: {"loading": {"verdict": verdict}, "findings": []}
+            name: {
+                "loading": {"verdict": verdict},
+                "findings": [{"code": own}] if own else [],
+            }
             for name, verdict in verdicts.items()
         },
         "circles": {"xy": {"squareness": None, "findings": [{"code": of_circle}]}}
@@ -26,9 +33,10 @@ def step(
         "findings": [{"code": code} for code in codes],
         "doubts": [{"code": code} for code in codes],
     }
-    outcome = SimpleNamespace(document=document, files=())
+    outcome = SimpleNamespace(document=document, files=(), of_axes=["a.csv"] if verdicts else [])
+    after = [*outcome.of_axes, *(["xy=circle.csv"] if of_circle else [])]
     job, out = Path("job.yaml"), Path("job")
-    return after_verify(outcome, job, out, ["a.csv"], plan=out, given=(), read_back=read_back)
+    return after_verify(outcome, job, out, after, plan=out, given=(), read_back=read_back)
 
 
 @pytest.mark.parametrize(
@@ -76,6 +84,30 @@ def test_a_circle_that_cannot_be_trusted_is_checked_or_measured_before_the_contr
     assert "verify job.yaml --after AFTER_FILE" in first
     assert "compare" not in first
     assert "load what differs" in step({}, "CW-V011", of_circle=code)
+
+
+def test_a_circle_that_cannot_be_trusted_hides_no_fault_of_an_axis() -> None:
+    """The own test of X proves that its table is inverted, however noisy the circle is."""
+    faulty = step({"X": "inverted", "Y": "loaded"}, of_circle="CW-V021")
+    assert faulty.startswith("Next: correct what is named above, measure again")
+    faulty = step({"X": "not_active"}, of_circle="CW-V021", read_back=False)
+    assert faulty.startswith("Next: save the control's files")
+    state = step({"X": "state"}, of_circle="CW-V021")
+    assert state.startswith("Next: state what was active in the first test of X")
+
+
+def test_the_good_tests_of_axes_stay_in_the_command() -> None:
+    circle = step({"X": "loaded", "Y": "undecided"}, of_circle="CW-V021")
+    assert circle.startswith("Next: check the test after loading as CW-V021 says, or measure it")
+    assert "verify job.yaml --after a.csv --after AFTER_FILE --loaded READ_BACK" in circle
+    assert "a.csv" not in step({"X": "undecided"}, of_circle="CW-V021", own="CW-V026")
+
+
+def test_two_findings_are_named_in_the_plural() -> None:
+    both = step({"X": "loaded"}, "CW-V025", of_circle="CW-V021")
+    assert "as the findings CW-V021 and CW-V025 say, or measure it again" in both
+    both = step({"X": "loaded"}, "CW-V023", "CW-V034")
+    assert "measure what the findings CW-V023 and CW-V034 name, then" in both
 
 
 @pytest.mark.parametrize("sheet", ["entry_X.csv", "cross_X_Y.csv", "straightness_X_Y.csv"])

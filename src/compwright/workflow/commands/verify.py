@@ -92,12 +92,15 @@ NOT_READ_BACK = Fault(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VerifyOutcome:
-    """The result of ``verify``. ``exit_code`` is 0 only for the verdict ``good``."""
+    """The result of ``verify``. ``exit_code`` is 0 only for the verdict ``good``. ``of_axes``: the
+    values of ``--after`` that are positioning tests.
+    """
 
     exit_code: int
     document: Mapping[str, Any]
     files: tuple[Path, ...]
     notes: tuple[str, ...] = ()
+    of_axes: tuple[str, ...] = ()
 
 
 def plan_path(session: Session, given: Path | None, default: Path) -> Path:
@@ -171,6 +174,7 @@ def verify_job(
         document=document,
         files=_stored(session, out, files, then, json_path, report, force=force),
         notes=(*notes, *proven, *(then.notes if then is not None else ()), *_left_over(out, then)),
+        of_axes=tuple(found.specs),
     )
 
 

@@ -80,15 +80,17 @@ def after_verify(
         plane["active"] for plane in planes
     )
     found = {finding["code"] for part in (document, *circles) for finding in part["findings"]}
-    codes = found | {finding["code"] for axis in axes for finding in axis["findings"]}
+    own = {finding["code"] for axis in axes for finding in axis["findings"]}
+    codes = found | own
     wrong = codes & {"CW-V011", "CW-S087"}
-    doubtful = [] if wrong else sorted(_UNTRUSTED & found)
+    verdicts = {name: axis["loading"]["verdict"] for name, axis in document["axes"].items()}
+    proven = wrong or {*verdicts.values()} - {"loaded", "undecided"}
+    doubtful = [] if proven else sorted(_UNTRUSTED & found)
     lacking = doubtful or (sorted({"CW-V023", "CW-V034"} & found) if active else [])
     if lacking:
-        names = " and ".join(lacking)
-        what = f"check the test after loading as {names} says, or measure it again"
-        kept = again if lacking == ["CW-V023"] else ()
-        return f"Next: {what if doubtful else f'measure what {names} names'}, then type: " + (
+        good = () if own & _UNTRUSTED else outcome.of_axes
+        kept = again if lacking == ["CW-V023"] else [w for file in good for w in ("--after", file)]
+        return f"Next: {_what_to_measure(lacking, check=bool(doubtful))}, then type: " + (
             _command("verify", job, *kept, "--after", _AFTER, *given, *loaded, "--force")
         )
     if not read_back:
@@ -113,7 +115,6 @@ def after_verify(
             "Next: check on the control the coupling that CW-S088 names; if it is right, state it"
             f" in the job (gantry) with the files read back (states), then type: {again_run}"
         )
-    verdicts = {name: axis["loading"]["verdict"] for name, axis in document["axes"].items()}
     idle = [name for name, verdict in verdicts.items() if verdict == "state"]
     open_ = ("state", "loaded", "undecided")  # of these, nothing above names a fault to correct
     faulty = [name for name, verdict in verdicts.items() if verdict not in open_]
@@ -130,6 +131,14 @@ def after_verify(
     return "Next: correct what is named above, measure again, then type: " + _command(
         "verify", job, "--after", _AFTER, *given, "--loaded", READ_BACK, "--force"
     )
+
+
+def _what_to_measure(codes: Sequence[str], *, check: bool) -> str:
+    """Return the step for the findings with these ``codes``; ``check``: a test is doubtful."""
+    names, s = (codes[0], "s") if len(codes) == 1 else (f"the findings {' and '.join(codes)}", "")
+    if check:
+        return f"check the test after loading as {names} say{s}, or measure it again"
+    return f"measure what {names} name{s}"
 
 
 def _command(*words: object) -> str:
