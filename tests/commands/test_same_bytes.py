@@ -106,7 +106,12 @@ def test_files_and_words_are_the_same_on_every_processor(tmp_path: Path) -> None
             started(folder, crew, words, **chosen)
             for folder, (crew, chosen) in zip(folders, settings, strict=True)
         ]
-        said += [(*process.communicate(timeout=120), process.returncode) for process in running]
+        try:
+            said += [(*process.communicate(timeout=120), process.returncode) for process in running]
+        finally:
+            for process in running:
+                process.kill()  # one that has ended is left alone
+                process.wait()
     assert said[2][2] in (0, 1), said[2]
     assert said[0] == said[1]
     assert said[2] == said[3]
