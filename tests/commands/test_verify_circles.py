@@ -329,7 +329,8 @@ def test_what_is_left_of_a_squareness_is_named(
     assert [one["code"] for one in answer["doubts"]] == ([] if good else ["CW-V035"])
     shown = " ".join(capsys.readouterr().out.split())
     assert ("CW-V035" in shown) is (named is not None)
-    assert f"µm/m 0.0 ± {check['U']:.1f} {decision}" in shown
+    limit = f"−{check['U']:.1f} to {check['U']:.1f}" if named is None or not good else "—"
+    assert f"µm/m {limit} {decision}" in shown
     page = (folder / "v" / "verification.html").read_text(encoding="utf-8")
     assert "Verification of Circle xy" in page
     assert "see the axes" not in page

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
-from compwright.reporting.numbers import decimals_of_unit, number, plain
+from compwright.reporting.numbers import MISSING, decimals_of_unit, number, plain
 from compwright.words.sentences import Sentence, say
 
 #: Rows of the parameter table: letter, whether about the least-squares centre, keys for ccw, cw
@@ -102,11 +102,15 @@ def parameter_words(key: str) -> Sentence:
 
 def squareness_limit(circle: Mapping[str, Any]) -> dict[str, Any]:
     """Return the check of the corrected squareness of a verified circle in the form of a limit, by
-    the name of the cause: the expected value with its uncertainty. Empty without such a check.
+    the name of the cause. The limits are U to both sides of the expected value; a rest beyond them
+    that is accepted as negligible (CW-V035) has none. Empty without such a check.
     """
     check = circle.get("squareness") if "after" in circle else None
     if not check:
         return {}
     decimals = decimals_of_unit("µm/m")
-    expected, U = (number(check[key], decimals) for key in ("expected", "U"))
-    return {"squareness": {**check, "limit": say("label.value_error", value=expected, error=U)}}
+    expected, U = check["expected"], check["U"]
+    if check["decision"] == "accept" and abs(check["value"] - expected) > U:
+        return {"squareness": {**check, "limit": MISSING}}
+    low, high = (number(expected + part * U, decimals) for part in (-1.0, 1.0))
+    return {"squareness": {**check, "limit": say("label.range", low=low, high=high)}}
