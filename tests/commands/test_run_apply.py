@@ -1278,3 +1278,17 @@ def test_an_answer_about_a_numbered_table_that_the_files_contradict_takes_no_squ
         )
         for files, code in (("control", 2), ("control/MD.INI, control/CEC.INI", 0)):
             assert run(folder, SIEMENS, options=options, states=f"{{files: [{files}]}}") == code
+
+
+@pytest.mark.parametrize(("answer", "code"), [("", 0), (", active: no", 3)])
+def test_an_answer_about_another_state_that_its_files_contradict_is_refused(
+    folder: Path, capsys: pytest.CaptureFixture[str], answer: str, code: int
+) -> None:
+    """The circle would be brought to the state as found without the 15 µm/m of the table."""
+    write_own_table(folder / "control")
+    states = f"{{files: [control]}}, then: {{files: [control]{answer}}}"
+    circles = "[{file: xy.csv, name: xy-150, centre: [400, -250], measured_in: then}]"
+    options = CEC.replace("[0, 1, 2, 3, 4, 5, 6, 7]", "[0]")
+    assert run(folder, SIEMENS, options=options, states=states, circles=circles) == code
+    said = " ".join(capsys.readouterr().err.split())
+    assert ("table between the axes AX1 and AX2 was active during the test" in said) is (code == 3)

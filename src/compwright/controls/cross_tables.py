@@ -149,24 +149,14 @@ def _unlike(
     """Return whether the table of the axes of ``entry`` that was active during the test, by the
     job's answer, is not the one that the control's files switch on (``filed``).
 
-    The answer changes no numbered table (`PairTables`): such a table, of either axis over the
-    other, is unlike if it contradicts the answer.
+    So is a numbered table of either axis over the other that contradicts the answer.
     """
-    pair, now, numbers = (entry.added.input, entry.added.output), as_found.state, set[int]()
-    if as_found.active is not None:
-        on = [
-            (one.input, one.output) for one in now.cross if one.positive.any() or one.negative.any()
-        ]
-        numbers = (
-            {*now.tables.off}
-            if as_found.active
-            else {index for index, axes in now.tables.used.items() if axes in on}
-        )
-    if any({*now.tables.used[index]} == {*pair} for index in numbers):
+    pair = entry.added.input, entry.added.output
+    if frozenset(pair) in as_found.contradicted:
         return True
     first, second = (
         [each for each in tables if (each.input, each.output) == pair]
-        for tables in (now.cross, filed)
+        for tables in (as_found.state.cross, filed)
     )
     where = np.concatenate([entry.added.positions, *(each.positions for each in (*first, *second))])
     return any(

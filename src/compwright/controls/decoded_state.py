@@ -63,6 +63,25 @@ class DecodedState:
     judge: VirtualControl | SingleReader | None
     active: bool | None = None
 
+    @property
+    def contradicted(self) -> set[frozenset[str]]:
+        """Return the axes of each numbered table (`PairTables`) between two axes that the files
+        switch otherwise than ``active`` says. This answer changes no such table.
+        """
+        if self.active is None:
+            return set()
+        tables = self.state.tables
+        on = {
+            (one.input, one.output)
+            for one in self.state.cross
+            if one.positive.any() or one.negative.any()
+        }
+        return {
+            frozenset(axes)
+            for index, axes in tables.used.items()
+            if (index in tables.off if self.active else axes in on)
+        }
+
 
 def judged_values(
     state: DecodedState, address: str, positions: FloatArray, direction: Direction

@@ -93,6 +93,7 @@ def read_job_inputs(session: Session, job: Job, control: Control, folder: Path) 
             *_missing_axes(job, states),
             *_other_neighbours(job, states),
             *_other_tables_between(job, states),
+            *_other_switches(job, states),
             *_misnamed(job, states),
             *unknown_motions(job, {name: decoded.state for name, decoded in states.items()}),
         ],
@@ -326,6 +327,33 @@ def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Itera
                     found=f"{AS_FOUND}: {tables[0]}; {state}: {tables[1]}",
                     hint=(
                         f"repeat the circle or the cross measurement in {AS_FOUND}, or give {help_}"
+                    ),
+                )
+
+
+def _other_switches(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
+    """Yield a fault for each state of a circle or cross measurement whose files switch a table
+    between two axes of the job otherwise than `active` says. For the state as found, writing
+    refuses it.
+    """
+    addresses = {entry.axis.address for entry in job.axes.values()}
+    measured = {request.measured_in for request in job.circles}
+    measured |= {request.measured_in for request in job.cross}
+    for name in sorted(measured.intersection(states) - {AS_FOUND}):
+        for pair in sorted(sorted(each) for each in states[name].contradicted):
+            if addresses.issuperset(pair):
+                yield Fault(
+                    message=(
+                        f"`active` in `states: {name}` says whether the table between the axes"
+                        f" {' and '.join(pair)} was active during the test, and the files do not"
+                        " say so"
+                    ),
+                    file=job.file,
+                    place=f"states.{name}",
+                    expected="no key `active`",
+                    hint=(
+                        "give the files with all switches as they were during the test, without"
+                        " the tables that were off, and leave out `active`"
                     ),
                 )
 
