@@ -60,9 +60,9 @@ def test_a_large_spiral_is_no_lost_motion(start: float, senses: tuple[str, ...])
     whose axes are late.
     """
     setup = Setup(radius=50.0, feed=3700.0, start=start, senses=senses, noise=0.25)
-    found = diagnose(
-        measured(Machine(spiral=30.0, lag=49.0), setup, np.random.default_rng(12))
-    ).effects
+    diagnosis = diagnose(measured(Machine(spiral=30.0, lag=49.0), setup, np.random.default_rng(12)))
+    found = diagnosis.effects
+    assert "spiral" not in diagnosis.undetermined
     assert abs(found["spiral"].value - 30.0) < 2.5 * found["spiral"].std_error
     assert found["spiral"].std_error < 3.0
     for axis in ("first", "second"):
@@ -135,7 +135,8 @@ def test_lost_motion_that_is_taken_up_gradually_is_no_spike(
     for end in ENDS:
         spike = found[f"reversal_spike_{axis}_at_{end}"]
         assert abs(spike.value) < 2.0 * spike.std_error
-        assert spike.std_error < abs(lost)
+        # Between no spike and all of it: at most half of the distance, and what the noise adds.
+        assert spike.std_error < (0.5 * lost + 2.0 * setup.noise if lost > 0.0 else -lost)
         play = found[f"backlash_{axis}_at_{end}"]
         assert abs(play.value - lost) < 3.0 * play.std_error
 

@@ -212,7 +212,7 @@ def test_ends_that_do_not_meet() -> None:
 
     messages = found(drifting(45.0), "CW-C012")
     assert len(messages) == 1
-    step = float(messages[0].split("differ by ")[1].split(" µm")[0])
+    step = float(messages[0].split("changed by ")[1].split(" µm")[0])
     assert step == pytest.approx(
         6.0, abs=0.8
     )  # medians of three samples of 0.2 µm, less what the centre takes: 2 nm per µm

@@ -53,7 +53,7 @@ PRIORS: Final = {
     "_changeover_after": 1.0,
     "_changeover_before": 1.0,
     "_changeover_late": 1.0,
-    "spiral": 3.0,
+    "spiral": 30.0,
     "offset_change": 3.0,
     "radius_change": 3.0,
     "_centre_x": 100.0,
@@ -66,7 +66,7 @@ PRIORS: Final = {
     "_spike": 10.0,
     "_cyclic": 10.0,
 }
-#: Prior probability of causes and nuisances that most machines do not have (`is_rare`).
+#: Prior probability of causes and nuisances that most machines do not have (`rare_cause`).
 RARE: Final = {
     "spiral": 0.4,
     "_spiral_change": 0.1,
@@ -80,10 +80,10 @@ RARE: Final = {
     "_lateral_change_first": 0.3,
     "_lateral_change_second": 0.3,
 }
-#: Widths of the prior of a spiral, equally probable, in the one of `PRIORS`: most machines drift by
-#: a few um during a run, with a cold spindle or a loose ball by far more. The narrow one alone
-#: would take the rest for lost motion where a run begins at a reversal point.
-_SPIRALS: Final = (1, 10)
+#: Widths of the prior of a spiral, equally probable, as shares of that in `PRIORS`: most machines
+#: drift by a few um during a run, with a cold spindle or a loose ball by far more. The narrow one
+#: alone would take the rest for lost motion where a run begins at a reversal point.
+_SPIRALS: Final = (0.1, 1.0)
 #: Causes that displace the tool by a constant along a quarter of the circle.
 _DISPLACED: Final = ("_centre", "offset_change", "backlash", "lateral_play")
 #: Least and longest time, s, that a changeover of master and slave axis may take, if it is no step,
@@ -241,7 +241,7 @@ _Named = tuple[str, FloatArray, FloatArray]
 
 def prior_width(name: str, radius: float) -> float:
     """Return the standard deviation (`PRIORS`) of the size of a cause on typical machines. The
-    scale mismatch is 100 um/m over the diameter 2 ``radius`` (mm). "@10": ten times as much.
+    scale mismatch is 100 um/m over the diameter 2 ``radius`` (mm). "@0.1": a tenth of it.
     """
     if name == "scale_mismatch":
         return 2.0 * radius * PRIOR_SCALE * UM

@@ -146,10 +146,8 @@ def _odds(
     weight = found + prior
     gain = 0.5 * rest**2 / weight - 0.5 * np.log(weight / prior)
     chance = shapes.chance[name]
-    there, absent = (
-        math.log(chance / columns.size),
-        math.log1p(-chance) if chance < 1.0 else -math.inf,
-    )
+    there = math.log(chance / columns.size)
+    absent = math.log1p(-chance) if chance < 1.0 else -math.inf
     if name.startswith("_changeover") and shapes.present["master_slave"] < 0:
         there = -math.inf  # the response of a changeover that is absent
     return np.concatenate([[absent], there + gain]), 1.0 / np.sqrt(weight)

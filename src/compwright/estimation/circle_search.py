@@ -50,12 +50,12 @@ from compwright.records.axis import FloatArray
 _TUNING_ROUNDS: Final = 4
 #: Frequencies that are tuned again, at most, after a wave was added.
 _TUNINGS: Final = 3
-#: What the linear column of a frequency may leave of its change at the ends of the travel, by the
-#: standard error of the amplitude.
+#: Largest error of a linearised frequency at the ends of the travel, as a share of the standard
+#: error of the amplitude.
 _LINEAR: Final = 0.1
 #: The doubt of the lag by a cyclic error, relative to that before, up to which it is used.
 _SURER: Final = 0.5
-#: Log odds from which a fit from assumed noise is another one.
+#: A fit from assumed noise replaces the fit before if it is more probable by these log odds.
 _OTHER: Final = 1.0
 #: Log odds, a thousand to one, of a cyclic error that is not clear by the threshold of its search.
 _CLEAR_ODDS: Final = np.log(1e3)
@@ -145,8 +145,8 @@ def solve(start: CircleStart, given: dict[str, float], readings: CircleSamples) 
     vibration therefore has to make the model more probable than noise alone and than the likeliest
     cyclic error do. If this cyclic error is more probable by far, it is added, clear or not.
 
-    A changed model is fitted on from the fit before. When nothing more is found, it is also fitted
-    from assumed noise. If another fit is more probable, the search goes on from there.
+    The fit of a changed model starts from the fit before. When nothing more is found, it is also
+    fitted from assumed noise. If that fit is more probable, the search goes on from there.
     """
     waves, tried = dict[str, _Wave](), start.problem
     start, fast = _without_fast_vibration(start, readings)

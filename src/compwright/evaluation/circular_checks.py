@@ -261,7 +261,7 @@ def _closing(test: CircularTest, path: ActualPath, centre: Point) -> list[Findin
 
 
 def open_ends(run: CircularRun, step: float) -> Finding:
-    """Return the finding CW-C012: the ends of a ``run`` differ by ``step``, mm."""
+    """Return the finding CW-C012: the radius changed by ``step``, mm, during a ``run``."""
     return Finding.of("CW-C012", "warning", run=_named(run), step=_um(step))
 
 

@@ -69,7 +69,7 @@ def _drift_findings(result: CircularResult, diagnosis: Diagnosis) -> Iterator[Fi
     motion too, and only the fit of all causes distinguishes them.
     """
     known = any(finding.code == "CW-C012" for finding in result.findings)
-    if known or not result.test.full_circle or "spiral" in diagnosis.undetermined:
+    if known or not result.test.full_circle:
         return
     drift = diagnosis.effects["spiral"]
     step = abs(drift.value) / MICROMETRES_PER_MILLIMETRE

@@ -60,7 +60,7 @@ SENTENCES: Final[dict[str, str]] = {
         " the set-up centre closer to the centre of the circle and measure again."
     ),
     "CW-C012": (
-        "The two ends of {run} are at the same place but differ by {step}. Either the machine"
+        "The radius changed by {step} from the start of {run} to its end. Either the machine"
         " drifted during the run, or the bar moved, or readings of the run-up are among the"
         " samples. Repeat the run."
     ),

@@ -66,9 +66,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {effect} au plus. Mieux centrer et mesurer de nouveau."
     ),
     "CW-C012": (
-        "Les deux extrémités de {run} sont au même endroit mais diffèrent de {step}. Soit la"
-        " machine a dérivé pendant le parcours, soit l'instrument a bougé, soit des mesures de"
-        " l'arc d'entrée sont parmi les points. Répéter le parcours."
+        "Le rayon a changé de {step} du début à la fin de {run}. Soit la machine a dérivé pendant"
+        " le parcours, soit l'instrument a bougé, soit des mesures de l'arc d'entrée sont parmi les"
+        " points. Répéter le parcours."
     ),
     "CW-C013": (
         "Chaque point de mesure de {run} est exactement nul. Le parcours n'a probablement pas été"

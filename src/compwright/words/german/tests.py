@@ -65,9 +65,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {effect} ab. Besser zentrieren und neu messen."
     ),
     "CW-C012": (
-        "Die beiden Enden von {run} liegen an derselben Stelle, unterscheiden sich aber um"
-        " {step}. Entweder driftete die Maschine während des Laufs, oder das Messgerät bewegte"
-        " sich, oder Messwerte des Anlaufs sind unter den Messpunkten. Den Lauf wiederholen."
+        "Der Radius änderte sich vom Anfang bis zum Ende von {run} um {step}. Entweder driftete die"
+        " Maschine während des Laufs, oder das Messgerät bewegte sich, oder Messwerte des Anlaufs"
+        " sind unter den Messpunkten. Den Lauf wiederholen."
     ),
     "CW-C013": (
         "Jeder Messpunkt von {run} ist genau null. Der Lauf wurde wahrscheinlich nicht gemessen:"
