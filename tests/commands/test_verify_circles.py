@@ -192,6 +192,19 @@ def mirrored(folder: Path, test: CircularTest, sign: float) -> str:
     return str(path)
 
 
+@pytest.mark.parametrize(("noise", "beyond"), [(1e-9, True), (0.03, False)])
+def test_a_circle_without_noise_is_not_a_billion_times_quieter(
+    unlimited: tuple[Path, str], noise: float, *, beyond: bool
+) -> None:
+    folder, job = unlimited
+    loaded = replace(BENT, squareness=0.0)
+    after = circle(folder / "after.csv", loaded, replace(FIRST, noise=noise), 7)
+    code, answer = verified(folder, job, after)
+    (doubt,) = [one for one in answer["doubts"] if one["code"] == "CW-V021"]
+    assert code == 1
+    assert ("more than 1000 times less" in doubt["message"]) == beyond
+
+
 def lost_motion_x(value: float) -> dict[str, Any]:
     return {"backlash_first_at_positive": value, "backlash_first_at_negative": value}
 

@@ -39,10 +39,10 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V020.range": "it covers {range}",
     "CW-V021": (
         "{circle:if|The readings of the circle|Repeated readings} scatter by {scatter},"
-        " {ratio:3sig} times {less:if|less|more} than in the first test ({first}). By chance this"
-        " happens in less than one of 1000 tests, even if the noise of the two tests differs by a"
-        " factor of up to {factor:g}. Check unit and readings. Measure again with the instrument"
-        " set as for the first test."
+        " {beyond:if|more than |}{ratio:3sig} times {less:if|less|more} than in the first test"
+        " ({first}). By chance this happens in less than one of 1000 tests, even if the noise of"
+        " the two tests differs by a factor of up to {factor:g}. Check unit and readings. Measure"
+        " again with the instrument set as for the first test."
     ),
     "CW-V022": (
         "The job was edited after the run: {what:choose|standard=the standard|rule=the decision"

@@ -37,10 +37,10 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V020.range": "il couvre {range}",
     "CW-V021": (
         "{circle:if|Les mesures du cercle|Les mesures répétées} se dispersent de {scatter},"
-        " {ratio:3sig} fois {less:if|moins|plus} que dans le premier essai ({first}). Par hasard,"
-        " cela arrive dans moins d'un essai sur 1000, même si le bruit des deux essais diffère d'un"
-        " facteur allant jusqu'à {factor:g}. Vérifier unité et mesures. Mesurer de nouveau,"
-        " l'instrument réglé comme au premier essai."
+        " {beyond:if|plus de |}{ratio:3sig} fois {less:if|moins|plus} que dans le premier essai"
+        " ({first}). Par hasard, cela arrive dans moins d'un essai sur 1000, même si le bruit des"
+        " deux essais diffère d'un facteur allant jusqu'à {factor:g}. Vérifier unité et mesures."
+        " Mesurer de nouveau, l'instrument réglé comme au premier essai."
     ),
     "CW-V022": (
         "Le dossier de travail a été modifié après le calcul : {what:choose|standard=la"

@@ -39,10 +39,11 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V020.range": "sie umfasst {range}",
     "CW-V021": (
         "{circle:if|Die Messwerte des Kreises|Wiederholte Messwerte} streuen um {scatter},"
-        " {ratio:3sig}-mal {less:if|weniger|mehr} als in der ersten Prüfung ({first}). Zufällig"
-        " kommt das in weniger als einer von 1000 Prüfungen vor, selbst wenn sich das Rauschen"
-        " beider Prüfungen um einen Faktor bis {factor:g} unterscheidet. Einheit und Messwerte"
-        " prüfen. Neu messen, mit dem Messgerät eingestellt wie bei der ersten Prüfung."
+        " {beyond:if|mehr als |}{ratio:3sig}-mal {less:if|weniger|mehr} als in der ersten Prüfung"
+        " ({first}). Zufällig kommt das in weniger als einer von 1000 Prüfungen vor, selbst wenn"
+        " sich das Rauschen beider Prüfungen um einen Faktor bis {factor:g} unterscheidet. Einheit"
+        " und Messwerte prüfen. Neu messen, mit dem Messgerät eingestellt wie bei der ersten"
+        " Prüfung."
     ),
     "CW-V022": (
         "Der Auftrag wurde nach der Berechnung geändert: {what:choose|standard=die Norm|rule=die"
