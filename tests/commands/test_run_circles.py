@@ -836,7 +836,7 @@ def test_a_circle_whose_axes_are_exchanged_is_a_doubt_where_lasers_show_it(
     folder: Path, case: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Angles that count from Y turn the sign of the squareness: its table would double the error.
-    YX for XY keeps the sign, but exchanges what the mechanic is told about X and Y.
+    YX for XY keeps the sign, but exchanges X and Y for the mechanic.
     """
     circle = Bent().circle(3)
     rotated = tuple(replace(run, angles=(run.angles - 90.0) % 360.0) for run in circle.runs)
