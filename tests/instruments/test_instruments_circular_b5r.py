@@ -318,6 +318,14 @@ def test_what_is_remarkable(content: bytes, words: str) -> None:
             document().replace(b"<B_AXIS_NAME>Z", b"<B_AXIS_NAME>y"),
             "DYNAMIC_BALLBAR/PLANE names one axis twice",
         ),
+        (
+            document().replace(b"<B_AXIS_NAME>Z", b"<B_AXIS_NAME>X"),
+            "DYNAMIC_BALLBAR/PLANE names other axes than its plane; expected Y and Z in",
+        ),
+        (
+            document().replace(b'TEST_PLANE="YZ"', b'TEST_PLANE="ZY"'),
+            "names other axes than its plane; expected Z and Y in A_AXIS_NAME and B_AXIS_NAME",
+        ),
         (document(run_xml("UP")), "BALLBAR_RUN/RUN_DIRECTION: direction is neither CCW nor CW"),
         (
             document(run_xml(readings=READINGS.replace("+0.003", "abc"))),

@@ -212,7 +212,16 @@ def _plane(bar: Element, faults: FaultList) -> tuple[str, tuple[str, str]]:
         )
         return "", ("", "")
     if all(named):
-        if named[0].upper() == named[1].upper():
+        upper = tuple(name.upper() for name in named)
+        if letters != upper and {*upper} <= {*"XYZ"} and upper[0] != upper[1]:
+            faults.add(
+                "names other axes than its plane",
+                place=f"line {(element or bar).line}, DYNAMIC_BALLBAR/PLANE",
+                expected=f"{' and '.join(letters)} in A_AXIS_NAME and B_AXIS_NAME, as TEST_PLANE",
+                found=shown(" and ".join(named)),
+                hint="correct TEST_PLANE or both names in a copy of the file",
+            )
+        if upper[0] == upper[1]:
             faults.add(
                 "names one axis twice",
                 place=f"line {(element or bar).line}, DYNAMIC_BALLBAR/PLANE",
