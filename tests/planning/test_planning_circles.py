@@ -11,6 +11,7 @@ import pytest
 from compwright.foundations.errors import InputError
 from compwright.planning import circles as planning_circles
 from compwright.planning.circles import (
+    CircleWork,
     in_job_names,
     predicted_circle,
     start_circle,
@@ -133,9 +134,24 @@ def test_axes_are_called_as_in_the_job() -> None:
 def test_a_whole_circle_has_to_lie_within_the_travels(
     centre: tuple[float, float], axis: object, codes: list[str]
 ) -> None:
-    work = circle_of({}, centre=centre)
     axes = {"X": axis, "Y": AXES["Y"]}
-    assert [finding.code for finding in travel_findings(work, axes)] == codes  # type: ignore[arg-type]
+    found = travel_findings(at(centre), axes)  # type: ignore[arg-type]
+    assert [finding.code for finding in found] == codes
+
+
+def at(centre: tuple[float, float], part: float = 1.0) -> CircleWork:
+    """The circle of `measured` at a ``centre``; ``part``: of it, from 0° on."""
+    work, test = circle_of({}, centre=centre), measured()
+    runs = tuple(replace(one, angles=one.angles * part) for one in test.runs)
+    return replace(work, result=replace(work.result, test=replace(test, runs=runs)))
+
+
+def test_the_arc_alone_has_to_lie_within_the_travel() -> None:
+    """An arc is measured where a full circle has no room: 0° to 180° stays above its centre."""
+    assert travel_findings(at((500.0, -600.0), 0.5), AXES) == ()
+    (found,) = travel_findings(at((500.0, -600.5), 0.5), AXES)
+    assert (found.code, found.axes) == ("CW-P102", ("X", "Y"))
+
 
 
 def prediction(was: dict[str, float], becomes: dict[str, tuple[float, float]]) -> CirclePrediction:

@@ -41,6 +41,8 @@ CIRCULAR_STANDARD = "iso230-4:2005"
 WORSE = 0.1
 #: Fresh circular tests that are drawn.
 DRAWS: Final = 100
+#: Less than this, mm, beyond the travel is rounding.
+_OUTSIDE: Final = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -215,23 +217,26 @@ def _middle_assumed(test: CircularTest, centre: tuple[float, float]) -> Finding:
 
 
 def travel_findings(work: CircleWork, axes: Mapping[str, Axis]) -> tuple[Finding, ...]:
-    """Return findings about a circle that is outside the travel of its axes, or on axes that are
-    not linear.
+    """Return the doubt CW-P102 for each axis whose travel the measured points of a circle leave, or
+    that is not linear.
     """
     test, found = work.result.test, []
-    for name, middle in zip(test.axes, work.planned.centre, strict=True):
+    angles = np.deg2rad(np.concatenate([run.angles for run in test.runs]))
+    sides = np.cos(angles), np.sin(angles)
+    for name, middle, side in zip(test.axes, work.planned.centre, sides, strict=True):
         axis = axes.get(name)
         if axis is None:
             continue
-        reach = (middle - test.nominal_radius, middle + test.nominal_radius)
+        reach = middle + test.nominal_radius * np.array([side.min(), side.max()])
+        low, high = (float(each) for each in reach)
         if (
             axis.kind is not AxisKind.LINEAR
-            or reach[0] < axis.travel[0]
-            or reach[1] > axis.travel[1]
+            or low < axis.travel[0] - _OUTSIDE
+            or high > axis.travel[1] + _OUTSIDE
         ):
             found.append(
                 Finding.of(
-                    "CW-P102", "warning", circle=test.name, low=reach[0], high=reach[1], axis=name
+                    "CW-P102", "warning", test.axes, circle=test.name, low=low, high=high, axis=name
                 )
             )
     return tuple(found)

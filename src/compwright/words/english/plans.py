@@ -40,8 +40,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P101.axis": "{axis} {position:g}",
     "CW-P102": (
-        "Circle {circle}: a full circle about its centre reaches from {low:g} to {high:g} on axis"
-        " {axis}, which is beyond the travel. Check centre and radius."
+        "Circle {circle}: about its centre it reaches from {low:.6g} to {high:.6g} on axis {axis},"
+        " which is beyond the travel. Check centre, radius and travel."
     ),
     "CW-P103": (
         "The table that corrects {output} over {input} has equally spaced points. At the measured"

@@ -41,8 +41,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P101.axis": "{axis} {position:g}",
     "CW-P102": (
-        "Cercle {circle} : un cercle complet autour de son centre va de {low:g} à {high:g} sur"
-        " l'axe {axis}, au-delà de la course. Vérifier centre et rayon."
+        "Cercle {circle} : autour de son centre, il va de {low:.6g} à {high:.6g} sur l'axe {axis},"
+        " au-delà de la course. Vérifier centre, rayon et course."
     ),
     "CW-P103": (
         "La table qui corrige {output} selon {input} a des points à pas égaux. Aux positions"

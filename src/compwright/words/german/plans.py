@@ -47,8 +47,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P101.axis": "{axis} {position:g}",
     "CW-P102": (
-        "Kreis {circle}: Ein Vollkreis um seinen Mittelpunkt reicht auf Achse {axis} von {low:g}"
-        " bis {high:g}, über den Verfahrweg hinaus. Mittelpunkt und Radius prüfen."
+        "Kreis {circle}: Um seinen Mittelpunkt reicht er auf Achse {axis} von {low:.6g} bis"
+        " {high:.6g}, über den Verfahrweg hinaus. Mittelpunkt, Radius und Verfahrweg prüfen."
     ),
     "CW-P103": (
         "Die Tabelle, die {output} über {input} korrigiert, hat Punkte in gleichem Abstand. An den"
