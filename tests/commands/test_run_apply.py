@@ -1244,7 +1244,9 @@ def test_a_table_that_the_files_switch_otherwise_than_the_job_says_takes_no_squa
     assert run(folder, control, options=f"{{{option}: error}}", states=states) == 1
     said = " ".join(capsys.readouterr().err.split())
     was = "active" if active == "yes" else "not active"
-    assert f"The job says (`active`) that the table of Y over X was {was} during the test." in said
+    assert (
+        f"The job says (`active`) that the table between X and Y was {was} during the test." in said
+    )
     assert "leave out `active`" in said
     assert "cannot store" not in said
     assert not (folder / "job" / "tables").exists()
@@ -1268,7 +1270,9 @@ def test_an_answer_about_a_numbered_table_that_the_files_contradict_takes_no_squ
     assert run(folder, SIEMENS, options=options, states=states) == (0 if right else 1)
     said = " ".join(capsys.readouterr().err.split())
     was = "active" if active == "yes" else "not active"
-    assert (f"the table of Y over X was {was} during the test. The control" in said) is not right
+    assert (
+        f"the table between X and Y was {was} during the test. The control" in said
+    ) is not right
     assert ("without the tables that were off, and leave out `active`" in said) is not right
     if axis * table:
         (control / "EEC.INI").write_text(

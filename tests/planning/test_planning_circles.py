@@ -153,7 +153,6 @@ def test_the_arc_alone_has_to_lie_within_the_travel() -> None:
     assert (found.code, found.axes) == ("CW-P102", ("X", "Y"))
 
 
-
 def prediction(was: dict[str, float], becomes: dict[str, tuple[float, float]]) -> CirclePrediction:
     """``becomes``: 5 % quantile and median, mm."""
     before: CircularResult = replace(circle_of({}).result, parameters=was)

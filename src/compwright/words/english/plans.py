@@ -115,10 +115,10 @@ SENTENCES: Final[dict[str, str]] = {
         "{what} is corrected in the files by straightness compensation: {values}."
     ),
     "CW-P113.switches": (
-        "{what} is not corrected. The job says (`active`) that the table of {output} over {input}"
-        " was {active:if|active|not active} during the test. The control's files do not say so."
-        " Next: give the files with all switches as they were during the test, without the tables"
-        " that were off, and leave out `active`."
+        "{what} is not corrected. The job says (`active`) that the table between {input} and"
+        " {output} was {active:if|active|not active} during the test. The control's files do not"
+        " say so. Next: give the files with all switches as they were during the test, without the"
+        " tables that were off, and leave out `active`."
     ),
     "CW-P113.typed": (
         "{what} is corrected by values that are in no file for the control ({why}). Type them into"

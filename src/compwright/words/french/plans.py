@@ -117,9 +117,9 @@ SENTENCES: Final[dict[str, str]] = {
         "{what} : corrigé dans les fichiers par compensation de rectitude : {values}."
     ),
     "CW-P113.switches": (
-        "{what} n'est pas corrigé. Le dossier de travail dit (`active`) que la table de {output} en"
-        " fonction de {input} {active:if|était active|n'était pas active} pendant la mesure. Les"
-        " fichiers de la commande ne le disent pas. Ensuite : donner les fichiers avec tous les"
+        "{what} n'est pas corrigé. Le dossier de travail dit (`active`) que la table entre {input}"
+        " et {output} {active:if|était active|n'était pas active} pendant la mesure. Les fichiers"
+        " de la commande ne le disent pas. Ensuite : donner les fichiers avec tous les"
         " commutateurs comme pendant la mesure, sans les tables qui étaient désactivées, et omettre"
         " `active`."
     ),

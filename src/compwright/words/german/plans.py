@@ -125,10 +125,10 @@ SENTENCES: Final[dict[str, str]] = {
         "{what} wird in den Dateien durch Geradheitskompensation korrigiert: {values}."
     ),
     "CW-P113.switches": (
-        "{what} wird nicht korrigiert. Der Auftrag sagt (`active`), dass die Tabelle von {output}"
-        " über {input} bei der Messung {active:if|aktiv|nicht aktiv} war. Die Dateien der Steuerung"
-        " sagen das nicht. Weiter: die Dateien mit allen Schaltern wie bei der Messung angeben,"
-        " ohne die Tabellen, die aus waren, und `active` weglassen."
+        "{what} wird nicht korrigiert. Der Auftrag sagt (`active`), dass die Tabelle zwischen"
+        " {input} und {output} bei der Messung {active:if|aktiv|nicht aktiv} war. Die Dateien"
+        " der Steuerung sagen das nicht. Weiter: die Dateien mit allen Schaltern wie bei der"
+        " Messung angeben, ohne die Tabellen, die aus waren, und `active` weglassen."
     ),
     "CW-P113.typed": (
         "Die Werte, die {what} korrigieren, sind in keiner Datei für die Steuerung ({why}). In"
