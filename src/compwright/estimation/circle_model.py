@@ -65,7 +65,12 @@ PRIORS: Final = {
     "_lateral_change": 3.0,
     "_spike": 10.0,
     "_cyclic": 10.0,
+    "_smooth": 0.05,
 }
+#: Orders, per revolution, of smooth deviations that no cause explains (lobes, errors of the
+#: instrument). Each is as large as half of the usual resolution, 0.1 um, of a ballbar. On an arc
+#: this changes squareness by up to hundreds of um/m.
+_SMOOTH: Final = (4, 5, 6)
 #: Prior probability of causes and nuisances that most machines do not have (`rare_cause`).
 RARE: Final = {
     "spiral": 0.4,
@@ -245,7 +250,7 @@ def prior_width(name: str, radius: float) -> float:
     """
     if name == "scale_mismatch":
         return 2.0 * radius * PRIOR_SCALE * UM
-    kind, _, times = name.partition("@")
+    kind, _, times = name.partition("#")[0].partition("@")
     kind = kind.removesuffix("_at_positive").removesuffix("_at_negative")
     return float(times or 1) * PRIORS[kind.removesuffix("_first").removesuffix("_second")]
 
@@ -290,6 +295,10 @@ def _even(samples: CircleSamples) -> Iterator[_Named]:
     yield "straightness_first", zero, UM * cos**2
     yield "straightness_second", UM * sin**2, zero
     yield "_s_shape", zero, UM * (2.0 * cos**3 - cos)
+    for order in () if samples.full_circle else _SMOOTH:
+        for part, wave in ("cos", np.cos), ("sin", np.sin):
+            size = UM * wave(order * samples.theta)
+            yield f"_smooth#{order}{part}", size * cos, size * sin
     changeover = 0.5 * UM * np.sign(np.cos(2.0 * samples.commanded))
     yield "master_slave", changeover * cos, changeover * sin
 
@@ -332,12 +341,12 @@ def _odd(samples: CircleSamples) -> Iterator[_Named]:
 
 def _lost_motion(samples: CircleSamples, axis: str) -> Iterator[_Named]:
     """Yield a model column for the lost motion at each reversal point, or only one column if the
-    arc has only one reversal point.
+    arc does not contain both reversal points.
 
     The lost motion at each end applies to the half of the travel on its side. The deviation thus
     stays continuous where the axis is fastest. An additional unknown allows lost motion to change
-    in proportion to the position. If the arc has only one reversal point, a further unknown is half
-    the difference of the lost motion at the two ends. It changes in proportion to the position too.
+    in proportion to the position. In all other arcs, a further unknown is half the
+    difference of the lost motion at the two ends. It changes in proportion to the position too.
     """
     cos, sin, zero = np.cos(samples.theta), np.sin(samples.theta), np.zeros_like(samples.theta)
     own, lag = (
@@ -350,10 +359,9 @@ def _lost_motion(samples: CircleSamples, axis: str) -> Iterator[_Named]:
     for suffix, half in parts.items():
         moved = 0.5 * UM * lag * half
         yield f"backlash_{axis}{suffix}", *((moved, zero) if axis == "first" else (zero, moved))
-    end = samples.only_end(axis)
     changes = {}
-    if end is not None:
-        changes["change"] = own - end
+    if not whole:
+        changes["change"] = own - (samples.only_end(axis) or 0.0)
     if samples.full_circle or (samples.both_senses and any(samples.reversals(axis))):
         changes["profile"] = own - np.sign(own)
     for name, change in changes.items():
