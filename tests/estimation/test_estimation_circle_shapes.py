@@ -30,6 +30,45 @@ def test_a_straightness_of_third_order_is_no_squareness_of_an_arc(
     assert squareness.std_error < 25.0
 
 
+@pytest.mark.parametrize("order", [4, 5, 6])
+@pytest.mark.parametrize("start", [-34.0, 56.0])
+def test_a_lobe_of_a_tenth_of_a_micrometre_is_no_squareness_of_an_arc(
+    start: float, order: int
+) -> None:
+    """On 165°, with one reversal point of each axis, a lobe of half an increment of the usual
+    instrument looks like tens of µm/m: radial deviations of R/2 sin2θ differ little from it.
+    """
+    setup = Setup(radius=200.0, start=start, extent=165.0, samples=1365, noise=0.04)
+    test = measured(Machine(squareness=18.0), setup, np.random.default_rng(3))
+    runs = tuple(
+        replace(run, deviations=run.deviations + 1e-4 * np.cos(order * np.radians(run.angles)))
+        for run in test.runs
+    )
+    found = diagnose(replace(test, runs=runs)).effects
+    for name, true in ("squareness", 18.0), ("scale_mismatch", 0.0), ("straightness_second", 0.0):
+        if name in found:
+            assert abs(found[name].value - true) < 2.5 * found[name].std_error, name
+
+
+@pytest.mark.parametrize("start", [315.0, 135.0])
+def test_lost_motion_of_an_axis_that_does_not_reverse_is_no_radius_change(start: float) -> None:
+    """The second axis moves in one sense through the arc. Its lost motion grows along its travel,
+    from 5.1 to 8.5 µm: half of the difference adds y/R times half of that to the path.
+    """
+    setup = Setup(radius=50.0, start=start, extent=92.0, samples=383, noise=0.05)
+    lost = Machine(backlash_second_at_positive=6.8, backlash_second_at_negative=6.8)
+    test = measured(lost, setup, np.random.default_rng(4))
+    runs = []
+    for run in test.runs:
+        theta, turn = np.radians(run.angles), 1.0 if run.sense == "ccw" else -1.0
+        more = 0.85e-3 * turn * np.sign(np.cos(theta)) * np.sin(theta) ** 2
+        runs.append(replace(run, deviations=run.deviations + more))
+    found = diagnose(replace(test, runs=tuple(runs))).effects
+    for name in "radius_change", "lateral_play_first":
+        if name in found:
+            assert abs(found[name].value) < 2.5 * found[name].std_error, name
+
+
 @pytest.mark.parametrize(
     ("start", "senses"),
     [
