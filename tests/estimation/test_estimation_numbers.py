@@ -245,7 +245,7 @@ def test_a_cyclic_error_is_found_from_the_false_alarm_threshold_on(
     searched = search_cyclic(
         problem,
         fit_causes(next(white_problems(problem)), always, problem.widths**-2.0),
-        [axis],
+        {},
     )
     assert searched.clear is found
     if found:

@@ -13,7 +13,8 @@ tried with all frequencies.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import itertools
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -23,6 +24,7 @@ from compwright.estimation.circle_equations import CircleProblem
 from compwright.estimation.circle_fit import CircleFit
 from compwright.estimation.circle_lag import most_lag
 from compwright.estimation.circle_model import (
+    AXES,
     PRIORS,
     RESPONSE,
     UM,
@@ -48,6 +50,12 @@ _DELAYS: Final = 1.0 / 3.0
 #: Places along the travel at which the weight of a frequency is computed, and delays, in pitches.
 _PLACES: Final = 128
 _LATEST: Final = 2.0
+#: Periods over the radius by which the frequencies of two cyclic errors of one axis differ at
+#: least. What is nearer is one error whose amplitude or pitch changes along the axis.
+_NEAR: Final = 3.0
+#: By how much a further cyclic error of an axis must exceed the threshold of the first: one of a
+#: pitch too short for the samples looks like several small ones.
+_FURTHER: Final = 2.0
 #: How much of a cyclic error a slow instrument may lose.
 _MOST_FADING: Final = 0.3
 
@@ -78,8 +86,11 @@ class CyclicSearch:
         return self.gain > self.threshold
 
 
-def search_cyclic(problem: CircleProblem, fitted: CircleFit, axes: Sequence[str]) -> CyclicSearch:
-    """Return the likeliest cyclic error of the ``axes`` in the residuals of ``fitted``.
+def search_cyclic(
+    problem: CircleProblem, fitted: CircleFit, waves: Mapping[str, float]
+) -> CyclicSearch:
+    """Return the likeliest cyclic error of either axis in the residuals of ``fitted``, away from
+    the frequencies of those that are already in the model: ``waves``, 1/mm, by name.
 
     At most one axis has an error in the result, because a strong cyclic error of one axis has side
     lobes among the frequencies of the other. A cyclic error is clear if it reduces the weighted
@@ -90,10 +101,14 @@ def search_cyclic(problem: CircleProblem, fitted: CircleFit, axes: Sequence[str]
     found = CyclicSearch(None, 0.0, 0.0, {}, 0.0, 1.0, 0.0)
     places, hidden = 0.0, {}
     delays = _delays(problem.samples, shortest_pitch(problem.samples))
-    for axis in axes:
+    for axis in AXES:
         frequencies, gains, behind, least = _screen(problem, fitted, axis, delays)
         if not frequencies.size:
             continue
+        for name, frequency in waves.items():
+            if axis_of(name) == axis:
+                near = np.abs(frequencies - frequency) * problem.samples.radius < _NEAR
+                gains = np.where(near, 0.0, gains)
         tried = frequencies.size / _OVERSAMPLING * delays.size
         threshold = 2.0 * float(np.log(tried * 4.0 / _FALSE_ALARM))
         places += 2.0 * frequencies.size / _OVERSAMPLING
@@ -106,6 +121,8 @@ def search_cyclic(problem: CircleProblem, fitted: CircleFit, axes: Sequence[str]
             gain = _gain(problem, fitted, axis, frequency, late)
             if gain / threshold > found.gain / found.threshold:
                 found = CyclicSearch(axis, frequency, late, {}, gain, threshold, 0.0)
+    if found.axis in {axis_of(name) for name in waves}:
+        found = replace(found, threshold=_FURTHER * found.threshold)
     if found.axis is not None and found.clear:
         place = found.axis, found.frequency
         late, doubt = likeliest_delay(problem, fitted, *place, found.late)
@@ -146,6 +163,17 @@ def likeliest_delay(
     return float(delays[np.argmax(log)]), float(np.sqrt(spread))
 
 
+def wave_names(axis: str) -> Iterator[str]:
+    """Yield names for the cyclic errors of an axis: ``first``, ``first_2``, ``first_3`` ..."""
+    yield axis
+    yield from (f"{axis}_{number}" for number in itertools.count(2))
+
+
+def axis_of(wave: str) -> str:
+    """Return the axis of a cyclic error with this name (`wave_names`)."""
+    return wave.partition("_")[0]
+
+
 def mean_position(samples: CircleSamples, axis: str) -> float:
     """Return the mean position, mm, of an axis over all samples; 0 is the centre of the circle."""
     along = np.cos(samples.theta) if axis == "first" else np.sin(samples.theta)
@@ -154,14 +182,14 @@ def mean_position(samples: CircleSamples, axis: str) -> float:
 
 def cyclic_columns(
     samples: CircleSamples,
-    axis: str,
+    name: str,
     frequency: float,
     amplitudes: tuple[float, float],
     late: float = 0.0,
 ) -> tuple[CauseColumn, ...]:
-    """Return the model columns for an axis' cyclic error of ``frequency`` 1/mm and ``amplitudes``
-    (µm, of cosine and sine): its cosine, its sine, and columns for small changes of its frequency,
-    delay and attenuation. ``late``: delay of the axis, mm.
+    """Return the model columns for the cyclic error ``name`` (`wave_names`) of ``frequency`` 1/mm
+    and ``amplitudes`` (µm, of cosine and sine): its cosine, its sine, and columns for small changes
+    of its frequency, delay and attenuation. ``late``: delay of the axis, mm.
 
     The cyclic error (ISO 230-4:1996, B.2.3) is a cos(2πfx) - b sin(2πfx) for ``amplitudes`` (a, b).
     The column of the frequency is per 1/mm. It leaves the phase at the `mean_position` unchanged,
@@ -170,7 +198,7 @@ def cyclic_columns(
     time constant T loses the share (2π f v T)² / 2. This share falls with the square of the axis
     speed, so that the error is largest near the reversals.
     """
-    zero = np.zeros_like(samples.theta)
+    axis, zero = axis_of(name), np.zeros_like(samples.theta)
     place, behind = _actual(samples, axis, late)
     phase = 2.0 * np.pi * frequency * place
     cosine, sine = UM * np.cos(phase), -UM * np.sin(phase)
@@ -180,20 +208,20 @@ def cyclic_columns(
     sooner = float(np.hypot(samples.lag_std * samples.radius, spacing))
     lost = 0.5 * (2.0 * np.pi * frequency) ** 2 * (spacing**2 + (RESPONSE * samples.speed) ** 2)
     named = [
-        (f"_cyclic_cos_{axis}", cosine, PRIORS["_cyclic"]),
-        (f"_cyclic_sin_{axis}", sine, PRIORS["_cyclic"]),
+        (f"_cyclic_cos_{name}", cosine, PRIORS["_cyclic"]),
+        (f"_cyclic_sin_{name}", sine, PRIORS["_cyclic"]),
         # A frequency off by the inverse of the travel would be another peak of the search.
         (
-            f"_frequency_{axis}",
+            f"_frequency_{name}",
             slope * (place - mean_position(samples, axis)),
             0.5 / samples.radius,
         ),
-        (f"_late_{axis}", slope * frequency * behind, sooner),
-        (f"_fading_{axis}", faded, min(lost, _MOST_FADING)),
+        (f"_late_{name}", slope * frequency * behind, sooner),
+        (f"_fading_{name}", faded, min(lost, _MOST_FADING)),
     ]
     return tuple(
-        CauseColumn(name, *((field, zero) if axis == "first" else (zero, field)), width)
-        for name, field, width in named
+        CauseColumn(column, *((field, zero) if axis == "first" else (zero, field)), width)
+        for column, field, width in named
     )
 
 

@@ -9,6 +9,7 @@ from typing import Final
 
 import numpy as np
 
+from compwright.estimation.circle_cyclic import longest_pitch, shortest_pitch
 from compwright.estimation.circle_model import AXES, SOFTEST_LOOP
 from compwright.estimation.circle_reversal import INWARD, SpikeDraws
 from compwright.estimation.circle_solution import Solution
@@ -119,11 +120,14 @@ def _scale_findings(
 
 def _shape_findings(test: CircularTest, solution: Solution) -> Iterator[Finding]:
     for axis, name in zip(AXES, test.axes, strict=True):
-        if axis in solution.frequencies and axis not in solution.given:
-            pitch = 1.0 / solution.cyclic_wave(axis)[0]
-            yield Finding.of("CW-D006", "info", axis=name, pitch=pitch)
-        elif axis in solution.hidden and axis not in solution.frequencies:
-            yield Finding.of("CW-D007", "info", name=name, hidden=solution.hidden[axis])
+        for wave in solution.cyclic_waves(axis):
+            if wave not in solution.given:
+                pitch = 1.0 / solution.cyclic_wave(wave)[0]
+                yield Finding.of("CW-D006", "info", axis=name, pitch=pitch)
+        if axis in solution.hidden and axis not in solution.frequencies:
+            samples, hidden = solution.problem.samples, solution.hidden[axis]
+            least, most = shortest_pitch(samples), longest_pitch(samples)
+            yield Finding.of("CW-D007", "info", name=name, hidden=hidden, least=least, most=most)
         inward = [
             (depth, spike)
             for spike in solution.draws.spikes

@@ -20,6 +20,7 @@ from compwright.estimation.circle_causes import (
     squareness,
 )
 from compwright.estimation.circle_centre import radial_ranges
+from compwright.estimation.circle_cyclic import wave_names
 from compwright.estimation.circle_findings import diagnosis_findings, taken_up_over
 from compwright.estimation.circle_lag import shrink_uncertainty
 from compwright.estimation.circle_model import (
@@ -357,23 +358,23 @@ def _unseen_spike(value: float, error: float) -> Sentence | None:
 
 
 def _cyclic(solution: Solution, axis: str) -> Iterator[ReportedCause]:
-    """Yield the amplitude of the cyclic error of an axis. If none was found, the amplitude is 0,
+    """Yield the amplitude of each cyclic error of an axis. If none was found, the amplitude is 0,
     and its standard error is half of the largest amplitude that the search can miss.
 
     The amplitude is sqrt(a² + b² - σ²), because noise makes sqrt(a² + b²) too large (Gudbjartsson
     and Patz, Magnetic Resonance in Medicine 34, 1995).
     """
-    name = f"cyclic_{axis}"
-    if axis not in solution.frequencies:
-        if axis in solution.hidden:
-            found = 0.0, 0.5 * solution.hidden[axis]
-            yield _stated(solution, name, say("undetermined.pitch"), found, detail=False)
-        return
-    parts = [f"_cyclic_{part}_{axis}" for part in ("cos", "sin")]
-    value, drawn, curve = _amplitude(solution, parts, 1)
-    frequency, phase = solution.cyclic_wave(axis)
-    more = {"period": 1.0 / frequency, "phase": phase}
-    yield ReportedCause(name=name, value=value, drawn=drawn, curve=curve, positive=True, more=more)
+    if axis not in solution.frequencies and axis in solution.hidden:
+        found = 0.0, 0.5 * solution.hidden[axis]
+        yield _stated(solution, f"cyclic_{axis}", say("undetermined.pitch"), found, detail=False)
+    for name, wave in zip(wave_names(f"cyclic_{axis}"), solution.cyclic_waves(axis), strict=False):
+        parts = [f"_cyclic_{part}_{wave}" for part in ("cos", "sin")]
+        value, drawn, curve = _amplitude(solution, parts, 1)
+        frequency, phase = solution.cyclic_wave(wave)
+        more = {"period": 1.0 / frequency, "phase": phase}
+        yield ReportedCause(
+            name=name, value=value, drawn=drawn, curve=curve, positive=True, more=more
+        )
 
 
 def _amplitude(

@@ -15,10 +15,12 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.circle_cyclic import (
+    axis_of,
     cyclic_columns,
     likeliest_delay,
     mean_position,
     search_cyclic,
+    wave_names,
 )
 from compwright.estimation.circle_equations import CircleProblem, circle_problem, scaled_inverse
 from compwright.estimation.circle_fit import (
@@ -160,7 +162,7 @@ def solve(start: CircleStart, given: dict[str, float], readings: CircleSamples) 
         found = search_vibration(start.problem.samples, start.residual)
         slow = replace(slow, hidden=found.hidden)
         cyclic = search_cyclic(
-            start.problem, start.fitted, [axis for axis in AXES if axis not in waves]
+            start.problem, start.fitted, {name: wave.frequency for name, wave in waves.items()}
         )
         hidden, odds, cyclic_odds = dict(cyclic.hidden), 0.0, -np.inf
         shown = found.frequency is not None and slow.frequency is None
@@ -170,8 +172,9 @@ def solve(start: CircleStart, given: dict[str, float], readings: CircleSamples) 
         # A cyclic error that is not clear cannot compete with a much more probable vibration.
         if cyclic.axis is not None and (cyclic.clear or (shown and odds < cyclic.threshold)):
             wave = _Wave(cyclic.frequency, cyclic.late, cyclic.doubt)
-            with_cyclic, wave = _with_cyclic(start, cyclic.axis, wave)
-            with_cyclic, tuned = _tuned(with_cyclic, {**waves, cyclic.axis: wave})
+            name = next(each for each in wave_names(cyclic.axis) if each not in waves)
+            with_cyclic, wave = _with_cyclic(start, name, wave)
+            with_cyclic, tuned = _tuned(with_cyclic, {**waves, name: wave})
             cyclic_odds = _odds(with_cyclic, start, cyclic.places)
             least = 0.0 if cyclic.clear else _CLEAR_ODDS
             if cyclic_odds > max(odds, least) or (cyclic.clear and odds <= 0.0):
@@ -198,7 +201,7 @@ def solve(start: CircleStart, given: dict[str, float], readings: CircleSamples) 
         problem=problem,
         fitted=fitted,
         draws=draws,
-        frequencies={axis: wave.frequency for axis, wave in waves.items()},
+        frequencies={name: wave.frequency for name, wave in waves.items()},
         given=frozenset(given),
         hidden=hidden,
         vibration=slow.or_stronger(fast),
@@ -246,21 +249,21 @@ def _fit_with_noise(weighted: WeightedProblem, shapes: SpikeShapes) -> CircleFit
     return replace(fitted, spectra=spectra)
 
 
-def _with_cyclic(start: CircleStart, axis: str, wave: _Wave) -> tuple[CircleStart, _Wave]:
-    """Return a fit with a cyclic error of an axis added, and its frequency and delay. Those of
-    ``wave`` are start values. A cyclic error that is already there is replaced.
+def _with_cyclic(start: CircleStart, name: str, wave: _Wave) -> tuple[CircleStart, _Wave]:
+    """Return a fit with the cyclic error ``name`` added, and its frequency and delay. Those of
+    ``wave`` are start values. A cyclic error of this name that is already there is replaced.
 
     The cyclic error is fitted together with the delay of the axis, under the spike shapes and the
     noise of ``start`` (Gauss-Newton: Seber and Wild 1989, chapter 2). Then all is fitted again.
     """
     problem, spectra = start.problem, start.fitted.spectra
     samples, amplitudes = problem.samples, (0.0, 0.0)
-    own = [c.name for c in _columns(samples, axis, wave, amplitudes)]
-    replaced = [index for index, name in enumerate(problem.names) if name in own]
+    own = [c.name for c in _columns(samples, name, wave, amplitudes)]
+    replaced = [index for index, column in enumerate(problem.names) if column in own]
     active = np.setdiff1d(start.fitted.active, replaced)
     others = problem.rows_of(active)
     for step in range(_TUNING_ROUNDS):
-        fitted = _columns(samples, axis, wave, amplitudes)[: None if step else 2]
+        fitted = _columns(samples, name, wave, amplitudes)[: None if step else 2]
         rows = sum_and_difference(problem.grid, problem.seen(fitted))
         gram, right = normal_equations(
             problem, spectra, [np.column_stack(pair) for pair in zip(rows, others, strict=True)]
@@ -269,13 +272,13 @@ def _with_cyclic(start: CircleStart, axis: str, wave: _Wave) -> tuple[CircleStar
         gram += np.diag(np.concatenate([precision, start.shapes.precision[active]]))
         values = (scaled_inverse(gram) @ right).tolist()
         value = dict(zip([c.name for c in fitted], values, strict=False))
-        shift = value.get(f"_frequency_{axis}", 0.0)
-        both = complex(value[f"_cyclic_cos_{axis}"], value[f"_cyclic_sin_{axis}"])
-        both *= np.exp(-2j * np.pi * shift * mean_position(samples, axis))
+        shift = value.get(f"_frequency_{name}", 0.0)
+        both = complex(value[f"_cyclic_cos_{name}"], value[f"_cyclic_sin_{name}"])
+        both *= np.exp(-2j * np.pi * shift * mean_position(samples, axis_of(name)))
         amplitudes = both.real, both.imag
-        late = wave.late + value.get(f"_late_{axis}", 0.0)
+        late = wave.late + value.get(f"_late_{name}", 0.0)
         wave = replace(wave, frequency=wave.frequency + shift, late=late)
-    problem = problem.with_columns(_columns(samples, axis, wave, amplitudes))
+    problem = problem.with_columns(_columns(samples, name, wave, amplitudes))
     return _likeliest(problem, start), wave
 
 
@@ -290,25 +293,27 @@ def _at_delay(
     """
     problem = start.problem
     samples = problem.samples
-    delays = {axis: _fitted(start, f"_late_{axis}") for axis in waves}
-    doubts = {axis: np.hypot(delays[axis][1], waves[axis].doubt) for axis in waves}
-    axis = min(doubts, key=lambda each: float(doubts[each]), default=None)
+    delays = {name: _fitted(start, f"_late_{name}") for name in waves}
+    doubts = {name: np.hypot(delays[name][1], waves[name].doubt) for name in waves}
+    surest = min(doubts, key=lambda each: float(doubts[each]), default=None)
     unequal = 5e-4 * PRIORS["servo_mismatch"] * samples.speed
     before = samples.lag_std * samples.radius
-    if axis is None or np.hypot(doubts[axis], unequal) > _SURER * before:
+    if surest is None or np.hypot(doubts[surest], unequal) > _SURER * before:
         return start, waves
-    side = -1.0 if axis == AXES[0] else 1.0
-    late = waves[axis].late + delays[axis][0]
+    side = -1.0 if axis_of(surest) == AXES[0] else 1.0
+    late = waves[surest].late + delays[surest][0]
     late += 5e-4 * side * _fitted(start, "servo_mismatch")[0] * samples.speed
     late = max(late, -samples.lag * samples.radius)
-    doubt = float(np.hypot(doubts[axis], unequal)) / samples.radius
+    doubt = float(np.hypot(doubts[surest], unequal)) / samples.radius
     lag = Lag(samples.lag + late / samples.radius, doubt, clear=True)
     samples = at_actual_angles(replace(samples, theta=samples.commanded), lag)
     moved, columns = {}, []
     for each, wave in waves.items():
         own = [_fitted(start, f"_{part}_{each}")[0] for part in ("frequency", "late")]
         sizes = [_fitted(start, f"_cyclic_{part}_{each}")[0] for part in ("cos", "sin")]
-        both = complex(*sizes) * np.exp(-2j * np.pi * own[0] * mean_position(samples, each))
+        both = complex(*sizes) * np.exp(
+            -2j * np.pi * own[0] * mean_position(samples, axis_of(each))
+        )
         found = replace(wave, frequency=wave.frequency + own[0], late=wave.late + own[1] - late)
         moved[each] = found
         columns += _columns(samples, each, found, (both.real, both.imag))
@@ -320,15 +325,15 @@ def _at_delay(
 
 
 def _columns(
-    samples: CircleSamples, axis: str, wave: _Wave, amplitudes: tuple[float, float]
+    samples: CircleSamples, name: str, wave: _Wave, amplitudes: tuple[float, float]
 ) -> list[CauseColumn]:
     """Return the model columns of a cyclic error; a known frequency has none."""
-    columns = cyclic_columns(samples, axis, wave.frequency, amplitudes, wave.late)
-    return [c for c in columns if not (wave.known and c.name == f"_frequency_{axis}")]
+    columns = cyclic_columns(samples, name, wave.frequency, amplitudes, wave.late)
+    return [c for c in columns if not (wave.known and c.name == f"_frequency_{name}")]
 
 
 def _tuned(start: CircleStart, waves: dict[str, _Wave]) -> tuple[CircleStart, dict[str, _Wave]]:
-    """Return a fit with tuned frequencies of the cyclic errors ``waves``, by axis.
+    """Return a fit with tuned frequencies of the cyclic errors ``waves``, by name.
 
     A wave that is not in the model yet counts as noise, and disturbs the tuning of the others. The
     fit of all causes changes a frequency by its linear column. A frequency is tuned again while
@@ -336,22 +341,22 @@ def _tuned(start: CircleStart, waves: dict[str, _Wave]) -> tuple[CircleStart, di
     """
     found, radius = dict(waves), start.problem.samples.radius
 
-    def left(axis: str) -> float:
-        turned = 2.0 * np.pi * radius * _fitted(start, f"_frequency_{axis}")[0]
-        both = np.array([_fitted(start, f"_cyclic_{part}_{axis}") for part in ("cos", "sin")])
+    def left(name: str) -> float:
+        turned = 2.0 * np.pi * radius * _fitted(start, f"_frequency_{name}")[0]
+        both = np.array([_fitted(start, f"_cyclic_{part}_{name}") for part in ("cos", "sin")])
         size, error = np.hypot(*both)
         return float(0.5 * turned**2 * size / error)
 
     for _ in range(_TUNINGS):
-        axis = max(found, key=left, default=None)
-        if axis is None or left(axis) <= _LINEAR:
+        name = max(found, key=left, default=None)
+        if name is None or left(name) <= _LINEAR:
             break
         wave = replace(
-            found[axis],
-            frequency=found[axis].frequency + _fitted(start, f"_frequency_{axis}")[0],
-            late=found[axis].late + _fitted(start, f"_late_{axis}")[0],
+            found[name],
+            frequency=found[name].frequency + _fitted(start, f"_frequency_{name}")[0],
+            late=found[name].late + _fitted(start, f"_late_{name}")[0],
         )
-        start, found[axis] = _with_cyclic(start, axis, wave)
+        start, found[name] = _with_cyclic(start, name, wave)
     return start, found
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
-from compwright.estimation.circle_cyclic import mean_position
+from compwright.estimation.circle_cyclic import axis_of, mean_position
 from compwright.estimation.circle_equations import CircleProblem
 from compwright.estimation.circle_fit import CircleFit
 from compwright.estimation.circle_reversal import CircleDraws
@@ -20,9 +21,9 @@ class Solution:
     """The causes fitted to a circular test: ``fitted`` for the most probable spike shapes,
     ``draws`` as random samples over all spike shapes.
 
-    ``frequencies``: frequency of the columns of a cyclic error, 1/mm, by axis. ``given``: axes
-    whose frequency was known and not searched. ``hidden``: amplitude, um, of a cyclic error that
-    may have been missed, by axis.
+    ``frequencies``: frequency of the columns of a cyclic error, 1/mm, by name (`wave_names`).
+    ``given``: axes of which a frequency was known and not searched. ``hidden``: amplitude, um, of
+    a cyclic error that may have been missed, by axis.
     """
 
     problem: CircleProblem
@@ -39,15 +40,27 @@ class Solution:
         mean = np.mean(self.draws.values, axis=0)
         return dict(zip(self.problem.names, (float(value) for value in mean), strict=True))
 
-    def cyclic_wave(self, axis: str) -> tuple[float, float]:
-        """Return the frequency of the cyclic error of an axis, 1/mm, and its phase at the centre of
-        the circle, deg (-180 to 180).
+    def cyclic_waves(self, axis: str) -> list[str]:
+        """Return the names of the cyclic errors of an axis: that of a given pitch, then the others,
+        the largest first.
         """
-        values, centre = self.values, mean_position(self.problem.samples, axis)
-        shift = values.get(f"_frequency_{axis}", 0.0)
-        wave = complex(values[f"_cyclic_cos_{axis}"], values[f"_cyclic_sin_{axis}"])
+        values = self.values
+
+        def place(name: str) -> tuple[bool, float]:
+            size = math.hypot(values[f"_cyclic_cos_{name}"], values[f"_cyclic_sin_{name}"])
+            return name not in self.given, -size
+
+        return sorted((name for name in self.frequencies if axis_of(name) == axis), key=place)
+
+    def cyclic_wave(self, name: str) -> tuple[float, float]:
+        """Return the frequency of a cyclic error, 1/mm, and its phase at the centre of the circle,
+        deg (-180 to 180).
+        """
+        values, centre = self.values, mean_position(self.problem.samples, axis_of(name))
+        shift = values.get(f"_frequency_{name}", 0.0)
+        wave = complex(values[f"_cyclic_cos_{name}"], values[f"_cyclic_sin_{name}"])
         phase = np.angle(wave * np.exp(-2j * np.pi * shift * centre), deg=True)
-        return self.frequencies[axis] + shift, float(phase)
+        return self.frequencies[name] + shift, float(phase)
 
     @property
     def spikes(self) -> FloatArray:

@@ -216,9 +216,14 @@ def _spreads(
         - 0.5 * _along(values, "backlash_second", y) * toward_y
         + 0.5 * _along(values, "lateral_play_first", x) * toward_x
     )
-    zero = np.zeros((1, 1))
     sizes = [
-        np.hypot(*(values.get(f"_cyclic_{part}_{axis}", zero) for part in ("cos", "sin")))
+        sum(
+            (
+                np.hypot(*(values[f"_cyclic_{part}_{name}"] for part in ("cos", "sin")))
+                for name in solution.cyclic_waves(axis)
+            ),
+            np.zeros((1, 1)),
+        )
         for axis in AXES
     ]
 

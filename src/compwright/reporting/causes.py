@@ -5,6 +5,7 @@ and report.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Final
@@ -53,6 +54,8 @@ _PRINTED: Final = {
 }
 #: Kinds of which the software's definition is not published, so that values are not compared.
 _OWN_DEFINITION: Final = ("reversal_spike", "cyclic", "offset_change", "positional_tolerance")
+#: The end of the name of a second or further cyclic error of an axis: its pitch names it.
+_FURTHER: Final = re.compile(r"(cyclic_(?:first|second))_\d+$")
 _PARTS: Final = (
     "at_positive", "at_negative",
     "at_positive_ccw", "at_positive_cw", "at_negative_ccw", "at_negative_cw",
@@ -229,7 +232,7 @@ def whole_cause(name: str) -> str:
 
 def _cause(name: str, result: Mapping[str, Any]) -> CircleCause:
     entry = result["diagnosis"][name]
-    vendor = result.get("vendor") or {}
+    vendor = {} if _FURTHER.match(name) else result.get("vendor") or {}
     kind, which, part = _split(name)
     letter = "A" if which == "first" else "B"
     printed, doubtful = _printed(
@@ -268,10 +271,11 @@ def _finite(value: object, otherwise: float = 0.0) -> float:
 
 def _split(name: str) -> tuple[str, str, str]:
     """Return the three parts of a cause's JSON name: the kind, the axis ("first", "second" or ""),
-    and the part of the cause ("" for the whole cause).
+    and the part of the cause ("" for the whole cause). The number of a further cyclic error of an
+    axis is in none of them.
     """
     part = next((part for part in _PARTS if name.endswith(f"_{part}")), "")
-    rest = name.removesuffix(f"_{part}") if part else name
+    rest = _FURTHER.sub(r"\1", name.removesuffix(f"_{part}") if part else name)
     for which in ("first", "second"):
         if rest.endswith(f"_{which}"):
             return rest.removesuffix(f"_{which}"), which, part

@@ -38,8 +38,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-D006": "a cyclic error of {axis} was found at a pitch of {pitch:.4g} mm",
     "CW-D007": (
-        "no cyclic error of axis {name} was found. A cyclic error below {hidden:2sig} µm may"
-        " still be hidden"
+        "no cyclic error of axis {name} was found at pitches of {least:2sig} to {most:g} mm. One"
+        " below {hidden:2sig} µm, or of another pitch, may still be hidden"
     ),
     "CW-D008.gradual": (
         "axis {name} takes up its lost motion gradually: up to {inward:2sig} µm are missing after"

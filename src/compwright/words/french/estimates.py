@@ -37,8 +37,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-D006": "une erreur périodique de {axis} a été trouvée au pas de {pitch:.4g} mm",
     "CW-D007": (
-        "aucune erreur périodique de l'axe {name} n'a été trouvée. Une erreur périodique de moins"
-        " de {hidden:2sig} µm peut encore être cachée"
+        "aucune erreur périodique de l'axe {name} n'a été trouvée à des pas de {least:2sig} à"
+        " {most:g} mm. Une erreur de moins de {hidden:2sig} µm, ou d'un autre pas, peut encore"
+        " être cachée"
     ),
     "CW-D008.gradual": (
         "le jeu à l'inversion de l'axe {name} apparaît peu à peu : après une inversion, il manque"

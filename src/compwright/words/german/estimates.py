@@ -39,8 +39,9 @@ SENTENCES: Final[dict[str, str]] = {
         "eine periodische Abweichung von {axis} mit der Steigung {pitch:.4g} mm wurde gefunden"
     ),
     "CW-D007": (
-        "keine periodische Abweichung der Achse {name} wurde gefunden. Eine unter {hidden:2sig}"
-        " µm kann noch verborgen sein"
+        "keine periodische Abweichung der Achse {name} wurde bei Steigungen von {least:2sig} bis"
+        " {most:g} mm gefunden. Eine unter {hidden:2sig} µm oder mit anderer Steigung kann noch"
+        " verborgen sein"
     ),
     "CW-D008.gradual": (
         "das Umkehrspiel der Achse {name} entsteht allmählich: Nach einer Umkehr fehlen bis zu"
