@@ -127,19 +127,21 @@ CONTRACT = {
 }
 
 
-@pytest.mark.parametrize(("kind", "number"), [("220", 865), ("any arc", 990)])
-def test_a_vibration_hides_no_cyclic_error(kind: str, number: int, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("kind", "number", "most"), [("220", 865, 5.0), ("any arc", 990, 8.0)])
+def test_a_vibration_hides_no_cyclic_error(
+    kind: str, number: int, most: float, tmp_path: Path
+) -> None:
     """Vibrations of 1.4 and 1.0 µm with cyclic errors of 1.7 and 1.0 µm: each was noise to the
     other (0.02 ± 0.02 µm of 1.0 µm; squareness ± 16 and ± 44 µm/m). The arc of the second one turns
-    a lobe of 0.05 µm into several µm/m of squareness: its error is 9.
+    a lobe of 0.03 µm into several µm/m of squareness: its error is 7.
     """
     rng = np.random.default_rng([281170, number])
     test = circle(rng, kind)
     causes = evaluated(test, rng, tmp_path / "c.csv")["diagnosis"]
-    for name, most in {"cyclic_first": 0.05, "vibration": 0.05, "squareness": 10.0}.items():
+    for name, limit in {"cyclic_first": 0.05, "vibration": 0.05, "squareness": most}.items():
         found = causes[name]
         assert found["value"] == pytest.approx(test.truth()[name], abs=3.0 * found["std_error"])
-        assert found["std_error"] < most
+        assert found["std_error"] < limit
 
 
 def test_causes_that_a_test_cannot_have_are_null_with_a_reason(tmp_path: Path) -> None:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from circle_machine import Machine, Setup, measured
+from circular_samples import circular_test
 from compwright.estimation.circle import diagnose
 from compwright.records.circular import CircularRun, CircularTest, Diagnosis
 
@@ -37,16 +40,7 @@ def turned(first: Waves, second: Waves, *, late: float = 0.0, seed: int = 1) -> 
                 deviations=length - RADIUS + rng.normal(0.0, 2e-4, SAMPLES),
             )
         )
-    return CircularTest(
-        name="circle",
-        plane="XY",
-        axes=("X", "Y"),
-        nominal_radius=RADIUS,
-        feed=FEED,
-        arc=(0.0, 360.0),
-        calibrated=True,
-        runs=tuple(runs),
-    )
+    return circular_test(runs, radius=RADIUS, feed=FEED)
 
 
 def waves_of(found: Diagnosis, axis: str) -> list[tuple[float, float, float]]:
@@ -116,18 +110,7 @@ def test_a_cyclic_error_that_grows_along_the_axis_is_one(growth: float) -> None:
         values = without.deviations + wave * (1.0 + growth * np.cos(np.radians(with_it.angles)))
         values = values + rng.normal(0.0, 2e-4, values.size)
         runs.append(CircularRun(sense=with_it.sense, angles=with_it.angles, deviations=values))
-    found = diagnose(
-        CircularTest(
-            name="circle",
-            plane="XY",
-            axes=("X", "Y"),
-            nominal_radius=150.0,
-            feed=1000.0,
-            arc=(0.0, 360.0),
-            calibrated=True,
-            runs=tuple(runs),
-        )
-    )
+    found = diagnose(replace(even, runs=tuple(runs)))
     ((value, error, pitch),) = waves_of(found, "first")
     assert abs(value - 2.0) < 2.0 * error
     assert error < 0.2

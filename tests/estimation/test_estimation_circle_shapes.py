@@ -35,7 +35,7 @@ def test_a_straightness_of_third_order_is_no_squareness_of_an_arc(
 def test_a_lobe_of_a_tenth_of_a_micrometre_is_no_squareness_of_an_arc(
     start: float, order: int
 ) -> None:
-    """On 165°, with one reversal point of each axis, a lobe of half an increment of the usual
+    """On 165°, with one reversal point of each axis, a lobe as large as one increment of the usual
     instrument looks like tens of µm/m: radial deviations of R/2 sin2θ differ little from it.
     """
     setup = Setup(radius=200.0, start=start, extent=165.0, samples=1365, noise=0.04)
@@ -52,8 +52,8 @@ def test_a_lobe_of_a_tenth_of_a_micrometre_is_no_squareness_of_an_arc(
 
 @pytest.mark.parametrize("start", [315.0, 135.0])
 def test_lost_motion_of_an_axis_that_does_not_reverse_is_no_radius_change(start: float) -> None:
-    """The second axis moves in one sense through the arc. Its lost motion grows along its travel,
-    from 5.1 to 8.5 µm: half of the difference adds y/R times half of that to the path.
+    """The second axis moves in one sense through the arc. Its lost motion b changes along its travel,
+    by 3.4 µm from end to end: by 1.7 µm y/R from its mean, of which half counts in each direction.
     """
     setup = Setup(radius=50.0, start=start, extent=92.0, samples=383, noise=0.05)
     lost = Machine(backlash_second_at_positive=6.8, backlash_second_at_negative=6.8)

@@ -249,6 +249,7 @@ def test_a_cyclic_error_is_found_from_the_false_alarm_threshold_on(
     )
     assert searched.clear is found
     if found:
+        assert searched.axis == axis
         assert 1.0 / searched.frequency == pytest.approx(10.0, abs=0.05)
 
 

@@ -65,11 +65,11 @@ PRIORS: Final = {
     "_lateral_change": 3.0,
     "_spike": 10.0,
     "_cyclic": 10.0,
-    "_smooth": 0.05,
+    "_smooth": 0.03,
 }
 #: Orders, per revolution, of smooth deviations that no cause explains (lobes, errors of the
-#: instrument). Each is as large as half of the usual resolution, 0.1 um, of a ballbar. On an arc
-#: this changes squareness by up to hundreds of um/m.
+#: instrument). Each is as large as the rounding of a usual ballbar, 0.1 um / sqrt(12). On an arc
+#: this changes squareness by up to a hundred um/m.
 _SMOOTH: Final = (4, 5, 6)
 #: Prior probability of causes and nuisances that most machines do not have (`rare_cause`).
 RARE: Final = {
@@ -345,8 +345,9 @@ def _lost_motion(samples: CircleSamples, axis: str) -> Iterator[_Named]:
 
     The lost motion at each end applies to the half of the travel on its side. The deviation thus
     stays continuous where the axis is fastest. An additional unknown allows lost motion to change
-    in proportion to the position. In all other arcs, a further unknown is half the
-    difference of the lost motion at the two ends. It changes in proportion to the position too.
+    in proportion to the position. If the arc does not contain both reversal points, a further
+    unknown is half the difference of the lost motion at the two ends. It changes in proportion to
+    the position too.
     """
     cos, sin, zero = np.cos(samples.theta), np.sin(samples.theta), np.zeros_like(samples.theta)
     own, lag = (
