@@ -508,6 +508,17 @@ def test_lost_motion_that_changes_along_an_axis_is_no_servo_mismatch(start: floa
     assert abs(found.value) < 2.0 * found.std_error  # was -0.016 and 0.015 ± 0.003 ms
 
 
+@pytest.mark.short_estimate
+def test_a_quarter_circle_can_lack_readings_at_its_ends() -> None:
+    """The machine starts and stops there. Neither axis reverses between 0° and 90°."""
+    machine = Machine(squareness=20.0, cyclic_first=1.0)
+    setup = Setup(start=0.05, extent=89.85, samples=380, noise=0.05)
+    found = diagnose(measured(machine, setup, np.random.default_rng(3)))
+    cyclic = found.effects["cyclic_first"]
+    assert abs(cyclic.value - 1.0) < 2.0 * cyclic.std_error < 0.1
+    assert "squareness" in found.undetermined
+
+
 def test_an_arc_without_a_reversal_point_does_not_determine_lost_motion() -> None:
     setup = Setup(start=20.0, extent=130.0, samples=500, noise=0.1)
     found = diagnose(

@@ -38,6 +38,7 @@ from compwright.foundations.errors import Fault, InputError, UsageError, raise_a
 from compwright.foundations.findings import Finding
 from compwright.records.axis import FloatArray
 from compwright.records.circular import (
+    SHORTEST_ARC,
     CircularRun,
     CircularTest,
     Diagnosis,
@@ -45,8 +46,6 @@ from compwright.records.circular import (
     FreshRun,
 )
 
-#: ISO 230-4 asks for arcs of at least 90°; a shorter one tells hardly anything apart.
-LEAST_ARC: Final = 90.0
 #: Samples of one run below which the causes cannot be distinguished from the noise.
 LEAST_SAMPLES: Final = 24
 #: Standard errors from which a finding names a lag.
@@ -196,7 +195,7 @@ def _refuse(test: CircularTest, periods: Mapping[str, float]) -> None:
     wrong = []
     # Samples between which 90° lie span one of their distances less.
     count = max((run.angles.size for run in test.runs), default=0)
-    if not test.arc[1] * (1.0 + 1.0 / max(count - 1, 1)) >= LEAST_ARC - 1e-6:
+    if not test.arc[1] * (1.0 + 1.0 / max(count - 1, 1)) >= SHORTEST_ARC - 1e-6:
         wrong.append(
             Fault(
                 message="the arc of the circular test is too short",

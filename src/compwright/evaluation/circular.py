@@ -24,6 +24,7 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.circular import (
     CIRCULAR_NAMES,
+    SHORTEST_ARC,
     CircularResult,
     CircularRun,
     CircularTest,
@@ -32,8 +33,6 @@ from compwright.records.circular import (
 from compwright.words.sentences import Amount, SentenceText, say
 
 DEFAULT_CIRCULAR_STANDARD: Final = "iso230-4:2005"
-#: The shortest arc of a circular test, deg (ISO 230-4:1996, 3.1).
-SHORTEST_ARC: Final = 90.0
 
 _SENSES: Final[tuple[Sense, ...]] = get_args(Sense)
 

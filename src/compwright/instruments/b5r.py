@@ -28,13 +28,13 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import MOST_SAMPLES_OF_A_RUN
 from compwright.instruments.b5r_fields import finite, number_of, text_of
 from compwright.instruments.b5r_header import BAR, header_of, vendor_results
-from compwright.instruments.circular_arcs import FEWEST_SAMPLES, SMALLEST_ARC
+from compwright.instruments.circular_arcs import FEWEST_SAMPLES
 from compwright.instruments.circular_csv import axes_of_plane, centre_of
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.reading_findings import stray_finding
 from compwright.instruments.safe_xml import Element, read_xml
 from compwright.records.axis import FloatArray
-from compwright.records.circular import CircularRun, CircularTest, Sense
+from compwright.records.circular import SHORTEST_ARC, CircularRun, CircularTest, Sense
 from compwright.words.sentences import NumberText
 
 _SENSES: Final[Mapping[str, Sense]] = {"CCW": "ccw", "CW": "cw"}
@@ -174,13 +174,13 @@ def _spec(bar: Element, faults: FaultList) -> _Spec:
     extent = (end - start) % 360.0
     if extent < _SAME_ANGLE:  # the same angle twice is the whole circle
         extent = 360.0
-    if extent < SMALLEST_ARC - _SAME_ANGLE:
+    if extent < SHORTEST_ARC - _SAME_ANGLE:
         faults.add(
             "covers too short an arc",
             place=f"line {bar.line}, DYNAMIC_BALLBAR/END_ANGLE",
-            expected=f"at least {SMALLEST_ARC:g} deg from START_ANGLE to END_ANGLE",
+            expected="at least 90 deg from START_ANGLE to END_ANGLE",
             found=f"{extent:g} deg, from {start:g} to {end:g}",
-            hint=f"measure an arc of {SMALLEST_ARC:g} deg or more",
+            hint="measure an arc of 90 deg or more",
         )
     plane, axes = _plane(bar, faults)
     return _Spec(

@@ -10,10 +10,8 @@ import numpy as np
 
 from compwright.instruments.fault_list import FaultList
 from compwright.records.axis import FloatArray
-from compwright.records.circular import CircularRun, Sense
+from compwright.records.circular import SHORTEST_ARC, CircularRun, Sense
 
-#: ISO 230-4 and the diagnosis need at least a quarter circle.
-SMALLEST_ARC: Final = 90.0
 #: Three points always lie on a circle.
 FEWEST_SAMPLES: Final = 4
 #: Angles are counted from 0 or from -180, and may go on beyond one turn: never farther than this
@@ -113,13 +111,13 @@ def sweep_of(sense: Sense, number: int, angles: FloatArray, faults: FaultList) -
         step=step,
         gap=(float(between[widest]), float(ascending[widest])),
     )
-    if sweep.extent + step < SMALLEST_ARC - _TINY:
+    if sweep.extent + step < SHORTEST_ARC - _TINY:
         faults.add(
             "covers too short an arc",
             place=name,
-            expected=f"at least {SMALLEST_ARC:g} deg",
+            expected="at least 90 deg",
             found=f"{sweep.extent:.6g} deg from {ascending[0] % 360.0:.6g} deg",
-            hint=f"measure an arc of {SMALLEST_ARC:g} deg or more",
+            hint="measure an arc of 90 deg or more",
         )
         return None
     return sweep

@@ -15,6 +15,10 @@ from compwright.words.sentences import Sentence
 
 Sense = Literal["ccw", "cw"]
 
+#: The shortest arc of a circular test, deg. ISO 230-4:1996, 3.1 asks for at least 90°. Readings at
+#: its ends can be missing, where the machine starts and stops.
+SHORTEST_ARC: Final = 89.0
+
 #: Parameters by their contract names, in its order.
 CIRCULAR_NAMES: Final = (
     *("G_ccw", "G_cw", "G_bidirectional", "G_ccw_lsc", "G_cw_lsc", "G_bidirectional_lsc", "H", "D"),
