@@ -14,6 +14,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 import yaml
+from matplotlib.figure import Figure
 from rich.console import Console
 
 from compwright.cli import run as compwright
@@ -27,6 +28,7 @@ from compwright.reporting.causes import (
     ranked_causes,
     summed_causes,
 )
+from compwright.reporting.circle_figures import draw_causes
 from compwright.reporting.circle_report import _causes, _sums, _words, machine_block
 from compwright.reporting.circle_steps import job_lines, machine_job, next_step, steps_for
 from compwright.reporting.circular_parameters import parameter_words, printed_parameters
@@ -85,6 +87,24 @@ def test_what_the_software_printed_is_next_to_it() -> None:
     assert row(4.5) == ["4.50", "agrees"]  # 5.0 ± 0.3
     assert row(4.3) == ["4.30", "differs"]
     assert row(5.0, valid=False) == ["(5.00)", "not valid"]
+
+
+def test_the_bars_name_the_period_of_each_cyclic_error() -> None:
+    """An axis can have several, as a screw and its half pitch: the period tells them apart."""
+    waves = [
+        {**entry(1.5 / n, 0.01, 3.0 / n, 0.6 / n), "period": 10.0 / n, "phase": 120.0}
+        for n in (1, 2)
+    ]
+    given = {
+        "axes": AXES,
+        "diagnosis": dict(zip(("cyclic_first", "cyclic_first_2"), waves, strict=True)),
+    }
+    panel = Figure().add_subplot()
+    draw_causes(panel, ranked_causes(given), "en")
+    assert [each.get_text().partition(")")[0] for each in panel.texts][::2] == [
+        "Cyclic error Z (period 10 mm",
+        "Cyclic error Z (period 5 mm",
+    ]
 
 
 def test_a_plane_has_the_name_that_its_circle_has() -> None:

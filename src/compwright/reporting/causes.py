@@ -73,9 +73,10 @@ class CircleCause:
     defines it in the same way. ``pitch``: that of the software's cyclic error, mm. ``doubtful``:
     the software itself states that its value is not valid.
 
-    ``frequency``, Hz, and ``axis``: those of a vibration; no axis if it is along the bar. ``note``:
-    the period and phase of a cyclic error, the frequency of a vibration, or the raw peak of a
-    spike. ``correction``: what `run` does about a squareness.
+    ``frequency``, Hz, and ``axis``: those of a vibration; no axis if it is along the bar.
+    ``period``: that of a cyclic error, mm. ``note``: the period and phase of a cyclic error, the
+    frequency of a vibration, or the raw peak of a spike. ``correction``: what `run` does about a
+    squareness.
     """
 
     name: str
@@ -88,6 +89,7 @@ class CircleCause:
     low: float | None = None
     frequency: float | None = None
     axis: str | None = None
+    period: float | None = None
     plain: float | None = None
     printed: tuple[float, ...] = ()
     comparable: bool = True
@@ -101,6 +103,14 @@ class CircleCause:
     def noted_words(self) -> Sentence:
         """Return the name of the cause with its note in brackets, if it has one."""
         return say("cause.noted", cause=self.words, note=self.note) if self.note else self.words
+
+    @property
+    def short_words(self) -> Sentence:
+        """Return the name of the cause with its period if it is a cyclic error."""
+        if self.period is None:
+            return self.words
+        note = _note("cyclic", {"period": self.period})
+        return say("cause.noted", cause=self.words, note=note)
 
     def printed_text(self, write: Callable[[float], str]) -> str:
         """Return the software's values as text, in brackets if it calls them not valid. ``write``
@@ -250,6 +260,7 @@ def _cause(name: str, result: Mapping[str, Any]) -> CircleCause:
         low=entry.get("low"),
         frequency=entry.get("frequency"),
         axis=entry.get("axis"),
+        period=entry.get("period"),
         plain=(result.get("plain") or {}).get(name),
         printed=printed,
         comparable=kind not in _OWN_DEFINITION,
@@ -331,7 +342,7 @@ def _note(kind: str, entry: Mapping[str, Any]) -> Sentence | None:
         kind=kind,
         peak=number(peak),
         period=period,
-        phase=number(entry.get("phase"), 0),
+        phase=number(entry["phase"], 0) if "phase" in entry else "",
         frequency=frequency,
     )
 

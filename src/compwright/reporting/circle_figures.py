@@ -433,7 +433,10 @@ def draw_causes(panel: Any, causes: Sequence[CircleCause], language: Language) -
             0.0,
             row - 0.43,
             say(
-                "circle.cause", cause=cause.words, value=cause.value_text, unit=cause.unit_text
+                "circle.cause",
+                cause=cause.short_words,
+                value=cause.value_text,
+                unit=cause.unit_text,
             ).text(language),
             fontsize=7.0,
             va="center",

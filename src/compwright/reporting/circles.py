@@ -164,7 +164,7 @@ def _table(circle: Document, result: Document | None) -> dict[str, Any]:
         for name in dict.fromkeys((*_PARAMETERS, *accept))
         if before.get(name) is not None
     ]
-    names += [(cause.name, cause.words, cause.unit_text) for cause in causes]
+    names += [(cause.name, cause.short_words, cause.unit_text) for cause in causes]
     rows = []
     for name, words, unit in names:
         band, decimals = predicted.get(name) or {}, decimals_of_unit(unit)

@@ -69,7 +69,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "cause.note": (
         "{kind:choose|reversal_spike=raw peak {peak} µm"
-        "|cyclic=period {period:.4g} mm, phase {phase}°"
+        "|cyclic=period {period:.4g} mm{phase:if|, phase {phase}°|}"
         "|vibration={frequency:.4g} Hz}"
     ),
     "cause.noted": "{cause} ({note})",

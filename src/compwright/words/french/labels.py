@@ -74,7 +74,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "cause.note": (
         "{kind:choose|reversal_spike=pic des lectures {peak} µm"
-        "|cyclic=période {period:.4g} mm, phase {phase}°"
+        "|cyclic=période {period:.4g} mm{phase:if|, phase {phase}°|}"
         "|vibration={frequency:.4g} Hz}"
     ),
     "cause.noted": "{cause} ({note})",

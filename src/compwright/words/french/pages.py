@@ -77,7 +77,8 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.share": "Part",
     "circle.shares": (
         "Causes, part de tous les effets\n"
-        "(pâle : moins de deux erreurs types, à chaque extrémité aussi)"
+        "(pâle : moins de deux erreurs types,\n"
+        "à chaque extrémité aussi)"
     ),
     "circle.software": "Logiciel de l'instrument",
     "circle.start": "départ {sense}",

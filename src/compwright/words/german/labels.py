@@ -72,7 +72,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "cause.note": (
         "{kind:choose|reversal_spike=Spitze der Messwerte {peak} µm"
-        "|cyclic=Periode {period:.4g} mm, Phase {phase}°"
+        "|cyclic=Periode {period:.4g} mm{phase:if|, Phase {phase}°|}"
         "|vibration={frequency:.4g} Hz}"
     ),
     "cause.noted": "{cause} ({note})",

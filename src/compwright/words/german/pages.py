@@ -79,7 +79,8 @@ SENTENCES: Final[dict[str, str]] = {
     "circle.share": "Anteil",
     "circle.shares": (
         "Ursachen, Anteil an allen Wirkungen\n"
-        "(blass: unter dem doppelten Standardfehler, auch an jedem Ende)"
+        "(blass: unter dem doppelten Standardfehler,\n"
+        "auch an jedem Ende)"
     ),
     "circle.software": "Software des Messgeräts",
     "circle.start": "Beginn {sense}",

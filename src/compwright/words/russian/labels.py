@@ -69,7 +69,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "cause.note": (
         "{kind:choose|reversal_spike=пик отсчётов {peak} мкм"
-        "|cyclic=период {period:.4g} мм, фаза {phase}°"
+        "|cyclic=период {period:.4g} мм{phase:if|, фаза {phase}°|}"
         "|vibration={frequency:.4g} Гц}"
     ),
     "cause.noted": "{cause} ({note})",
