@@ -133,6 +133,21 @@ def test_lost_motion_of_an_axis_that_does_not_reverse_is_not_given() -> None:
     assert all(0.0 < share <= 1.0 for share in shares)
 
 
+def test_shares_are_of_the_causes_and_sum_to_one() -> None:
+    """Both scales make 9 and 6 µm; what the centred circle shows of them is their difference."""
+    setup = replace(FULL, feed=100.0)
+    scales = Machine(
+        scale_error_first=60.0, scale_error_second=40.0, backlash_first_at_positive=2.0
+    )
+    document = circular_document(diagnose_circle(measured(scales, setup), "iso230-4:2005"))
+    found = document["diagnosis"]
+    assert found["scale_error_first"]["effect"] == pytest.approx(9.0, rel=0.02)
+    for part in ("scale_error_first", "scale_error_second", "backlash_first_at_positive"):
+        assert found[part]["value"] is not None
+        assert found[part]["share"] is None
+    assert sum(entry["share"] or 0.0 for entry in found.values()) == pytest.approx(1.0, abs=0.001)
+
+
 def test_a_squareness_drowned_in_noise_is_null_with_its_numbers() -> None:
     setup = replace(FULL, radius=50.0, noise=15.0, samples=200)
     found = circular_document(diagnose_circle(circle(setup), "iso230-4:2005"))

@@ -180,6 +180,7 @@ def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
             name: _effect(effect, given=True)
             | _correction(name, effect.value, effect.std_error)
             | (dict.fromkeys(("effect", "share")) if name in _NOT_RANKED else {})
+            | ({"share": None} if _is_part(name, diagnosis) else {})
             if name not in not_given
             else _effect(effect, given=False)
             for name, effect in diagnosis.effects.items()
@@ -204,6 +205,15 @@ def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
             for run in diagnosis.fitted
         ],
     }
+
+
+def _is_part(name: str, diagnosis: Diagnosis) -> bool:
+    """Return whether the effect of a value is in that of another cause: the scale of one axis, the
+    difference of the lost motions, or one end of an axis that has a value for both.
+    """
+    whole, at_end, _ = name.partition("_at_")
+    found = at_end and whole in diagnosis.effects and whole not in diagnosis.not_given
+    return bool(found) or name.startswith("scale_error") or name == "backlash_mismatch"
 
 
 def _absent(name: str) -> dict[str, Any]:
