@@ -310,12 +310,30 @@ def test_the_job_that_corrects_what_a_table_can() -> None:
     apply = yaml.safe_load(lines[1])["apply"]
     assert apply == {"squareness": {"ZX": "X"}, "backlash_from": "circle"}
     assert job_lines(["scale_mismatch"], result) == ["circles: [{file: zx.b5r, centre: [Z, X]}]"]
+    assert job_lines(["scale_error_first"], result) == job_lines(["scale_mismatch"], result)
     assert job_lines(["vibration", "stick_slip_first"], result) == []
     odd = {**RESULT, "sources": [{"file": "a, 1.csv"}]}
     (entry,) = yaml.safe_load(job_lines(["squareness"], odd)[0])["circles"]
     assert entry["file"] == "a, 1.csv"
     two = {**RESULT, "sources": [{"file": "a.csv"}, {"file": "b.csv"}]}
     assert job_lines(["squareness"], two)[0] == "circles: [{ccw: FILE, cw: FILE, centre: [Z, X]}]"
+
+
+@pytest.mark.parametrize(("second", "named"), [(60.0, "both"), (5.0, "one"), (30.0, "mismatch")])
+def test_scale_errors_of_both_axes_have_a_step(second: float, named: str) -> None:
+    """60 µm/m of both axes over R = 120 mm: 7.2 µm on the radius, and no mismatch."""
+    apart = 0.24 * (60.0 - second)
+    diagnosis = {
+        "scale_mismatch": entry(apart, 0.02, apart / 2.0, 0.7 if named == "mismatch" else 0.0),
+        "scale_error_first": {**entry(60.0, 3.0, 7.2, 0.0), "unit": "um/m"},
+        "scale_error_second": {**entry(second, 3.0, 0.12 * second, 0.0), "unit": "um/m"},
+    }
+    causes = ranked_causes({"axes": AXES, "diagnosis": diagnosis})
+    (step,) = map(str, steps_for(causes, AXES))
+    assert "Check the temperature of both axes" in step
+    assert ("Scale mismatch" in step) == (named == "mismatch")
+    assert ("Scale error Z (60.0 ± 3.0 µm/m)" in step) == (named != "mismatch")
+    assert ("Scale error X (" in step) == (named == "both")
 
 
 def test_no_name_of_a_key_is_on_the_page() -> None:

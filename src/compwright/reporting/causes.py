@@ -18,7 +18,7 @@ from compwright.words.sentences import Sentence, SentenceText, say
 LEAST_SHARE: Final = 0.01
 LEAST_EFFECT: Final = 0.005
 #: Below this effect (µm, the resolution of a ballbar) nothing is done about a cause.
-_LEAST_MENDED: Final = 0.1
+LEAST_MENDED: Final = 0.1
 
 _UNITS: Final = {"um": "µm", "um/m": "µm/m", "ms": "ms"}
 _KINDS: Final = frozenset(
@@ -146,7 +146,7 @@ class CircleCause:
     @property
     def large(self) -> bool:
         """Whether the effect is large enough to do something about the cause."""
-        return self.shown and self.effect >= _LEAST_MENDED
+        return self.shown and self.effect >= LEAST_MENDED
 
     @property
     def known(self) -> bool:

@@ -15,7 +15,7 @@ from compwright.reporting.causes import (
     ranked_causes,
     summed_causes,
 )
-from compwright.reporting.circle_steps import job_lines, machine_job, steps_for
+from compwright.reporting.circle_steps import job_lines, machine_job, scale_errors, steps_for
 from compwright.reporting.circles import CircleFigure
 from compwright.reporting.circular_parameters import (
     parameter_rows,
@@ -38,6 +38,7 @@ def circle_page(result: Document, index: int, job: Sequence[str] | None = None) 
     causes, sums = ranked_causes(result), summed_causes(result)
     axes = result.get("axes") or ("first", "second")
     residual = residual_figure(result, name)
+    corrected = [*(cause for cause in causes if cause.corrected), *scale_errors(causes)]
     return {
         "figure": CircleFigure(result, f"test{index}", name),
         "residual": residual,
@@ -48,11 +49,7 @@ def circle_page(result: Document, index: int, job: Sequence[str] | None = None) 
         "pictures": cause_pictures(causes),
         "comparison": say("circle.comparison") if _any_printed(causes) else "",
         "steps": steps_for(causes, axes),
-        "job": (
-            job_lines([cause.name for cause in causes if cause.corrected], result)
-            if job is None
-            else job
-        ),
+        "job": (job_lines([cause.name for cause in corrected], result) if job is None else job),
         "reasons": _reasons(result),
         "sheet": paper.sheet(result, {}),
     }

@@ -11,7 +11,7 @@ import re
 from collections.abc import Container, Mapping, Sequence
 from typing import Any, Final
 
-from compwright.reporting.causes import CircleCause, whole_cause
+from compwright.reporting.causes import LEAST_MENDED, CircleCause, whole_cause
 from compwright.words.sentences import Sentence, say
 
 #: So many of the largest causes get a next step, and all with this share of the effects or more.
@@ -43,11 +43,24 @@ def steps_for(causes: Sequence[CircleCause], axes: Sequence[str]) -> list[Senten
         for cause in shown[:last]
         if not cause.significant
     ]
+    scales = [
+        say(
+            "cause.noted",
+            cause=one.words,
+            note=say("label.with_unit", value=one.value_text, unit=one.unit_text),
+        )
+        for one in scale_errors(causes)
+    ]
     return [
         *(
             say("circle.to_do", cause=cause.words, share=100.0 * cause.share, step=step)
             for cause in significant
             if (step := next_step(whole_cause(_mended(cause)), axes, cause))
+        ),
+        *(
+            [say("circle.scales", scales=scales, step=next_step("scale_mismatch", axes))]
+            if scales
+            else []
         ),
         *([say("circle.open_causes", causes=open_causes)] if open_causes else []),
     ]
@@ -69,6 +82,20 @@ def significant_causes(causes: Sequence[CircleCause]) -> list[CircleCause]:
     """
     found = [cause for cause in causes if cause.large and cause.significant]
     return found[:_MOST] + [cause for cause in found[_MOST:] if cause.share >= _LARGE]
+
+
+def scale_errors(causes: Sequence[CircleCause]) -> list[CircleCause]:
+    """Return the significant scale errors of single axes if the step for their difference, the
+    scale mismatch, is not proposed: two equal ones only change the mean radius.
+    """
+    done = significant_causes(causes)
+    return [
+        one
+        for cause in causes
+        if cause not in done
+        for one in (cause, *cause.parts)
+        if one.name.startswith("scale_error") and one.known and one.effect >= LEAST_MENDED
+    ]
 
 
 def next_step(name: str, axes: Sequence[str], found: CircleCause | None = None) -> Sentence | None:
@@ -120,7 +147,9 @@ def job_lines(causes: Sequence[str], result: Mapping[str, Any]) -> list[str]:
     """Return the lines of a job that correct the ``causes`` of one circular test."""
     planes = {"".join(sorted(result["axes"]))} if "squareness" in causes else set()
     lost = bool({"backlash_first", "backlash_second"} & set(causes))
-    return _job([result], planes, lost=lost, scale="scale_mismatch" in causes)
+    return _job(
+        [result], planes, lost=lost, scale=any(cause.startswith("scale_") for cause in causes)
+    )
 
 
 def _job(

@@ -69,6 +69,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "circle.ranked": "Causes, the largest effect first",
     "circle.run": "{sense}: G {G}, F{centre} {highest} / {lowest} µm",
+    "circle.scales": "{scales:and}. {step}",
     "circle.sense": "{sense:choose|ccw=ccw|cw=cw|both=both}",
     "circle.setting": (
         "R {radius} mm{feed:if|, {feed:.5g} mm/min|}{extent:if|, arc {extent:.4g}° from"

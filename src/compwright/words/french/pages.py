@@ -69,6 +69,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "circle.ranked": "Causes, le plus grand effet d'abord",
     "circle.run": "{sense} : G {G}, F{centre} {highest} / {lowest} µm",
+    "circle.scales": "{scales:and}. {step}",
     "circle.sense": "{sense:choose|ccw=↺|cw=↻|both=les deux}",
     "circle.setting": (
         "R {radius} mm{feed:if|, {feed:.5g} mm/min|}{extent:if|, arc de {extent:.4g}° depuis"

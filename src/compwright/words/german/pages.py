@@ -71,6 +71,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "circle.ranked": "Ursachen, die größte Wirkung zuerst",
     "circle.run": "{sense}: G {G}, F{centre} {highest} / {lowest} µm",
+    "circle.scales": "{scales:and}. {step}",
     "circle.sense": "{sense:choose|ccw=↺|cw=↻|both=beide}",
     "circle.setting": (
         "R {radius} mm{feed:if|, {feed:.5g} mm/min|}{extent:if|, Bogen {extent:.4g}° ab"

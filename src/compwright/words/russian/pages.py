@@ -69,6 +69,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "circle.ranked": "Причины по убыванию влияния",
     "circle.run": "{sense}: G {G}, F{centre} {highest} / {lowest} мкм",
+    "circle.scales": "{scales:and}. {step}",
     "circle.sense": "{sense:choose|ccw=↺|cw=↻|both=оба}",
     "circle.setting": (
         "R {radius} мм{feed:if|, {feed:.5g} мм/мин|}{extent:if|, дуга {extent:.4g}° от"
