@@ -5,6 +5,7 @@ of the tool gives every circle.
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -348,6 +349,27 @@ def test_what_is_left_of_a_squareness_is_named(
     assert "Verification of Circle xy" in page
     assert "see the axes" not in page
     assert "at least one limit is undecided" not in page
+
+
+def test_one_reason_is_named_for_a_table_that_was_read_back_with_another_value(
+    unlimited: tuple[Path, str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A table with half of its last value makes half of its correction, and is not "50 % active"."""
+    folder, job = unlimited
+    (file,) = (folder / "job" / "tables" / "siemens-840d-sl").glob("*.INI")
+    (value,) = re.findall(r"CEC\[0,1\]=(.*)", file.read_text())
+    copy = folder / "half.INI"
+    copy.write_text(file.read_text().replace(value, f"{float(value) / 2:.6f}"))
+    after = circle(folder / "after.csv", replace(BENT, squareness=20.0), FIRST, 7)
+    assert verified(folder, job, after)[0] == 1
+    assert "50 % of the planned correction" in " ".join(capsys.readouterr().out.split())
+    code, answer = verified(folder, job, after, "--loaded", str(copy))
+    assert (code, answer["verdict"]) == (1, "bad")
+    (found,) = [one for one in answer["findings"] if one["code"] == "CW-V011"]
+    assert "$AN_CEC[0,1] (AX2), correction of AX2 over AX1, largest" in found["message"]
+    (doubt,) = answer["doubts"]
+    assert "read back differs from the plan (CW-V011)." in doubt["message"]
+    assert "%" not in doubt["message"]
 
 
 def test_a_small_correction_that_is_not_active_is_not_negligible(tmp_path: Path) -> None:

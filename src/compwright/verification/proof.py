@@ -303,6 +303,13 @@ def other_circle(
 # ---------------------------------------------------------------- what was read back
 
 
+def outside_of_tables(compared: Mapping[str, Any]) -> set[str]:
+    """Return the addresses with differences in the document of `compare` whose axis has no table of
+    its own in the plan.
+    """
+    return {one["axis"] for one in compared["differences"]} - set(compared["axes"])
+
+
 def read_back_findings(
     job: Job,
     compared: Mapping[str, Any],
@@ -313,7 +320,8 @@ def read_back_findings(
     another axis, or a table between axes, was changed while loading (CW-V011), or the files read
     back leave ``doubts`` (CW-V033) that are not ``known`` and not those of each axis.
     """
-    entries = [one for one in compared["differences"] if one["axis"] not in compared["axes"]]
+    outside = outside_of_tables(compared)
+    entries = [one for one in compared["differences"] if one["axis"] in outside]
     if entries:
         found = list(dict.fromkeys(f"{one['quantity']} ({one['axis']})" for one in entries))
         more = max(len(found) - _MOST_NAMED, 0)

@@ -30,6 +30,8 @@ class SquarenessCheck:
     expected: float
     U: float
     before: float
+    #: Whether the table that was read back differs from the plan: then this is the reason.
+    differs: bool = False
 
     @property
     def factor(self) -> float | None:
@@ -102,7 +104,13 @@ class SquarenessCheck:
             value=self.value,
             expected=self.expected,
             U=self.U,
-            verdict="uncertain" if self.factor is None else self.verdict,
+            verdict=(
+                "read_back"
+                if self.differs
+                else "uncertain"
+                if self.factor is None
+                else self.verdict
+            ),
             percent=100.0 * (self.factor or 0.0),
             negligible=NEGLIGIBLE if accepted else 0.0,
         )

@@ -163,14 +163,15 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V035": (
         "La perpendicularité après chargement est de {value:.1f} µm/m. La prévision était de"
         " {expected:.1f} µm/m, ± {U:.1f} µm/m dus au bruit des deux essais (k = 2)."
-        " {verdict:choose|loaded=La correction est active ; un nouveau montage de l'instrument ou"
-        " un changement de la machine peut laisser ce reste|not_active=La correction n'est pas"
-        " active. Vérifier que sa table est chargée et activée|inverted=La correction est active"
-        " avec le signe opposé. Vérifier le signe de sa table et la charger de"
-        " nouveau|scaled={percent:.0f} % de la correction prévue sont actifs. Comparer ce qui est"
-        " chargé avec le plan|undecided=Aucun défaut de chargement connu ne l'explique. Comparer"
-        " ce qui est chargé avec le plan et mesurer de nouveau le cercle|uncertain=Les essais sont"
-        " trop incertains pour nommer le défaut. Mesurer de nouveau le cercle entier dans les deux"
+        " {verdict:choose|loaded=La correction est active ; un nouveau montage de l'instrument"
+        " ou un changement de la machine peut laisser ce reste|not_active=La correction n'est"
+        " pas active. Vérifier que sa table est chargée et activée|inverted=La correction est"
+        " active avec le signe opposé. Vérifier le signe de sa table et la charger de"
+        " nouveau|scaled={percent:.0f} % de la correction prévue sont actifs. Comparer ce qui"
+        " est chargé avec le plan|undecided=Aucun défaut de chargement connu ne l'explique."
+        " Comparer ce qui est chargé avec le plan et mesurer de nouveau le cercle|read_back=La"
+        " table relue diffère du plan (CW-V011)|uncertain=Les essais sont trop incertains pour"
+        " nommer le défaut. Mesurer de nouveau le cercle entier dans les deux"
         " sens}.{negligible:if| Au-dessous de {negligible:.0f} µm/m elle est acceptée.|}"
     ),
     "CW-V035.open": (

@@ -2,25 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from compwright.controls.control import Control, decode, open_control, origin_of, plan_origin
 from compwright.controls.control_files import read_control
-from compwright.controls.decoded_state import DecodedState, SingleReader
-from compwright.controls.differences import compared_side, differences
+from compwright.controls.decoded_state import DecodedState
 from compwright.controls.job_completion import completed_by_files, named_axes, with_counted_turns
 from compwright.controls.read_back import (
-    assumed_instead,
-    newly_coupled,
     not_read_back,
-    pairs_not_read_back,
 )
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import read_plan
@@ -36,7 +30,6 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.input_sizes import PLAN
 from compwright.foundations.parallel_work import Each, in_turn
 from compwright.foundations.session import Session
-from compwright.records.axis import Direction
 from compwright.records.circular import CircularTest
 from compwright.records.job import AS_FOUND, Job
 from compwright.records.plan import Plan
@@ -47,6 +40,7 @@ from compwright.verification.proof import (
     copied_tests,
     not_measured,
     other_circle,
+    outside_of_tables,
     read_back_findings,
     unproven_circle,
 )
@@ -73,7 +67,7 @@ from compwright.workflow.verify.next_round import (
 )
 from compwright.workflow.verify.proof_export import FOLDER as PROVEN
 from compwright.workflow.verify.proof_export import proven_files
-from compwright.workflow.verify.verified_axis import differs_from_plan, verified_axis
+from compwright.workflow.verify.verified_axis import between_axes, verified_axis
 from compwright.workflow.verify.verify_circles import (
     split_after,
     squareness_decisions,
@@ -237,7 +231,12 @@ def _verified(
         )
         for test in tests
     }
-    circles = verify_circles(session, job, plan, circle_files, as_found, states)
+    compared = _compared(session, plan_file, loaded) if loaded else ""
+    cross = [entry for entry in plan.cross if entry.written and read_back]
+    files = planned_files(control.in_state(as_found.state), plan, as_found)[0] if cross else ()
+    between = list(between_axes(control, cross, plan.every_axis, files, read_back))
+    differing = {entry.pair for entry, found in between if entry and found.code == "CW-V011"}
+    circles = verify_circles(session, job, plan, circle_files, as_found, states, differing)
     measured = {name: circle.after.test for name, circle in circles.items()}
     general = [
         *changed_limits(job, plan),
@@ -258,11 +257,14 @@ def _verified(
                 ),
             )
         ),
-        *_between(control, plan, as_found, read_back),
+        *(found for _, found in between),
     ]
-    compared = _compared(session, plan_file, loaded) if loaded else ""
     if isinstance(compared, CompareOutcome):
-        general += read_back_findings(job, compared.document, compared.doubts, general)
+        more = list(read_back_findings(job, compared.document, compared.doubts, general))
+        named = outside_of_tables(compared.document)
+        # The finding of the others names the table, its value and its place.
+        repeated = [found for entry, found in between if entry and entry.addresses[1] in named]
+        general = [one for one in general if one.code != "CW-V011" or one not in repeated] + more
     found = Verified(
         job=job,
         plan=plan,
@@ -279,43 +281,6 @@ def _verified(
         read_back=() if read_back is None else read_back.files,
     )
     return found, _verdict(axes, circles, general), compared
-
-
-def _between(
-    control: Control, plan: Plan, as_found: DecodedState, read_back: DecodedState | None
-) -> Iterator[Finding]:
-    """Yield a finding for each planned cross-axis table that is missing in the files read back, or
-    that has other values there.
-    """
-    planned = [entry for entry in plan.cross if entry.written]
-    if read_back is None or not planned:
-        return
-    files, _ = planned_files(control.in_state(as_found.state), plan, as_found)
-    wanted, back = SingleReader(decode(control, files).state), SingleReader(read_back.state)
-    sides = (
-        compared_side(control, files, "the plan", read_back.files),
-        compared_side(control, read_back.files, "read back", files),
-    )
-    whole = differences(control, *sides)
-    missing = pairs_not_read_back(planned, whole, sides[1])
-    yield from newly_coupled(planned, plan.every_axis, *sides)
-    yield from assumed_instead(whole, *sides)
-    for entry in planned:
-        if entry.addresses in missing and entry.addresses not in back.state.pairs:
-            yield missing[entry.addresses]
-            continue
-        planned_values, held_values = (
-            [
-                one.cross_correction(*entry.addresses, entry.added.positions, way)
-                for way in Direction
-            ]
-            for one in (wanted, back)
-        )
-        off = float(np.max(np.abs(np.subtract(planned_values, held_values))))
-        largest = float(np.max(np.abs(planned_values)))
-        found = differs_from_plan(entry.output, off, largest, entry.added.output_kind)
-        if found is not None or entry.addresses in missing:
-            yield found or missing[entry.addresses]
 
 
 def _compared(session: Session, plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome | str:

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Final
 
 import numpy as np
 
-from compwright.controls.control import Control
-from compwright.controls.decoded_state import DecodedState
+from compwright.controls.control import Control, decode
+from compwright.controls.decoded_state import DecodedState, SingleReader
+from compwright.controls.differences import compared_side, differences
 from compwright.controls.gantries import with_partners
 from compwright.controls.judged_corrections import applied_correction, judged_correction
+from compwright.controls.read_back import assumed_instead, newly_coupled, pairs_not_read_back
 from compwright.controls.reader_comparison import SINGLE_PRECISION, table_positions
 from compwright.documents.verification import ExpectedMeans, VerifiedAxis
 from compwright.estimation.cells import alias_findings
@@ -29,10 +31,10 @@ from compwright.planning.wanted_correction import MeasuredError, measured_error,
 from compwright.prediction.active_corrections import Correction, difference, no_correction
 from compwright.prediction.dead_zone import applied_compensation
 from compwright.records.axis import Axis, AxisKind, Direction, partner_of
-from compwright.records.correction import AxisCompensation, ControlState
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.fitted_table import FittedTable
 from compwright.records.job import Acknowledged, Job
-from compwright.records.plan import PlannedAxis, PlannedTest
+from compwright.records.plan import PlannedAxis, PlannedCross, PlannedTest
 from compwright.records.prediction import AcceptDecision
 from compwright.records.result import PositioningResult
 from compwright.records.rounding import LOGARITHM, rounded_number
@@ -331,3 +333,44 @@ def differs_from_plan(axis: str, off: float, largest: float, kind: AxisKind) -> 
     if off <= 1e-3 / factor + SINGLE_PRECISION * largest:
         return None
     return Finding.of("CW-V011", "error", axis=axis, difference=off * factor, unit=unit)
+
+
+def between_axes(
+    control: Control,
+    cross: Sequence[PlannedCross],
+    axes: Mapping[str, Axis],
+    planned: Sequence[ControlFile],
+    read_back: DecodedState | None,
+) -> Iterator[tuple[PlannedCross | None, Finding]]:
+    """Yield a finding for each table between axes that is missing in the files read back or has
+    other values there (with its entry in ``cross``), and findings of no such table.
+
+    ``axes``: those of the job by name. ``planned``: the files that the plan loads.
+    """
+    if read_back is None or not cross:
+        return
+    wanted, back = SingleReader(decode(control, planned).state), SingleReader(read_back.state)
+    sides = (
+        compared_side(control, planned, "the plan", read_back.files),
+        compared_side(control, read_back.files, "read back", planned),
+    )
+    whole = differences(control, *sides)
+    missing = pairs_not_read_back(cross, whole, sides[1])
+    for finding in (*newly_coupled(cross, axes, *sides), *assumed_instead(whole, *sides)):
+        yield None, finding
+    for entry in cross:
+        if entry.addresses in missing and entry.addresses not in back.state.pairs:
+            yield entry, missing[entry.addresses]
+            continue
+        planned_values, held_values = (
+            [
+                one.cross_correction(*entry.addresses, entry.added.positions, way)
+                for way in Direction
+            ]
+            for one in (wanted, back)
+        )
+        off = float(np.max(np.abs(np.subtract(planned_values, held_values))))
+        largest = float(np.max(np.abs(planned_values)))
+        found = differs_from_plan(entry.output, off, largest, entry.added.output_kind)
+        if found is not None or entry.addresses in missing:
+            yield entry, found or missing[entry.addresses]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -161,9 +161,11 @@ def verify_circles(
     files: Mapping[str, Sequence[Path | CircularTest]],
     as_found: DecodedState,
     states: Mapping[str, DecodedState],
+    differing: Container[frozenset[str]],
 ) -> dict[str, VerifiedCircle]:
     """Evaluate the circular tests after loading (``files``: their files by the name of the circle),
-    and return their comparison with the plan by the name of the circle. Raises InputError.
+    and return their comparison with the plan by the name of the circle. ``differing``: the pairs of
+    axes whose table that was read back differs from the plan. Raises InputError.
     """
     axes = plan.every_axis
     then = _planned(plan, as_found, axes)
@@ -173,7 +175,7 @@ def verify_circles(
         try:
             test = in_job_names(read_circle(session, paths, name), plan.circles[name].test.axes)
             during = active_corrections(states.get(plan.circles[name].measured_in), axes)
-            verified[name] = _verified(job, plan, plan.circles[name], test, during, then)
+            verified[name] = _verified(job, plan, plan.circles[name], test, during, then, differing)
         except InputError as error:
             errors.append(error)
     raise_all(InputError, collect(errors))
@@ -187,6 +189,7 @@ def _verified(
     after: CircularTest,
     during: ActiveCorrections,
     then: ActiveCorrections,
+    differing: Container[frozenset[str]],
 ) -> VerifiedCircle:
     before, result = (
         with_uncertainty(diagnose_circle(test, CIRCULAR_STANDARD), budget, job.thermal)
@@ -220,6 +223,7 @@ def _verified(
                 expected=expected.value,
                 U=SIGNIFICANT * error,
                 before=expected.value + 1e6 * sum(removed),
+                differs=frozenset(circle.test.axes) in differing,
             )
     found = () if check is None else check.findings
     judged = () if check is None else ("squareness", *(DEVIATIONS if found else ()))
