@@ -65,6 +65,22 @@ def test_more_than_a_right_angle_lifts_the_bent_axis_along_the_other() -> None:
     assert codes(found) == ["CW-P111", "CW-P109"]
 
 
+@pytest.mark.parametrize(
+    ("error", "shown"),
+    [
+        (2.0, "+30.0 ± 2.0"),
+        (0.06, "+30.0 ± 0.1"),
+        (0.024, "+30.00 ± 0.02"),
+        (0.0031, "+30.000 ± 0.003"),
+    ],
+)
+def test_a_standard_error_is_not_shown_as_zero(error: float, shown: str) -> None:
+    """A quiet circle of many samples has one below 0.05 µm/m."""
+    found = plan(square(30.0, error), apply=BEND_Y)
+    (one,) = (each.message for each in found.findings if each.code == "CW-P109")
+    assert f"the squareness is {shown} µm/m" in one
+
+
 def test_bending_the_other_axis_has_the_same_sign() -> None:
     found = plan(square(30.0), apply=BEND_X)
     assert (only(found).input, only(found).output) == ("Y", "X")

@@ -72,8 +72,7 @@ class Squareness:
     @property
     def words(self) -> Sentence:
         """The squareness as text with unit, for messages."""
-        error = self.std_error * _PPM
-        return say("value_with_error", value=self.value * _PPM, error=error, unit="µm/m")
+        return ValueWithError(self.value, self.std_error).words(_PPM, "µm/m")
 
 
 @dataclass(frozen=True, slots=True)

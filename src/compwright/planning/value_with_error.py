@@ -43,8 +43,11 @@ class ValueWithError:
         """Return the value as text with its standard error, both multiplied by ``factor`` into
         ``unit``.
         """
-        error = self.std_error * factor
-        return say("value_with_error", value=self.value * factor, error=error, unit=unit)
+        error, least = self.std_error * factor, 1 if unit == "µm/m" else 2
+        # So many that the error does not round to zero, if three decimals are enough.
+        decimals = next((each for each in range(least, 4) if round(error, each)), least)
+        value = self.value * factor
+        return say("value_with_error", value=value, error=error, unit=unit, decimals=decimals)
 
 
 def contradictory(scatter: float, free: float) -> bool:

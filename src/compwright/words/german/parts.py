@@ -132,7 +132,8 @@ SENTENCES: Final[dict[str, str]] = {
         " Winkel"
     ),
     "value_with_error": (
-        "{unit:choose|µm/m={value:+.1f} ± {error:.1f}|={value:+.2f} ± {error:.2f}} {unit}"
+        "{decimals:choose|1={value:+.1f} ± {error:.1f}|2={value:+.2f} ± {error:.2f}"
+        "|3={value:+.3f} ± {error:.3f}} {unit}"
     ),
     "with_and_without": "{parameter} {value} mit, {without} ohne",
 }
