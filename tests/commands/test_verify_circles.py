@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -370,6 +371,32 @@ def test_one_reason_is_named_for_a_table_that_was_read_back_with_another_value(
     (doubt,) = answer["doubts"]
     assert "read back differs from the plan (CW-V011)." in doubt["message"]
     assert "%" not in doubt["message"]
+
+
+@pytest.mark.parametrize("doubt", ["noise", "copied", "other radius"])
+def test_the_good_circles_stay_in_the_next_command(
+    tmp_path: Path, doubt: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Two circles of one plane; after loading the second is to be measured again."""
+    circle(tmp_path / "wide.csv", BENT, FIRST, 1)
+    circle(tmp_path / "slow.csv", BENT, replace(FIRST, feed=250.0), 2)
+    job = Path(planned(tmp_path, accept=""))
+    second = "{file: slow.csv, name: slow, centre: [400, 400], accept: {G_bidirectional: 50}}"
+    job.write_text(re.sub(r"(circles: \[.*)\]\n", rf"\1, {second}]\n", job.read_text()))
+    assert compwright(["run", str(job), "--force"]) == 0
+    loaded, again = replace(BENT, squareness=0.0), replace(FIRST, feed=250.0)
+    good = circle(tmp_path / "good.csv", loaded, FIRST, 7)
+    if doubt == "copied":
+        shutil.copy(tmp_path / "slow.csv", tmp_path / "bad.csv")  # CW-V025
+    else:
+        radius = 100.0 if doubt == "other radius" else 150.0
+        noise = 5.0 if doubt == "noise" else 0.3
+        circle(tmp_path / "bad.csv", loaded, replace(again, radius=radius, noise=noise), 8)
+    capsys.readouterr()
+    assert verified(tmp_path, str(job), good, "--after", f"slow={tmp_path / 'bad.csv'}")[0] == 1
+    last = capsys.readouterr().out.split("Next: ")[1]
+    assert f"--after xy={good} --after AFTER_FILE" in last
+    assert "bad.csv" not in last
 
 
 def test_a_small_correction_that_is_not_active_is_not_negligible(tmp_path: Path) -> None:

@@ -33,7 +33,9 @@ def step(
         "findings": [{"code": code} for code in codes],
         "doubts": [{"code": code} for code in codes],
     }
-    outcome = SimpleNamespace(document=document, files=(), of_axes=["a.csv"] if verdicts else [])
+    outcome = SimpleNamespace(
+        document=document, files=(), of_axes=["a.csv"] if verdicts else [], of_circles={}
+    )
     after = [*outcome.of_axes, *(["xy=circle.csv"] if of_circle else [])]
     job, out = Path("job.yaml"), Path("job")
     return after_verify(outcome, job, out, after, plan=out, given=(), read_back=read_back)

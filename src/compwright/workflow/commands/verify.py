@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -87,7 +87,7 @@ NOT_READ_BACK = Fault(
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VerifyOutcome:
     """The result of ``verify``. ``exit_code`` is 0 only for the verdict ``good``. ``of_axes``: the
-    values of ``--after`` that are positioning tests.
+    values of ``--after`` that are positioning tests. ``of_circles``: those of circles, by name.
     """
 
     exit_code: int
@@ -95,6 +95,7 @@ class VerifyOutcome:
     files: tuple[Path, ...]
     notes: tuple[str, ...] = ()
     of_axes: tuple[str, ...] = ()
+    of_circles: Mapping[str, Sequence[str]] = field(default_factory=dict)
 
 
 def plan_path(session: Session, given: Path | None, default: Path) -> Path:
@@ -169,6 +170,10 @@ def verify_job(
         files=_stored(session, out, files, then, json_path, report, force=force),
         notes=(*notes, *proven, *(then.notes if then is not None else ()), *_left_over(out, then)),
         of_axes=tuple(found.specs),
+        of_circles={
+            name: [f"{name}={path.as_posix()}" for path in paths]
+            for name, paths in found.circle_files.items()
+        },
     )
 
 

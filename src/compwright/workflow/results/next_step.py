@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import shlex
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final
 
@@ -89,7 +89,15 @@ def after_verify(
     lacking = doubtful or (sorted({"CW-V023", "CW-V034"} & found) if active else [])
     if lacking:
         good = () if own & _UNTRUSTED else outcome.of_axes
-        kept = again if lacking == ["CW-V023"] else [w for file in good for w in ("--after", file)]
+        open_circles = _circles_of(lacking, document)
+        circled = (
+            file
+            for name, files in outcome.of_circles.items()
+            if name not in open_circles
+            for file in files
+        )
+        kept = [word for file in (*good, *circled) for word in ("--after", file)]
+        kept = again if lacking == ["CW-V023"] else kept
         return f"Next: {_what_to_measure(lacking, check=bool(doubtful))}, then type: " + (
             _command("verify", job, *kept, "--after", _AFTER, *given, *loaded, "--force")
         )
@@ -131,6 +139,19 @@ def after_verify(
     return "Next: correct what is named above, measure again, then type: " + _command(
         "verify", job, "--after", _AFTER, *given, "--loaded", READ_BACK, "--force"
     )
+
+
+def _circles_of(codes: Sequence[str], document: Mapping[str, Any]) -> set[str]:
+    """Return the names of the circles to which a finding with one of the ``codes`` belongs."""
+    return {
+        finding.get("values", {}).get("circle", "")
+        for finding in document["findings"]
+        if finding["code"] in codes
+    } | {
+        name
+        for name, circle in document["circles"].items()
+        if any(finding["code"] in codes for finding in circle["findings"])
+    }
 
 
 def _what_to_measure(codes: Sequence[str], *, check: bool) -> str:
