@@ -128,7 +128,7 @@ def test_an_acknowledgement_that_nothing_needs_is_reported(tmp_path: Path) -> No
         ("{CW-T320: no}", "CW-T032"),
         ("{T032: no}", "CW-T032"),
         ("{CW-E014: no}", "doubt"),
-        ("{CW-V026: no}", "doubt"),
+        ("{CW-V036: no}", "keeps the verdict open and cannot be acknowledged"),
         ("{CW-T032: {axis: XX, reason: no}}", "'X', the nearest known name"),
         ("{CW-T032: {axis: X}}", "reason"),
         ("{CW-T032: ''}", "blank"),

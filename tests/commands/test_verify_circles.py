@@ -251,6 +251,28 @@ def test_a_circle_that_is_not_as_predicted_proves_nothing(
     assert named in " ".join(capsys.readouterr().out.split())
 
 
+@pytest.mark.parametrize(
+    ("scale", "named", "not_named"),
+    [(60.0, {"D", "F max ccw", "F max cw"}, {"F min"}), (0.0, {"F max", "F min"}, {"D "})],
+)
+def test_radial_deviations_that_got_worse_are_named(
+    reversing: tuple[Path, str], scale: float, named: set[str], not_named: set[str]
+) -> None:
+    """60 µm/m over a radius of 150 mm: each radius is 9 µm too large; 1 ms between the axes makes
+    4.2 µm to both sides, in both cases.
+    """
+    folder, job = reversing
+    larger = {"scale_error_first": scale, "scale_error_second": scale, "servo_mismatch": 1.0}
+    machine = replace(REVERSING, squareness=0.0, **larger)
+    after = circle(folder / "after.csv", machine, FIRST, 7)
+    (doubt,) = verified(folder, job, after)[1]["doubts"]
+    assert doubt["code"] == "CW-V036"
+    assert all(f"; {each}" in doubt["message"] for each in named)
+    assert not any(f"; {each}" in doubt["message"] for each in not_named)
+    mean = re.search(r"; D (\S+) µm", doubt["message"])
+    assert mean is None or float(mean[1]) == pytest.approx(9.0, abs=0.1)
+
+
 @pytest.mark.parametrize(("when", "code"), [("before the run", 0), ("after it", 1)])
 def test_a_declared_environment_is_believed_as_another_day(
     tmp_path: Path, when: str, code: int

@@ -170,7 +170,13 @@ def _acknowledged(section: Any, axes: Sequence[str]) -> Iterator[KeyFault]:
     """
     for code, value in mapping_of(section).items():
         path: KeyPath = ("acknowledged", code)
-        if code in REMARKS | RESULTS:
+        if code in RESULTS:
+            yield KeyFault(
+                path,
+                "is a result that keeps the verdict open and cannot be acknowledged",
+                hint="remove this line, and do what the finding says",
+            )
+        elif code in REMARKS:
             yield KeyFault(
                 path,
                 "is not a doubt: it keeps no decision open, and needs no acknowledgement",

@@ -127,12 +127,38 @@ def unexpected_findings(
         grown = value - band.median if was is None or now is None else now - was
         least = _believed(prediction, after, part) / MICROMETRES_PER_MILLIMETRE
         if value - band.median > reach and grown > least:
-            shown, low, high = map(_micrometres, (value, band.p05, band.p95))
-            of = say("as_written", text=name.replace("_", " "))
-            what.append(say("CW-V036.value", name=of, value=shown, low=low, high=high))
+            what.append(_parameter(name, value, band))
     changes = [each for each in _changes(prediction, after, part) if each.name not in judged]
     if what or changes:
+        what += _radial(prediction, after, _believed(prediction, after, part))
         yield Finding.of("CW-V036", "warning", what=[*what, *_sentences(changes, after)])
+
+
+def _parameter(name: str, value: float, band: Quantiles) -> Sentence:
+    shown, low, high = map(_micrometres, (value, band.p05, band.p95))
+    of = say("as_written", text=name.replace("_", " "))
+    return say("CW-V036.value", name=of, value=shown, low=low, high=high)
+
+
+def _radial(
+    prediction: CirclePrediction, after: CircularResult, least: float
+) -> Iterator[Sentence]:
+    """Yield the radial deviations (F) that are larger than predicted and the mean one (D) if it is
+    another one, by the rule of `unexpected_findings`. ``least``: the change (µm) that is believed.
+    """
+    for name, band in prediction.predicted.items():
+        value, own = after.parameters.get(name), name.removesuffix("_lsc")
+        # About the standard's centre, else about that of least squares.
+        if name[0] not in "FD" or value is None or (own != name and own in prediction.predicted):
+            continue
+        off = value - band.median
+        end = band.p95 if off > 0.0 else band.p05
+        reach = max(
+            IMPROBABLE / _NINETY * abs(end - band.median), least / MICROMETRES_PER_MILLIMETRE
+        )
+        better = ("max" in name and off < 0.0) or ("min" in name and off > 0.0)
+        if abs(off) > reach and not better:
+            yield _parameter(name, value, band)
 
 
 def _effects(result: CircularResult) -> dict[str, CircularEffect]:
