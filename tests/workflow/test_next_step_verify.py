@@ -17,6 +17,7 @@ def step(
     of_circle: str | None = None,
     own: str = "",
     read_back: bool = True,
+    files: tuple[Path, ...] = (),
 ) -> str:
     document: dict[str, Any] = {
         "verdict": "bad",
@@ -34,7 +35,7 @@ def step(
         "doubts": [{"code": code} for code in codes],
     }
     outcome = SimpleNamespace(
-        document=document, files=(), of_axes=["a.csv"] if verdicts else [], of_circles={}
+        document=document, files=files, of_axes=["a.csv"] if verdicts else [], of_circles={}
     )
     after = [*outcome.of_axes, *(["xy=circle.csv"] if of_circle else [])]
     job, out = Path("job.yaml"), Path("job")
@@ -56,6 +57,14 @@ def step(
 )
 def test_one_axis_does_not_decide_for_all(verdicts: dict[str, str], words: str) -> None:
     assert step(verdicts).startswith(words)
+
+
+def test_the_next_round_of_one_axis_names_the_others_that_were_not_loaded() -> None:
+    tables = (Path("job") / "next" / "tables" / "AX1_EEC.INI",)
+    both = step({"X": "loaded", "Y": "not_active", "Z": "state"}, files=tables)
+    assert both.startswith("Next: correct what is named above for Y, do the steps of job/next/card")
+    alone = step({"X": "loaded", "Y": "undecided"}, files=tables)
+    assert alone.startswith("Next: do the steps of job/next/card/card.html")
 
 
 def test_a_coupling_that_is_new_is_nothing_to_load() -> None:

@@ -65,10 +65,15 @@ def after_verify(
     document = outcome.document
     then, folder = document.get("next") or {}, out / "next"
     tables = any(path.is_relative_to(folder / "tables") for path in outcome.files)
+    verdicts = {name: axis["loading"]["verdict"] for name, axis in document["axes"].items()}
+    open_ = ("state", "loaded", "undecided")  # of these, nothing above names a fault to correct
+    faulty = [name for name, verdict in verdicts.items() if verdict not in open_]
+    first = f"correct what is named above for {', '.join(faulty)}, " if faulty else ""
     if tables or any(axis["table"] for axis in then.get("axes", {}).values()):
         return (
-            f"Next: do the steps of {folder / 'card' / 'card.html'}, save the control's files to"
-            f" {READ_BACK}, then type: " + _command("compare", folder, "--loaded", READ_BACK)
+            f"Next: {first}do the steps of {folder / 'card' / 'card.html'}, save the control's"
+            f" files to {READ_BACK}, then type: "
+            + _command("compare", folder, "--loaded", READ_BACK)
         )
     if document["verdict"] == "good":
         return f"Next: keep the folder {out}. To see the years, type: " + _command("history", out)
@@ -83,7 +88,6 @@ def after_verify(
     own = {finding["code"] for axis in axes for finding in axis["findings"]}
     codes = found | own
     wrong = codes & {"CW-V011", "CW-S087"}
-    verdicts = {name: axis["loading"]["verdict"] for name, axis in document["axes"].items()}
     proven = wrong or {*verdicts.values()} - {"loaded", "undecided"}
     doubtful = [] if proven else sorted(_UNTRUSTED & found)
     lacking = doubtful or (sorted({"CW-V023", "CW-V034"} & found) if active else [])
@@ -124,10 +128,7 @@ def after_verify(
             f" in the job (gantry) with the files read back (states), then type: {again_run}"
         )
     idle = [name for name, verdict in verdicts.items() if verdict == "state"]
-    open_ = ("state", "loaded", "undecided")  # of these, nothing above names a fault to correct
-    faulty = [name for name, verdict in verdicts.items() if verdict not in open_]
     if idle:
-        first = f"correct what is named above for {', '.join(faulty)}, " if faulty else ""
         return (
             f"Next: {first}state what was active in the first test of {', '.join(idle)} (states),"
             f" then type: {again_run}"
