@@ -144,6 +144,15 @@ def test_which_one_counts_is_said() -> None:
         )
 
 
+def test_a_scale_is_that_of_the_range_which_the_circle_covers() -> None:
+    """Radius 100 mm about X 400: an axis of another slope elsewhere agrees with its laser there."""
+    bent = KnownAxis(lambda x: 1e-6 * x**2, lambda x: 1e-6 * x**2)
+    circle = circle_of({"scale_error_first": (900.0, 2.0)}, centre=(400.0, 900.0))
+    (finding,) = checks_of({"X": work_of(bent)}).findings([circle])
+    assert "the scale from 300 to 500 mm, where" in finding.message
+    assert "+800.0 ± 0.0 µm/m according to the laser" in finding.message
+
+
 @pytest.mark.parametrize(("value", "told"), [(15.9, True), (16.1, False), (24.1, True)])
 def test_a_scale_beyond_both_uncertainties_is_told(value: float, *, told: bool) -> None:
     circle = circle_of({"scale_error_first": (value, 2.0)})

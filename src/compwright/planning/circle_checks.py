@@ -143,6 +143,7 @@ class CircleChecks:
         circle = scale_error(work, index)
         if circle is None or not circle.differs(laser.scale):
             return
+        radius, middle = work.planned.test.nominal_radius, work.planned.centre[index]
         yield Finding.of(
             "CW-P115",
             "warning",
@@ -150,6 +151,8 @@ class CircleChecks:
             laser=laser.scale.words(_PPM, "µm/m"),
             circle=circle.words(_PPM, "µm/m"),
             test=work.name,
+            low=middle - radius,
+            high=middle + radius,
         )
 
     def _mismatch(

@@ -133,8 +133,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {counts:choose|circle=circle|laser=laser} is used."
     ),
     "CW-P115": (
-        "{axis}: laser and circle disagree about the scale. It is {laser} according to the"
-        " laser and {circle} according to {test}. The value of the laser is used."
+        "{axis}: laser and circle disagree about the scale from {low:.6g} to {high:.6g} mm, where"
+        " the circle lies. It is {laser} according to the laser and {circle} according to {test}."
+        " The value of the laser is used."
     ),
     "CW-P116": (
         "Scale of {pair}: laser and circle disagree. It is {laser} according to the laser and"

@@ -136,8 +136,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {counts:choose|circle=cercle|laser=laser} est utilisée."
     ),
     "CW-P115": (
-        "{axis} : laser et cercle ne concordent pas sur l'échelle. Elle est de {laser} d'après le"
-        " laser et de {circle} d'après {test}. La valeur du laser est utilisée."
+        "{axis} : laser et cercle ne concordent pas sur l'échelle de {low:.6g} à {high:.6g} mm, où"
+        " se trouve le cercle. Elle est de {laser} d'après le laser et de {circle} d'après {test}."
+        " La valeur du laser est utilisée."
     ),
     "CW-P116": (
         "Échelle de {pair} : laser et cercle ne concordent pas. Elle est de {laser} d'après le"

@@ -143,8 +143,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {counts:choose|circle=des Kreises|laser=des Lasers}."
     ),
     "CW-P115": (
-        "{axis}: Laser und Kreis stimmen beim Maßstab nicht überein. Er ist {laser} nach dem"
-        " Laser und {circle} nach {test}. Verwendet wird der Wert des Lasers."
+        "{axis}: Laser und Kreis stimmen beim Maßstab von {low:.6g} bis {high:.6g} mm, wo der Kreis"
+        " liegt, nicht überein. Er ist {laser} nach dem Laser und {circle} nach {test}. Verwendet"
+        " wird der Wert des Lasers."
     ),
     "CW-P116": (
         "Maßstab von {pair}: Laser und Kreis stimmen nicht überein. Er ist {laser} nach dem Laser"
