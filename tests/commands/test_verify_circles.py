@@ -33,7 +33,11 @@ def circle(path: Path, machine: Machine, setup: Setup, seed: int) -> str:
 
 
 def planned(
-    folder: Path, machine: Machine = BENT, accept: str = LIMIT, setup: Setup = FIRST
+    folder: Path,
+    machine: Machine = BENT,
+    accept: str = LIMIT,
+    setup: Setup = FIRST,
+    apply: str = "squareness: {XY: Y}",
 ) -> str:
     """Measure the machine, and run the job that corrects its squareness."""
     circle(folder / "xy.csv", machine, setup, 1)
@@ -41,13 +45,13 @@ def planned(
     job.write_text(
         "compwright: 1\n"
         "controller: {format: siemens-840d-sl, options: {cec: available, cec_sign: correction,"
-        " cec_tables: [0, 1]}}\n"
+        " cec_tables: [0, 1, 2, 3, 4]}}\n"
         "states: {as_found: none}\n"
         "axes:\n"
         "  X: {travel: [0, 800], address: AX1, before: []}\n"
         "  Y: {travel: [0, 800], address: AX2, before: []}\n"
         f"circles: [{{file: xy.csv, name: xy, centre: [400, 400]{accept}}}]\n"
-        "apply: {squareness: {XY: Y}}\n"
+        f"apply: {{{apply}}}\n"
     )
     compwright(["run", str(job)])
     return str(job)
@@ -458,3 +462,21 @@ def test_nothing_is_predicted_where_the_causes_are_unknown(tmp_path: Path) -> No
     assert answer["circles"]["xy"]["within_prediction"]["G_bidirectional"] is None
     decision = answer["circles"]["xy"]["accept"]["G_bidirectional"]["decision"]
     assert (code, decision, answer["verdict"]) == (1, "accept", "undecided")  # no table
+
+
+@pytest.mark.parametrize("apply", ["scale: [X, Y]", "squareness: {XY: Y}, scale: [X, Y]"])
+def test_scales_that_are_not_corrected_after_loading_are_a_doubt(
+    tmp_path: Path, apply: str
+) -> None:
+    """Equal scale errors of both axes change the diameter, and no circular deviation."""
+    slow = Setup(feed=100.0, noise=0.3)
+    large: dict[str, Any] = {"scale_error_first": 60.0, "scale_error_second": 60.0}
+    square = 40.0 if "squareness" in apply else 0.0
+    job = planned(tmp_path, Machine(squareness=square, **large), "", slow, apply)
+    for left, code in ((0.0, 0), (1.0, 1), (2.0, 1), (0.1, 0)):
+        rest: dict[str, Any] = {name: left * value for name, value in large.items()}
+        after = circle(tmp_path / "after.csv", Machine(**rest), slow, 2)
+        found, document = verified(tmp_path, job, after)
+        assert found == code
+        words = json.dumps(document["circles"]["xy"]["findings"])
+        assert ("Scale error X" in words and "Scale error Y" in words) == (code == 1)

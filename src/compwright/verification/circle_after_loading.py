@@ -18,6 +18,7 @@ from compwright.evaluation.circular import without_noise
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.circular import CircularEffect, CircularResult
+from compwright.records.correction_need import NEGLIGIBLE
 from compwright.records.prediction import CirclePrediction, Quantiles
 from compwright.verification.measurement_faults import BELIEVED, IMPROBABLE, scatter_findings
 from compwright.words.sentences import Amount, Sentence, say
@@ -28,6 +29,8 @@ DEVIATIONS: Final = ("G_bidirectional", "G_ccw", "G_cw")
 _ODD: Final = ("backlash_first", "backlash_second", "servo_mismatch")
 #: Causes that a repetition shows again. The others depend on which shapes the fit finds.
 _LASTING: Final = ("squareness", "scale_mismatch", *_ODD)
+#: The scale of one axis. The temperature changes it from day to day (`_other_temperature`).
+_SCALES: Final = ("scale_error_first", "scale_error_second")
 #: From the median to the upper end of a 90 % interval, in standard deviations.
 _NINETY: Final = 1.645
 _UNITS: Final = {"um": ("µm", ".2f"), "um/m": ("µm/m", ".1f"), "ms": ("ms", ".3f")}
@@ -168,7 +171,7 @@ def _effects(result: CircularResult) -> dict[str, CircularEffect]:
     return {
         name: effect
         for name, effect in diagnosis.effects.items()
-        if name in _LASTING and name not in diagnosis.undetermined
+        if name in (*_LASTING, *_SCALES) and name not in diagnosis.undetermined
     }
 
 
@@ -200,12 +203,15 @@ def _changes(
     prediction: CirclePrediction, after: CircularResult, part: float
 ) -> list[_UnexpectedCause]:
     """Return the causes that are clearly not as predicted, the largest change first."""
-    least, now, found = _believed(prediction, after, part), _effects(after), []
+    least, found = _believed(prediction, after, part), []
+    first, now = _effects(prediction.before), _effects(after)
     for name, was in _effects(prediction.expected).items():
         each = now.get(name, was)
         if name in _ODD and each.value * was.value >= 0.0 and abs(each.value) <= abs(was.value):
             continue  # better than predicted
         off = abs(each.value - was.value)
+        if name in _SCALES and _other_temperature(off, first[name].value - was.value):
+            continue
         larger = max(was, each, key=lambda one: abs(one.value))
         size = off * larger.effect / abs(larger.value) if larger.value else 0.0
         if off > IMPROBABLE * float(np.hypot(was.std_error, each.std_error)) and size > least:
@@ -213,6 +219,13 @@ def _changes(
                 _UnexpectedCause(name, each.value, prediction.causes[name], each.unit, size)
             )
     return sorted(found, key=lambda change: -change.size)
+
+
+def _other_temperature(off: float, planned: float) -> bool:
+    """Return whether the temperature explains a scale error that is ``off`` by so many µm/m: less
+    than half of the ``planned`` change, or one that would not be corrected.
+    """
+    return off < 0.5 * abs(planned) or min(off, abs(planned)) < NEGLIGIBLE
 
 
 def _sentences(changes: list[_UnexpectedCause], after: CircularResult) -> list[Sentence]:

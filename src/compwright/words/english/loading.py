@@ -61,8 +61,8 @@ SENTENCES: Final[dict[str, str]] = {
         " proven for it. Measure it again and give it as --after {circle}=FILE."
     ),
     "CW-V023.scale": (
-        "The scale error of axis {axis} was corrected from circular tests, and no circle was"
-        " measured after loading, so"
+        "The scale error of axis {axis} was corrected from circular tests, and no circle"
+        " after loading shows it, so"
         " the result is not proven for it. Measure the circle {circles:if|{circles:join| or }|of"
         " this plane} again."
     ),

@@ -61,7 +61,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V023.scale": (
         "L'erreur d'échelle de l'axe {axis} a été corrigée d'après des essais circulaires, et aucun"
-        " cercle n'a été mesuré après chargement, donc rien n'est prouvé pour elle. Mesurer de"
+        " cercle après chargement ne la montre, donc rien n'est prouvé pour elle. Mesurer de"
         " nouveau le cercle {circles:if|{circles:join| ou"
         " }|de ce plan}."
     ),

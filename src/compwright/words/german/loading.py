@@ -64,7 +64,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V023.scale": (
         "Der Maßstabsfehler der Achse {axis} wurde nach Kreisprüfungen korrigiert, und kein Kreis"
-        " wurde nach dem Laden gemessen. Daher ist für sie nichts bewiesen. Den Kreis"
+        " nach dem Laden zeigt ihn. Daher ist für sie nichts bewiesen. Den Kreis"
         " {circles:if|{circles:join| oder }|dieser Ebene}"
         " neu messen."
     ),

@@ -246,7 +246,10 @@ def _verified(
     general = [
         *changed_limits(job, plan),
         *not_measured(
-            job, plan, {name: axis.before.test.name for name, axis in axes.items()}, measured
+            job,
+            plan,
+            {name: axis.before.test.name for name, axis in axes.items()},
+            {name: circle.after for name, circle in circles.items()},
         ),
         *(
             finding
@@ -285,7 +288,7 @@ def _verified(
         findings=(*control.findings, *ours, *general),
         read_back=() if read_back is None else read_back.files,
     )
-    return found, _verdict(axes, circles, general), compared
+    return found, _verdict(plan, axes, circles, general), compared
 
 
 def _compared(session: Session, plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome | str:
@@ -388,15 +391,18 @@ def _planned(
 
 
 def _verdict(
+    plan: Plan,
     axes: Mapping[str, VerifiedAxis],
     circles: Mapping[str, VerifiedCircle],
     general: Sequence[Finding],
 ) -> OverallVerdict:
     """Return the verdict on the job. ``general``: findings about the whole job, each of which
     prevents the verdict ``good``. If there are only circular tests, the decisions on squareness are
-    used in place of loading verdicts.
+    used in place of loading verdicts, and scale errors that were corrected from circles are loaded
+    if nothing is found against them.
     """
     squareness = squareness_decisions(circles)
+    scales = [entry for entry in plan.axes.values() if entry.fitted and not entry.tests]
     tested: list[VerifiedAxis | VerifiedCircle] = [*axes.values(), *circles.values()]
     findings = [finding for one in tested for finding in one.findings]
     if any(finding.severity == "error" for finding in (*findings, *general)):
@@ -406,7 +412,8 @@ def _verdict(
             *(entry.decision for one in tested for entry in one.accept.values()),
             *squareness,
         ],
-        [axis.loading["verdict"] for axis in axes.values()] or ["loaded" for _ in squareness],
+        [axis.loading["verdict"] for axis in axes.values()]
+        or ["loaded" for _ in (*squareness, *scales)],
         still_open=bool(general) or any(lacks_proof(finding) for finding in findings),
     )
 
