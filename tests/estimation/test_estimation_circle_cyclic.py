@@ -116,3 +116,22 @@ def test_a_cyclic_error_that_grows_along_the_axis_is_one(growth: float) -> None:
     assert error < 0.2
     assert pitch == pytest.approx(10.0, rel=2e-3)
     assert not waves_of(found, "second")
+
+
+@pytest.mark.parametrize("seed", [2, 3, 4, 5])
+def test_a_cyclic_error_of_three_periods_is_no_noise(seed: int) -> None:
+    """It was taken for correlated noise: 0 ± 1 µm, and a squareness of ± 20 to ± 31 µm/m."""
+    machine = Machine(squareness=-32.0, cyclic_first=1.0, pitch_first=22.5)
+    setup = Setup(
+        radius=50.0, feed=1000.0, samples=2200, start=250.0, extent=220.0, wander=0.3, length=3.0
+    )
+    effects = diagnose(measured(machine, setup, np.random.default_rng(seed))).effects
+    for name, true, most in (("cyclic_first", 1.0, 0.05), ("squareness", -32.0, 5.0)):
+        assert abs(effects[name].value - true) < 2.0 * effects[name].std_error < 2.0 * most
+
+
+def test_correlated_noise_is_no_cyclic_error() -> None:
+    setup = Setup(radius=50.0, feed=1000.0, samples=1500, wander=1.0, length=30.0)
+    for seed in range(4):
+        effects = diagnose(measured(Machine(), setup, np.random.default_rng(seed))).effects
+        assert effects["cyclic_first"].value == effects["cyclic_second"].value == 0.0

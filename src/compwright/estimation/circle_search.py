@@ -9,12 +9,14 @@ from __future__ import annotations
 
 import copy
 import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
 
 from compwright.estimation.circle_cyclic import (
+    CyclicSearch,
     axis_of,
     cyclic_columns,
     likeliest_delay,
@@ -145,7 +147,11 @@ def solve(start: CircleStart, given: dict[str, float], readings: CircleSamples) 
     explains the samples better is added first, and the other is searched again. On a short arc
     both have a nearly constant frequency, and what no cause explains may look like them. A
     vibration therefore has to make the model more probable than noise alone and than the likeliest
-    cyclic error do. If this cyclic error is more probable by far, it is added, clear or not.
+    cyclic error do.
+
+    The noise spectra contain what is not in the model yet. A cyclic error of few periods thus hides
+    itself. If none is clear, the largest by plain least squares is tried. It is added if it makes
+    the model more probable by far.
 
     The fit of a changed model starts from the fit before. When nothing more is found, it is also
     fitted from assumed noise. If that fit is more probable, the search goes on from there.
@@ -161,26 +167,22 @@ def solve(start: CircleStart, given: dict[str, float], readings: CircleSamples) 
         changed = False
         found = search_vibration(start.problem.samples, start.residual)
         slow = replace(slow, hidden=found.hidden)
-        cyclic = search_cyclic(
-            start.problem, start.fitted, {name: wave.frequency for name, wave in waves.items()}
-        )
-        hidden, odds, cyclic_odds = dict(cyclic.hidden), 0.0, -np.inf
+        frequencies = {name: wave.frequency for name, wave in waves.items()}
+        cyclic = search_cyclic(start.problem, start.fitted, frequencies)
+        hidden, odds = dict(cyclic.hidden), 0.0
         shown = found.frequency is not None and slow.frequency is None
         if shown:
             with_vibration = _with_vibration(start, found)
             odds = _odds(with_vibration, start, found.places)
-        # A cyclic error that is not clear cannot compete with a much more probable vibration.
-        if cyclic.axis is not None and (cyclic.clear or (shown and odds < cyclic.threshold)):
-            wave = _Wave(cyclic.frequency, cyclic.late, cyclic.doubt)
-            name = next(each for each in wave_names(cyclic.axis) if each not in waves)
-            with_cyclic, wave = _with_cyclic(start, name, wave)
-            with_cyclic, tuned = _tuned(with_cyclic, {**waves, name: wave})
-            cyclic_odds = _odds(with_cyclic, start, cyclic.places)
-            least = 0.0 if cyclic.clear else _CLEAR_ODDS
-            if cyclic_odds > max(odds, least) or (cyclic.clear and odds <= 0.0):
-                start, waves = _at_delay(with_cyclic, tuned, slow)
-                changed = True
-                continue
+        tries = [cyclic]
+        if not cyclic.clear:
+            tries.append(search_cyclic(start.problem, _with_white_noise(start), frequencies))
+        cyclic_odds, with_cyclic, tuned = _with_likeliest(start, waves, tries)
+        least = 0.0 if cyclic.clear else _CLEAR_ODDS
+        if cyclic_odds > max(odds, least) or (cyclic.clear and odds <= 0.0):
+            start, waves = _at_delay(with_cyclic, tuned, slow)
+            changed = True
+            continue
         if odds > max(cyclic_odds, 0.0):
             slow, changed = found, True
             start, waves = _tuned(with_vibration, waves)
@@ -206,6 +208,29 @@ def solve(start: CircleStart, given: dict[str, float], readings: CircleSamples) 
         hidden=hidden,
         vibration=slow.or_stronger(fast),
     )
+
+
+def _with_likeliest(
+    start: CircleStart, waves: dict[str, _Wave], tries: Sequence[CyclicSearch]
+) -> tuple[float, CircleStart, dict[str, _Wave]]:
+    """Return the log odds of the likeliest cyclic error of ``tries``, and the fit with it added."""
+    likeliest = -np.inf, start, waves
+    for found in tries:
+        if found.axis is None:
+            continue
+        name = next(each for each in wave_names(found.axis) if each not in waves)
+        added, wave = _with_cyclic(start, name, _Wave(found.frequency, found.late, found.doubt))
+        added, tuned = _tuned(added, {**waves, name: wave})
+        odds = _odds(added, start, found.places)
+        if odds > likeliest[0]:
+            likeliest = odds, added, tuned
+    return likeliest
+
+
+def _with_white_noise(start: CircleStart) -> CircleFit:
+    """Return the fit of the same causes under white noise of the level at high orders."""
+    *_, quiet = white_problems(start.problem)
+    return fit_causes(quiet, start.fitted.active, start.shapes.precision)
 
 
 def _without_fast_vibration(
