@@ -85,6 +85,13 @@ def test_every_cyclic_error_is_stated_of_its_own_axis(
             assert found.effects[f"cyclic_{axis}"].std_error < 0.05
 
 
+def test_an_unclear_further_error_of_one_axis_hides_none_of_the_other() -> None:
+    found = diagnose(turned(((1.5, 10.0), (0.045, 5.0)), ((0.03, 7.0),), seed=4))
+    ((value, error, pitch),) = waves_of(found, "second")
+    assert abs(value - 0.03) < 3.0 * error
+    assert pitch == pytest.approx(7.0, rel=0.01)
+
+
 def test_further_cyclic_errors_of_a_given_pitch() -> None:
     """The given pitch keeps the name of the axis, though another error is larger."""
     found = diagnose(turned(((1.5, 10.0), (0.8, 5.0)), ()), periods={"X": 5.0})

@@ -116,13 +116,13 @@ def search_cyclic(
         # explains.
         longest = np.linalg.eigvalsh(_weighed(problem, fitted, axis, float(frequencies[0]))[1])[0]
         hidden[axis] = float(np.sqrt(threshold / max(min(float(longest), least), 1e-300)))
+        if axis in {axis_of(name) for name in waves}:
+            threshold *= _FURTHER
         for index in _peaks(gains):
             frequency, late = float(frequencies[index]), float(behind[index])
             gain = _gain(problem, fitted, axis, frequency, late)
             if gain / threshold > found.gain / found.threshold:
                 found = CyclicSearch(axis, frequency, late, {}, gain, threshold, 0.0)
-    if found.axis in {axis_of(name) for name in waves}:
-        found = replace(found, threshold=_FURTHER * found.threshold)
     if found.axis is not None and found.clear:
         place = found.axis, found.frequency
         late, doubt = likeliest_delay(problem, fitted, *place, found.late)
