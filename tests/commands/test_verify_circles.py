@@ -397,6 +397,9 @@ def test_one_reason_is_named_for_a_table_that_was_read_back_with_another_value(
     (doubt,) = answer["doubts"]
     assert "read back differs from the plan (CW-V011)." in doubt["message"]
     assert "%" not in doubt["message"]
+    page = (folder / "v" / "verification.html").read_text(encoding="utf-8")
+    assert "Grey: before" not in page  # a squareness has no bar
+    assert '<th class="bar">' not in page
 
 
 @pytest.mark.parametrize("doubt", ["noise", "copied", "other radius"])
