@@ -67,6 +67,11 @@ _EQUAL: Final = 4.0
 _STILL_LEAST: Final = 0.001
 _STILL_TIMES: Final = 8.0
 _BLOCK_SAMPLES: Final = 4  # at least
+#: The reading of a stopped instrument has the noise of its electronics, that of a moving machine
+#: also that of the machine. Stopped: the usual change from sample to sample there is at most this
+#: share of a large one (third quartile) in the rest of the run; with the same normal noise it is
+#: 0.59. A table with steps, or for one direction, can make a path level, but not quiet.
+_QUIET: Final = 0.3
 _ENOUGH: Final = 1000  # samples of a run
 _LATE: Final = 10.0  # degrees by which an axis may reverse later
 #: Wrong readings, as of a knock, lie off the median of so many samples on both sides by so many
@@ -317,7 +322,8 @@ def _still(path: ActualPath) -> list[Finding]:
         other = np.flatnonzero(np.abs(means[start:] - means[start]) > same)
         end = start + int(other[0]) if other.size else blocks
         part = slice(start * count, end * count if end < blocks else values.size)
-        if _BLOCKS <= end - start < 0.75 * blocks and _moves(angles, values, part, same):
+        long = _BLOCKS <= end - start < 0.75 * blocks
+        if long and _quiet(values, part) and _moves(angles, values, part, same):
             ends = sorted((float(angles[part.start]), float(angles[part.stop - 1])))
             parts.append(say("circle.part", start=ends[0] % 360.0, end=ends[1] % 360.0))
             start = end
@@ -325,6 +331,15 @@ def _still(path: ActualPath) -> list[Finding]:
     if not parts:
         return []
     return [Finding.of("CW-C016.still", "warning", run=_named(path.run), parts=parts[:5])]
+
+
+def _quiet(values: FloatArray, part: slice) -> bool:
+    """Return whether ``values`` (n,) of a run, mm, change clearly less from sample to sample in a
+    ``part`` than in the rest of the run.
+    """
+    changes = np.abs(np.diff(values))
+    rest = np.r_[changes[: part.start], changes[part.stop :]]
+    return bool(np.median(changes[part]) <= _QUIET * np.quantile(rest, 0.75) + _READINGS)
 
 
 def _moves(angles: FloatArray, values: FloatArray, part: slice, same: float) -> bool:
