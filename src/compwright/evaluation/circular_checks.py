@@ -74,9 +74,9 @@ _BLOCK_SAMPLES: Final = 4  # at least
 _QUIET: Final = 0.3
 _ENOUGH: Final = 1000  # samples of a run
 _LATE: Final = 10.0  # degrees by which an axis may reverse later
-#: Wrong readings, as of a knock, lie off the median of so many samples on both sides by so many
-#: scatters of a sample and by the second number, mm, and this median changes by less than a quarter
-#: of that. A reversal spike may be as short, so the reversals (`_NEAR_AXIS`) are left out.
+#: Wrong readings, as of a knock, deviate from the median of so many samples on both sides by so
+#: many scatters of a sample and by the second number, mm, and this median changes by less than a
+#: quarter of that. A reversal spike may be as short, so the reversals (`_NEAR_AXIS`) are left out.
 _KNOCK: Final = 5
 _SINGLE: Final = (20.0, 0.005)
 #: Where commanded and measured angles would give radii that differ by more than this (mm), a
@@ -370,8 +370,8 @@ def _moves(angles: FloatArray, values: FloatArray, part: slice, same: float) -> 
 
 
 def _single(path: ActualPath) -> list[Finding]:
-    """Return the finding CW-C016 if a few readings lie far off those beside them, away from the
-    reversals of the axes.
+    """Return the finding CW-C016 if a few readings, away from the reversals of the axes, deviate
+    from the neighbouring ones.
     """
     angles, values = path.run.angles, path.run.deviations
     half = _KNOCK

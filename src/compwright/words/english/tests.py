@@ -89,9 +89,9 @@ SENTENCES: Final[dict[str, str]] = {
         " export more decimals."
     ),
     "CW-C016.single": (
-        "{count:plural|One reading|{count} readings} of {run} {count:plural|lies|lie}"
-        " far off the readings beside {count:plural|it|them}; the largest by {off} at"
-        " {angle:.5g}°. A knock or dirt can be the reason. Measure the run again."
+        "{count:plural|One reading|{count} readings} of {run} {count:plural|deviates|deviate}"
+        " from the neighbouring readings, by up to {off} at {angle:.5g}°. A knock or dirt can"
+        " be the reason. Measure the run again."
     ),
     "CW-C016.still": (
         "The reading of {run} does not change over {parts:and}, although the path there does."
