@@ -266,7 +266,11 @@ def test_radial_deviations_that_got_worse_are_named(
     4.2 µm to both sides, in both cases.
     """
     folder, job = reversing
-    larger = {"scale_error_first": scale, "scale_error_second": scale, "servo_mismatch": 1.0}
+    larger: dict[str, Any] = {
+        "scale_error_first": scale,
+        "scale_error_second": scale,
+        "servo_mismatch": 1.0,
+    }
     machine = replace(REVERSING, squareness=0.0, **larger)
     after = circle(folder / "after.csv", machine, FIRST, 7)
     (doubt,) = verified(folder, job, after)[1]["doubts"]

@@ -177,7 +177,7 @@ def _of_unclear_switch(entry: PlannedCross, *, active: bool) -> Between:
         input=entry.input,
         active=active,
     )
-    return not_corrected(entry, why, SentenceText(why))
+    return not_corrected([entry], why, SentenceText(why))
 
 
 def _gantry_partners(axes: Mapping[str, Axis]) -> dict[str, tuple[str, str]]:
@@ -211,7 +211,7 @@ def _racked(entry: PlannedCross, partners: Mapping[str, tuple[str, str]]) -> Bet
         squareness=bool(np.max(np.abs(added.positive - line)) <= READ_BACK_WITHIN),
         instead="" if entry.input in partners else instead,
     )
-    return cannot_hold(entry, SentenceText(why))
+    return cannot_hold([entry], SentenceText(why))
 
 
 def _wrong(

@@ -126,15 +126,24 @@ def entry_sheet_answer(
     )
 
 
-def cannot_hold(entry: PlannedCross, why: str) -> Between:
-    """Return the answer that the control cannot store a correction, with the reason ``why``."""
-    remark = say("CW-P113.not_held", what=error_label(entry), why=why)
-    return not_corrected(entry, remark, control_text("{why}.", why=why))
+def cannot_hold(entries: Sequence[PlannedCross], why: str) -> Between:
+    """Return the answer that the control cannot store corrections, with their common reason
+    ``why``.
+    """
+    what = _labels(entries)
+    remark = say("CW-P113.not_held", what=what, why=why, several=len(entries) > 1)
+    return not_corrected(entries, remark, control_text("{why}.", why=why))
 
 
-def not_corrected(entry: PlannedCross, remark: Sentence, step: str) -> Between:
-    """Return the answer that a correction is not written: a finding, and a ``step`` of the card."""
-    title = control_text("Not corrected: {error}", error=SentenceText(error_label(entry)))
+def _labels(entries: Sequence[PlannedCross]) -> Sentence:
+    """Return the names of the errors of ``entries`` as one text."""
+    labels = [error_label(entry) for entry in entries]
+    return labels[0] if len(labels) == 1 else say("given.listed", items=labels)
+
+
+def not_corrected(entries: Sequence[PlannedCross], remark: Sentence, step: str) -> Between:
+    """Return the answer that corrections are not written: a finding, and a ``step`` of the card."""
+    title = control_text("Not corrected: {error}", error=SentenceText(_labels(entries)))
     return Between(
         remarks=(("error", remark),),
         steps=({"title": title, "text": step, "evidence": "inferred"},),
@@ -175,7 +184,7 @@ def alternative_answer(definition: Definition, planned: Iterable[PlannedCross]) 
     while the correction is zero at the reference.
     """
     return combined_answer(
-        cannot_hold(entry, ControlText(definition.between_axes.instead, _named(entry)))
+        cannot_hold([entry], ControlText(definition.between_axes.instead, _named(entry)))
         for entry in planned
     )
 

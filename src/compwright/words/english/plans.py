@@ -98,8 +98,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {values:choose|correction=corrections|error=errors})."
     ),
     "CW-P113.not_held": (
-        "{what} is not corrected, because this control, as the job describes it, cannot store"
-        " the correction: {why}."
+        "{what} {several:if|are|is} not corrected, because this control, as the job describes it,"
+        " cannot store the correction{several:if|s|}: {why}."
     ),
     "CW-P113.own_table": (
         "{what} is corrected in table {table} of the control, which is active now: its values get"

@@ -100,8 +100,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {values:choose|correction=corrections|error=erreurs})."
     ),
     "CW-P113.not_held": (
-        "{what} n'est pas corrigé, car cette commande, telle que le dossier de travail la décrit,"
-        " ne peut contenir la correction : {why}."
+        "{what} {several:if|ne sont pas corrigés|n'est pas corrigé}, car cette commande, telle que"
+        " le dossier de travail la décrit, ne peut contenir {several:if|les corrections|la"
+        " correction} : {why}."
     ),
     "CW-P113.own_table": (
         "{what} : corrigé dans la table {table} de la commande, qui est active maintenant : ses"

@@ -108,8 +108,8 @@ SENTENCES: Final[dict[str, str]] = {
         " {values:choose|correction=Korrekturen|error=Fehler})."
     ),
     "CW-P113.not_held": (
-        "{what} wird nicht korrigiert, denn diese Steuerung, wie der Auftrag sie beschreibt, kann"
-        " die Korrektur nicht aufnehmen: {why}."
+        "{what} {several:if|werden|wird} nicht korrigiert, denn diese Steuerung, wie der Auftrag"
+        " sie beschreibt, kann die Korrektur{several:if|en|} nicht aufnehmen: {why}."
     ),
     "CW-P113.own_table": (
         "{what} wird in Tabelle {table} der Steuerung korrigiert, die jetzt aktiv ist: Ihre Werte"

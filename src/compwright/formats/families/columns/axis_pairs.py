@@ -51,7 +51,7 @@ def columns_between(family: Family, request: BetweenRequest) -> Between:
     for entry in request.planned:
         why = _by_line(family, request, entry)
         if why:
-            answers.append(cannot_hold(entry, why))
+            answers.append(cannot_hold([entry], why))
             continue
         filler = CrossFiller(family, request.axes, files)
         try:

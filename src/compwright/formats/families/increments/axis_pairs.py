@@ -20,7 +20,6 @@ from compwright.formats.families.axis_pairs import (
     BetweenRequest,
     alternative_answer,
     cannot_hold,
-    combined_answer,
     entry_sheet_answer,
     error_label,
 )
@@ -63,7 +62,7 @@ def straightness_between(family: Family, request: BetweenRequest) -> Between:
             why = control_text(
                 "straightness compensation is known for one straight line over a table only"
             )
-        return combined_answer(cannot_hold(each, why) for each in request.planned)
+        return cannot_hold(request.planned, why)
     rows, values = found
     sheet = _sheet(entry, rows)
     sentence = say("CW-P113.sheet", what=error_label(entry), sheet=sheet.name)

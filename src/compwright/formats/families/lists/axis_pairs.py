@@ -46,7 +46,7 @@ def lists_between(family: Family, request: BetweenRequest) -> Between:
         try:
             _write(writer, entry, signs[entry.output], before, request.planned)
         except CapacityError as error:
-            refused.append(cannot_hold(entry, refusal(error.faults)))
+            refused.append(cannot_hold([entry], refusal(error.faults)))
         else:
             held.append(entry)
     missing = combined_answer(refused)

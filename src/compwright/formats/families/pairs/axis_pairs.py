@@ -12,7 +12,6 @@ from compwright.formats.families.axis_pairs import (
     Between,
     BetweenRequest,
     cannot_hold,
-    combined_answer,
     error_label,
     merged_files,
     refusal,
@@ -301,7 +300,7 @@ def pairs_between(family: Family, request: BetweenRequest, *, small: bool) -> Be
     except CapacityError as error:
         faults = [replace(fault, file=fault.file.removeprefix(_OWN)) for fault in error.faults]
         why = refusal(faults)
-        return combined_answer(cannot_hold(entry, why) for entry in request.planned)
+        return cannot_hold(request.planned, why)
     after = request.read(merged_files(request.base, new), written=True)
     steps = (
         step
