@@ -33,7 +33,7 @@ from compwright.estimation.circle_model import (
     sample_spacing,
 )
 from compwright.estimation.circle_path import absent_causes, by_full_circle
-from compwright.estimation.circle_reversal import INWARD, SpikeDraws
+from compwright.estimation.circle_reversal import HIDDEN, INWARD, SpikeDraws
 from compwright.estimation.circle_solution import Solution
 from compwright.estimation.circle_symptoms import (
     irregular_motion,
@@ -269,19 +269,22 @@ def _spike(
     """Return the spike at one reversal point, positive outward. ``index`` selects a direction
     (None: mean of both); ``suffix``: end of the name of the result.
 
-    Its variance includes five unknowns. The time from the reversal to the first sample is unknown
+    Its variance includes six unknowns. The time from the reversal to the first sample is unknown
     (lag). The rise may be that of the spike or of the instrument's limited bandwidth. A spike may
-    be too small to be found. An inward deviation of at most the lost motion is probably lost motion
-    that is taken up gradually: the value and the variance are those of both possibilities. A peak
-    of irregular motion looks like a spike.
+    be too small or too short to be found: a smaller one that was found does not exclude it. A spike
+    may begin at the reversal or when the lost motion is passed. An inward deviation of at most the
+    lost motion is probably lost motion that is taken up gradually: the value and the variance are
+    those of both possibilities. A peak of irregular motion looks like a spike.
     """
     samples = solution.problem.samples
     pick = slice(None) if index is None else slice(index, index + 1)
     deviation, of_shape, inside = _peak(spike, pick)
-    # The other possibility is the peak on the other side, if all else is lost motion.
-    other = np.mean(spike.heights[:, pick], axis=1) if inside else np.zeros_like(deviation)
     deepest = np.mean(spike.depths + spike.deeper if inside else -spike.heights, axis=1)
     left = solution.draws.values[:, spike.lost] - deepest
+    # The other possibility is the peak on the other side, if all else is lost motion. An axis that
+    # stands still is inside by its lost motion: what is missing there is a spike outward.
+    missing = np.clip(left, 0.0, HIDDEN) if inside else np.zeros_like(deviation)
+    other = missing + (np.mean(spike.heights[:, pick], axis=1) if inside else 0.0)
     size = _EDGE * float(np.mean(deepest))
     doubt = 2.0 * float(np.hypot(np.std(left), np.hypot(spike.least_error, size)))
     chance, equal = 1.0, abs(float(np.mean(left))) < doubt
@@ -290,6 +293,7 @@ def _spike(
     elif equal and not inside and -float(np.mean(deepest)) > doubt:
         chance = 0.5
     of_cause = chance * (1.0 - chance) * float(np.mean((deviation - other) ** 2))
+    of_cause += (1.0 - chance) * float(np.mean(missing**2)) / 3.0  # uniform up to twice as much
     heights = chance * deviation + (1.0 - chance) * other
     value = float(np.mean(heights))
     decay = np.where(spike.decay > 0.0, spike.decay, np.inf)
@@ -298,12 +302,16 @@ def _spike(
     # Of a spike that is gone before the first sample, the prior alone says how high it may be.
     before = np.minimum(np.abs(heights) * late, PRIORS["_spike"])
     axis, end = spike.reversal.axis, spike.reversal.end
+    found = np.mean(np.maximum(spike.heights, spike.depths), axis=1)
+    absent = max(1.0 - spike.there, float(np.mean(found < spike.least_error)))
+    begins = 0.0 if inside else float(np.mean(np.mean(spike.standing[:, pick], axis=1) ** 2)) / 4.0
     variance = (
-        chance**2 * of_shape
+        chance**2 * (of_shape + begins)
         + of_cause
         + irregular_motion(solution, axis)
         + float(np.mean(before**2)) / 3.0
-        + (1.0 - spike.there) * spike.least_error**2
+        + (1.0 - spike.there) * (spike.least_error**2 - spike.hidden**2)
+        + absent * spike.hidden**2
     )
     error = float(np.sqrt(np.var(heights) + variance))
     time = 1e3 / samples.speed
@@ -334,15 +342,17 @@ def _spike(
 
 def _peak(spike: SpikeDraws, pick: slice) -> tuple[FloatArray, float, bool]:
     """Return the draws (d,) of the largest deviation after a reversal, um, positive outward; the
-    variance of its shape; and whether it is inward. ``pick``: directions of which it is the mean.
+    variance of its shape; and whether it is clearly inward. ``pick``: directions of which it is the
+    mean.
     """
     heights = np.mean(spike.heights[:, pick], axis=1)
     depths = np.mean(spike.depths[:, pick], axis=1)
     slow, unseen = np.mean(spike.extrapolated[:, pick], axis=1), spike.unseen[:, pick]
     doubt = np.hypot(np.std(depths), (1.0 - spike.there) * spike.least_error)
     inside = float(np.mean(depths)) > INWARD * max(float(np.mean(heights)), float(doubt))
+    inward = np.full(heights.shape, inside) | (depths > heights)
+    heights, slow = np.where(inward, -depths, heights), np.where(inward, -depths, slow)
     if inside:
-        heights = slow = -depths
         unseen = 2.0 * spike.deeper[:, pick]  # uniform from the depth on, not about it
     edge = np.where(spike.rise > 0.0, _EDGE, 0.0)  # a decay without a rise has its edge
     of_shape = (

@@ -17,6 +17,7 @@ from dataclasses import dataclass, field
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from compwright.estimation.circle_equations import CircleProblem, Reversal, scaled_inverse
 from compwright.estimation.circle_fit import WeightedProblem
@@ -39,6 +40,11 @@ _FORGOTTEN: Final = 6
 _SWEEPS: Final = 80
 #: A spike goes inward where its depth is more than this many times its height.
 INWARD: Final = 2.0
+#: Slope of the logistic function nearest to the normal distribution (Bowling et al., Journal of
+#: Industrial Engineering and Management 2, 2009).
+_LOGISTIC: Final = 1.702
+#: Samples below which the shape of a take-up is not seen.
+_FEW: Final = 2.0
 #: Added to the diagonal of scaled normal equations: readings without noise leave only rounding.
 _ROUNDING: Final = 1e-10
 #: Rare causes other than a spiral, which can look like lost motion, are drawn in every so many
@@ -48,7 +54,9 @@ _RARELY: Final = 3
 #: one may be that is not seen.
 _USUAL: Final = (0.015, 0.15)
 _TIMES: Final = 5
-_HIDDEN: Final = 4.0
+HIDDEN: Final = 4.0
+#: Share of the lost motion from which a gradual take-up is the passing of the whole lost motion.
+_PASSED: Final = 0.5
 #: Pairs of draws of the causes for each drawn choice of shapes.
 _PAIRS: Final = 6
 
@@ -56,7 +64,7 @@ _PAIRS: Final = 6
 def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
     """Change the spike shapes one at a time until no change makes the fit more probable."""
     marginal = _marginal(weighted, shapes.always)
-    every = _options(marginal, shapes)
+    every = _options(weighted.problem, marginal, shapes)
     places: list[tuple[int, int] | str] = [*every, *shapes.rare]
     changes, compared = 0, dict.fromkeys(places, -1)
     for _ in range(_CLIMBS):
@@ -78,11 +86,14 @@ def choose_shapes(weighted: WeightedProblem, shapes: SpikeShapes) -> None:
 @dataclass(frozen=True, slots=True)
 class MarginalEquations:
     """Normal equations after some causes were integrated out: matrix ``gram`` (k, k), without the
-    priors of the remaining causes, and right side ``right`` (k,). ``found``: what `inverse` found.
+    priors of the remaining causes, and right side ``right`` (k,). ``alone`` (k,): sizes of the
+    causes that were integrated out, in a fit without the others, else 0. ``found``: what `inverse`
+    found.
     """
 
     gram: FloatArray
     right: FloatArray
+    alone: FloatArray
     found: dict[bytes, FloatArray] = field(default_factory=dict)
 
     def inverse(self, chosen: IndexArray, precision: FloatArray) -> FloatArray:
@@ -105,8 +116,10 @@ def _marginal(weighted: WeightedProblem, always: IndexArray) -> MarginalEquation
     gram, prior = weighted.gram, weighted.problem.widths[always] ** -2.0
     inverse = scaled_inverse(gram[np.ix_(always, always)] + np.diag(prior))
     shared = inverse @ np.column_stack([gram[always], weighted.right[always]])
+    alone = np.zeros(len(gram))
+    alone[always] = shared[:, -1]
     return MarginalEquations(
-        gram - gram[:, always] @ shared[:, :-1], weighted.right - gram[:, always] @ shared[:, -1]
+        gram - gram[:, always] @ shared[:, :-1], weighted.right - gram @ alone, alone
     )
 
 
@@ -159,23 +172,47 @@ def _drawn(score: FloatArray, rng: np.random.Generator) -> int:
     return min(int(chance.searchsorted(rng.random() * chance[-1])), score.size - 1)
 
 
-def _options(marginal: MarginalEquations, shapes: SpikeShapes) -> dict[tuple[int, int], _Options]:
-    """Return the possible shapes of each slot. Slots for the same kind of shape share them."""
+def _options(
+    problem: CircleProblem, marginal: MarginalEquations, shapes: SpikeShapes
+) -> dict[tuple[int, int], _Options]:
+    """Return the possible shapes of each slot. Slots for the same kind of shape share them.
+
+    Only a negative lost motion that is taken up leaves an axis outside. A long one may still be
+    part of a spike. A short one would make the only sample of a spike nearly its peak.
+    """
+    spacing = sample_spacing(problem.samples)
     every: dict[tuple[int, bool], _Options] = {}
     for reversal, slot in shapes.slots():
         if (reversal, slot >= DECAYS) not in every:
-            every[reversal, slot >= DECAYS] = _Options(marginal, shapes, reversal, slot)
+            here = problem.reversals[reversal]
+            short = np.array([shape.length for shape in here.shapes]) < _FEW * spacing
+            lost = marginal.alone[_lost_motion_column(problem, here)]
+            inside = short & (slot >= DECAYS and lost >= 0.0)
+            every[reversal, slot >= DECAYS] = _Options(marginal, shapes, reversal, slot, inside)
     return {(reversal, slot): every[reversal, slot >= DECAYS] for reversal, slot in shapes.slots()}
 
 
+def _lost_motion_column(problem: CircleProblem, reversal: Reversal) -> int:
+    own = f"backlash_{reversal.axis}_at_{reversal.end}"
+    return problem.names.index(own if own in problem.names else f"backlash_{reversal.axis}")
+
+
 class _Options:
-    """All shapes that are possible in one slot at a reversal point, compared by their evidence."""
+    """All shapes that are possible in one slot at a reversal point, compared by their evidence.
+    ``inside`` (m,): the shapes of this point that are not possible with a size above 0 (outward).
+    """
 
     def __init__(
-        self, marginal: MarginalEquations, shapes: SpikeShapes, reversal: int, slot: int
+        self,
+        marginal: MarginalEquations,
+        shapes: SpikeShapes,
+        reversal: int,
+        slot: int,
+        inside: NDArray[np.bool_],
     ) -> None:
         here, options = shapes.reversals[reversal], shapes.options(reversal, slot)
         self.count, self.both = options.size, bool(here.unlike.size)
+        self.inside = inside[options]
         self.index = {place: index for index, place in enumerate(options.tolist())}
         alike, unlike = here.alike[options], here.unlike[options if self.both else []]
         self.tried = _Tried(marginal, np.concatenate([alike, unlike]))
@@ -213,8 +250,13 @@ class _Options:
             np.divide((rest[count:] - share * rest[:count]) ** 2, left, out=gain[1])
             gain[1] += gain[0]
             np.multiply(weight, left, out=volume[1])
+        outside = rest[:count] / np.sqrt(weight)
         gain -= np.log(volume, out=volume)
         gain *= 0.5
+        if np.any(self.inside):
+            # Twice the probability of a negative size (normal as logistic).
+            negative = math.log(2.0) - np.logaddexp(0.0, _LOGISTIC * outside)
+            gain += np.where(self.inside, negative, 0.0)
         gain += self.log_prior
         # Two slots with one shape are one decay of another size.
         reversal, slot = place
@@ -248,11 +290,14 @@ class SpikeDraws:
     The arrays (d, s) are in µm; s = 2 for ccw and cw, s = 1 if both are equal. ``heights``: outward
     peak above the lost motion. ``depths``: largest inward deviation. ``extrapolated``: all
     decays but the fastest, extrapolated to the reversal. ``unseen``: range of the heights that no
-    sample determines. ``deeper``: additional inward deviation while lost motion is taken up.
+    sample determines. ``standing``: by how much a spike that begins at the reversal is higher than
+    one that begins when the axis has passed its lost motion; ``heights`` is the mean of both.
+    ``deeper``: additional inward deviation while lost motion is taken up.
 
     ``decay`` (d,), mm: arc from the peak (of the depth for an `INWARD` spike) to 1/e of it.
     ``rise`` (d,), mm: arc to the peak, or 0. ``there``: probability of a spike; ``unlike``: of
-    different directions. ``curve`` (s, m): mean amplitude, µm, of each shape.
+    different directions. ``curve`` (s, m): mean amplitude, µm, of each shape. ``least_error``,
+    ``hidden``: standard error of a spike that was not found, µm, and its part that no sample shows.
     """
 
     reversal: Reversal
@@ -261,6 +306,7 @@ class SpikeDraws:
     depths: FloatArray
     extrapolated: FloatArray
     unseen: FloatArray
+    standing: FloatArray
     deeper: FloatArray
     decay: FloatArray
     rise: FloatArray
@@ -268,6 +314,7 @@ class SpikeDraws:
     unlike: float
     curve: FloatArray
     least_error: float
+    hidden: float
 
 
 def draw_shapes(
@@ -278,7 +325,7 @@ def draw_shapes(
     Hammersley and Morton, 1956).
     """
     marginal = _marginal(weighted, shapes.always)
-    every = _options(marginal, shapes)
+    every = _options(weighted.problem, marginal, shapes)
     drawn, errors = [], dict.fromkeys(shapes.rare, 0.0)
     for sweep in range(_FORGOTTEN + _SWEEPS):
         for place, options in every.items():
@@ -301,7 +348,7 @@ def draw_shapes(
         sizes=sizes[:, 0],
         spikes=tuple(
             _spike_draws(
-                weighted.problem, reversal, sizes, _least_error(weighted, marginal, reversal)
+                weighted.problem, reversal, sizes, *_least_error(weighted, marginal, reversal)
             )
             for reversal in shapes.reversals
         ),
@@ -324,10 +371,11 @@ def _coefficients(
 
 def _least_error(
     weighted: WeightedProblem, marginal: MarginalEquations, reversal: Reversal
-) -> float:
-    """Return the standard error, um, of the spike at a reversal point where no spike was found. It
-    assumes a single spike that decays within one of the equally likely times of `_USUAL`. A spike
-    that ends before the next sample is limited only by its prior.
+) -> tuple[float, float]:
+    """Return the standard error, um, of the spike at a reversal point where no spike was found, and
+    the part of it that is hidden from the samples. It assumes a single spike that decays within one
+    of the equally likely times of `_USUAL`. A spike that ends before the next sample is limited
+    only by its prior. Hidden is the share that the variance has in that of the prior.
     """
     samples = weighted.problem.samples
     sharp = [
@@ -342,7 +390,8 @@ def _least_error(
     before = 0.5 * sample_spacing(samples)
     seen = np.exp(-np.clip(before / usual - before / lengths[nearest], 0.0, 20.0))
     weight = np.maximum(marginal.gram[columns, columns], 0.0) * seen**2
-    return float(np.sqrt(np.mean(1.0 / (weight + _HIDDEN**-2.0))))
+    variance = 1.0 / (weight + HIDDEN**-2.0)
+    return float(np.sqrt(np.mean(variance))), float(np.sqrt(np.mean(variance**2)) / HIDDEN)
 
 
 def of_the_spike(taken: FloatArray, spike: FloatArray, lost: FloatArray) -> FloatArray:
@@ -358,7 +407,11 @@ def of_the_spike(taken: FloatArray, spike: FloatArray, lost: FloatArray) -> Floa
 
 
 def _spike_draws(
-    problem: CircleProblem, reversal: Reversal, drawn: FloatArray, least_error: float
+    problem: CircleProblem,
+    reversal: Reversal,
+    drawn: FloatArray,
+    least_error: float,
+    hidden: float,
 ) -> SpikeDraws:
     """Return the spikes at one reversal point from the ``drawn`` sizes of all columns, (s, d, k):
     d draws for each of s choices of shapes.
@@ -368,23 +421,27 @@ def _spike_draws(
     arcs = np.concatenate([[0.0], arcs])
     shapes = np.array([shape(arcs) for shape in reversal.shapes])
     decays = np.array([isinstance(shape, SpikeShape) for shape in reversal.shapes])
-    own = f"backlash_{reversal.axis}_at_{reversal.end}"
-    lost = problem.names.index(own if own in problem.names else f"backlash_{reversal.axis}")
+    lost = _lost_motion_column(problem, reversal)
     senses = np.array([1.0, -1.0] if reversal.unlike.size else [1.0])[:, np.newaxis]
     sizes = drawn[..., np.newaxis, reversal.alike]
     unlike = drawn[..., np.newaxis, reversal.unlike] if reversal.unlike.size else 0.0 * sizes
     sizes = sizes + senses * unlike
     curve = sizes[..., decays] @ shapes[decays]
     taken, moved = sizes[..., ~decays], drawn[..., lost]
-    curve += (
-        of_the_spike(taken, curve[..., :1], moved[..., np.newaxis, np.newaxis]) @ shapes[~decays]
-    )
+    over = moved[..., np.newaxis, np.newaxis]
+    friction = of_the_spike(taken, curve[..., :1], over)
+    curve += friction @ shapes[~decays]
     heights = np.max(curve, axis=-1, initial=0.0)
+    # While it passes its lost motion, an axis stands still, and the spike may not have begun.
+    stands = np.any((friction == 0.0) & (taken < -_PASSED * np.abs(over)), axis=-1)
+    passed = np.sqrt(2.0 * UM * np.abs(np.mean(moved, axis=1)) * problem.samples.radius)
+    until = np.where(stands, passed[:, np.newaxis, np.newaxis], 0.0)
+    begun = np.where(arcs >= until[..., np.newaxis], curve, 0.0)
+    after = np.max(begun, axis=-1, initial=0.0)
     visible = arcs >= 0.5 * spacing
     first = np.max(curve[..., visible], axis=-1, initial=0.0)
     deepest = -np.min(curve[..., visible], axis=-1, initial=0.0)
     # Inside while the lost motion is taken up, the axis stands still.
-    passed = np.sqrt(2.0 * UM * np.abs(np.mean(moved, axis=1)) * problem.samples.radius)
     seen = arcs >= 0.5 * spacing + passed[:, np.newaxis]
     depths = -np.min(np.where(seen[:, np.newaxis, np.newaxis], curve, 0.0), axis=-1, initial=0.0)
     inward = np.mean(depths, axis=(1, 2)) > INWARD * np.mean(heights, axis=(1, 2))
@@ -403,8 +460,14 @@ def _spike_draws(
             slow[index] = np.sum(sizes[index][..., fall], axis=-1)
     # Of a decay shorter than the distance of two samples its height at the reversal is a guess.
     unseen = (heights - first) / (1.0 + (decay / spacing) ** 2)[:, np.newaxis, np.newaxis]
-    each = (heights - 0.5 * unseen, depths, slow - 0.5 * unseen, unseen, deepest - depths)
-    heights, depths, slow, unseen, deeper = (part.reshape(-1, len(senses)) for part in each)
+    heights, slow = heights - 0.5 * unseen, slow - 0.5 * unseen
+    standing = np.maximum(heights - after, 0.0)
+    heights -= 0.5 * standing
+    slow = np.where(until > 0.0, heights, slow)
+    each = heights, depths, slow, unseen, standing, deepest - depths
+    heights, depths, slow, unseen, standing, deeper = (
+        part.reshape(-1, len(senses)) for part in each
+    )
     return SpikeDraws(
         reversal=reversal,
         lost=lost,
@@ -412,6 +475,7 @@ def _spike_draws(
         depths=depths,
         extrapolated=slow,
         unseen=unseen,
+        standing=standing,
         deeper=deeper,
         decay=np.repeat(decay, drawn.shape[1]),
         rise=np.repeat(rise, drawn.shape[1]),
@@ -419,6 +483,7 @@ def _spike_draws(
         unlike=float(np.mean(np.any(unlike[..., decays] != 0.0, axis=(1, 2, 3)))),
         curve=np.mean(sizes, axis=(0, 1)),
         least_error=least_error,
+        hidden=hidden,
     )
 
 
