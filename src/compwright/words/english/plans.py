@@ -107,9 +107,9 @@ SENTENCES: Final[dict[str, str]] = {
         " `{option}: [{free}]`."
     ),
     "CW-P113.sheet": (
-        "The parameters that correct {what} are in no file for the control. Type them in from the"
-        " entry sheet {sheet}, which is in the folder of the commissioning card. All of them are"
-        " unconfirmed. The prediction counts them as typed in."
+        "{what} is corrected by parameters that this run does not write into the control's files."
+        " Type them in from the entry sheet {sheet}, which is in the folder of the commissioning"
+        " card. All of them are unconfirmed. The prediction counts them as typed in."
     ),
     "CW-P113.straightness": (
         "{what} is corrected in the files by straightness compensation: {values}."

@@ -110,9 +110,9 @@ SENTENCES: Final[dict[str, str]] = {
         " n'autoriser que des tables libres : `{option}: [{free}]`."
     ),
     "CW-P113.sheet": (
-        "{what} : les paramètres de correction ne sont dans aucun fichier pour la commande. Les"
-        " saisir d'après la feuille de saisie {sheet}, dans le dossier de la fiche de mise en"
-        " service. Aucun n'est confirmé. La prévision les suppose saisis."
+        "{what} : corrigé par des paramètres que ce calcul n'écrit pas dans les fichiers de la"
+        " commande. Les saisir d'après la feuille de saisie {sheet}, dans le dossier de la fiche de"
+        " mise en service. Aucun n'est confirmé. La prévision les suppose saisis."
     ),
     "CW-P113.straightness": (
         "{what} : corrigé dans les fichiers par compensation de rectitude : {values}."

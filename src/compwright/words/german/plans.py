@@ -117,9 +117,9 @@ SENTENCES: Final[dict[str, str]] = {
         " Tabellen erlauben: `{option}: [{free}]`."
     ),
     "CW-P113.sheet": (
-        "Die Parameter, die {what} korrigieren, sind in keiner Datei für die Steuerung. Aus dem"
-        " Eingabeblatt {sheet} im Ordner der Inbetriebnahmekarte eintippen. Alle sind unbestätigt."
-        " Die Vorhersage rechnet mit den eingetippten Werten."
+        "{what} wird durch Parameter korrigiert, die dieser Lauf nicht in die Dateien der Steuerung"
+        " schreibt. Aus dem Eingabeblatt {sheet} im Ordner der Inbetriebnahmekarte eintippen. Alle"
+        " sind unbestätigt. Die Vorhersage rechnet mit den eingetippten Werten."
     ),
     "CW-P113.straightness": (
         "{what} wird in den Dateien durch Geradheitskompensation korrigiert: {values}."
