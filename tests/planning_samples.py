@@ -168,8 +168,15 @@ def circle_of(
     measured_in: str = "as_found",
     name: str = "circle",
     calibrated: bool = True,
+    scales_correlate: float = 0.0,
 ) -> CircleWork:
-    """A circle with its causes given: (value, standard error) by name, in the contract's units."""
+    """A circle with its causes given: (value, standard error) by name, in the contract's units, and
+    the correlation of both scale errors.
+    """
+    correlation = np.eye(len(effects))
+    if scales_correlate and "scale_error_first" in effects:
+        rows = [list(effects).index(f"scale_error_{side}") for side in ("first", "second")]
+        correlation[rows, rows[::-1]] = scales_correlate
     test = CircularTest(
         name=name,
         plane="".join(axes),
@@ -187,7 +194,7 @@ def circle_of(
         },
         plain={},
         names=tuple(effects),
-        correlation=np.eye(len(effects)),
+        correlation=correlation,
         residual=0.0,
         correlation_length=1.0,
     )

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from circular_samples import circular_test, plain_run
+from compwright.planning.circle_diagnosis import diagnose_circle
 from compwright.planning.circle_network import CircleNetwork, network_findings, solve_network
-from compwright.planning.circles import CircleWork
+from compwright.planning.circles import CIRCULAR_STANDARD, CircleWork
 from planning_samples import circle_of
 
 SQUARENESS = {"XY": 22.0, "YZ": -14.0, "XZ": 9.0}  # um/m
@@ -54,7 +58,17 @@ def circle(
         effects["scale_error_second"] = (mean - difference / 2.0, single)
     for cause, more in (off or {}).items():
         effects[cause] = (effects[cause][0] + more, effects[cause][1])
-    return circle_of(effects, axes, radius=radius, feed=feed, name=name, calibrated=calibrated)
+    # The mean and the doubt are common to both scales, half the difference has opposite signs.
+    together = 1.0 - 0.5 * FIT["scale"] ** 2 / single**2
+    return circle_of(
+        effects,
+        axes,
+        radius=radius,
+        feed=feed,
+        name=name,
+        calibrated=calibrated,
+        scales_correlate=together,
+    )
 
 
 FEEDS = [circle("slow", feed=500.0), circle("fast", feed=4000.0)]
@@ -136,6 +150,29 @@ def test_a_circle_that_contradicts_the_others_is_named(
     (found,) = [each for each in network_findings(wrong) if each.code == "CW-P136"]
     assert "odd" in found.message
     assert sorted(found.axes) == [*axes]
+
+
+def test_arcs_state_how_uncertain_their_mean_scale_is() -> None:
+    """An arc of 220° in which one axis reverses once hardly separates the radius from the scale
+    mismatch. The machine has squareness, lost motion and white noise alone, no scale error.
+    """
+    seen = []
+    for start in (-20.0, 160.0):
+        for seed in range(3):
+            rng = np.random.default_rng([seed, int(start) + 20])
+            runs = []
+            for sense, way in (("ccw", 1.0), ("cw", -1.0)):
+                angles = start + 220.0 * (np.arange(1000) + 0.5)[:: int(way)] / 1000.0
+                cos, sin = np.cos(np.radians(angles)), np.sin(np.radians(angles))
+                lost = np.sign(sin) * cos - 1.5 * np.sign(cos) * sin
+                path = way * lost - 6.0 * cos * sin + rng.normal(0.0, 0.2, 1000)
+                runs.append(plain_run(sense, angles, path))
+            test = circular_test(runs, radius=150.0, arc=(start % 360.0, 220.0))
+            seen.append(diagnose_circle(replace(test, name=f"{start} {seed}"), CIRCULAR_STANDARD))
+    network = solve_network(seen)
+    assert ("scale", "") not in network.contradictions
+    found = [network.values["scale", axis] for axis in "XY"]
+    assert all(abs(each.value) < 3.0 * each.std_error for each in found)
 
 
 def test_consistent_circles_rarely_contradict_each_other() -> None:

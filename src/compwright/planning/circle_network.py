@@ -208,7 +208,7 @@ def _observations(result: CircularResult) -> Iterator[Observation]:
         }
         found = ValueWithError(difference.value / across, difference.std_error / across)
         yield Observation("scale", parts, found, name)
-        yield from _mean_scale(result, found.std_error, turning)
+        yield from _mean_scale(result, turning)
     late = effect_of(result, "servo_mismatch")
     if late is not None:
         parts = {("lag", first): 1.0, ("lag", second): -1.0}
@@ -220,26 +220,30 @@ def _observations(result: CircularResult) -> Iterator[Observation]:
             yield Observation("lost motion", {("lost motion", axis): 1.0}, found, name)
 
 
-def _mean_scale(
-    result: CircularResult, of_mismatch: float, turning: float
-) -> Iterator[Observation]:
+def _mean_scale(result: CircularResult, turning: float) -> Iterator[Observation]:
     """Yield an equation for the mean scale error of both axes of a circular test. A second unknown
-    in the equation is the shrinkage of the radius by the servo loops. ``of_mismatch``: standard
-    error of the scale mismatch; ``turning``: squared angular speed, (rad/s)².
+    in the equation is the shrinkage of the radius by the servo loops, so the standard error of the
+    mean leaves it out. ``turning``: squared angular speed, (rad/s)².
+
+    On an arc, the errors of both scales are strongly correlated.
     """
     found = [effect_of(result, f"scale_error_{side}") for side in ("first", "second")]
-    # What is taken off for unequal lags has opposite signs and is not in the mean.
-    both = [as_shown_at_feed(each) for each in found if each is not None]
-    if len(both) < 2:
+    scales = [each for each in found if each is not None]
+    if result.diagnosis is None or len(scales) < 2:
         return
+    # What is taken off for unequal lags has opposite signs and is not in the mean.
+    value = 0.5 * sum(as_shown_at_feed(each).value for each in scales)
+    errors = np.array([each.std_error for each in scales])
+    names = result.diagnosis.names
+    rows = [names.index(f"scale_error_{side}") for side in ("first", "second")]
+    together = float(errors @ result.diagnosis.correlation[np.ix_(rows, rows)] @ errors)
     doubt = turning * _MOST_SHRINKING / np.sqrt(3.0)
-    variance = both[0].std_error ** 2 - doubt**2 - (0.5 * of_mismatch) ** 2
+    variance = 0.25 * together - doubt**2
     parts = {
         unknown: 0.5 * share
         for axis in result.test.axes
         for unknown, share in ((("scale", axis), 1.0), (("shrinking", axis), -turning))
     }
-    value = 0.5 * (both[0].value + both[1].value)
     stated = ValueWithError(value, float(np.sqrt(max(variance, _LEAST**2))))
     yield Observation("scale", parts, stated, result.test.name)
 
