@@ -250,7 +250,7 @@ def test_where_the_table_has_no_place_the_sheet_comes_as_before(
     (folder / "Y.csv").write_text(PLAY.format("Y") + "linearCompValue,,0.0,mm/m\n")
     assert run(folder, NCK.id, states=states(folder, text).replace("]", ", Y.csv]")) == 0
     said = " ".join(capsys.readouterr().out.split())
-    assert f"({why}). Type them into" in said
+    assert f"({why}). Type them in, in place of the values in X.COM, column Y: " in said
     assert (folder / "job" / "card" / "cross_X_Y.csv").exists()
     assert not (folder / "job" / "tables").exists()
 
@@ -266,7 +266,7 @@ def test_an_axis_without_a_table_in_the_active_line_gets_the_sheet(
     text = com(19, 50).replace("   Y\n", "   Z\n")
     assert run(folder, NCK.id, states=states(folder, text)) == 1
     said = " ".join(capsys.readouterr().out.split())
-    assert "(X.COM has no column Y). Type them into" in said
+    assert "(X.COM has no column Y). Type them in, in place of the values in X.COM" in said
     job = folder / "job.yaml"
     job.write_text(job.read_text() + "report: {language: de}\n")
     assert compwright(["run", str(job), "--force"]) == 1
@@ -307,7 +307,8 @@ def test_a_column_of_an_axis_whose_bit_is_0_is_not_filled(
     (folder / "MP.TXT").write_text(
         f"MP710.0 : 0.0\nMP710.1 : 0.0\nMP720.0 : 0.0\nMP720.1 : 0.0\nMP730 : %000{bit}1\n"
     )
-    assert run(folder, ITNC.id, states="[X.COM, MP.TXT]") == 0
+    (folder / "CONFIG.CMA").write_text("BEGIN CONFIG .CMA MM\nNR   1\n0    X\nEND CONFIG .CMA\n")
+    assert run(folder, ITNC.id, states="[X.COM, MP.TXT, CONFIG.CMA]") == 0
     said = " ".join(capsys.readouterr().out.split())
     if bit == "0":
         assert "the bit of Y in MP730 is 0: no table is active on it" in said

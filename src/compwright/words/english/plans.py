@@ -121,11 +121,11 @@ SENTENCES: Final[dict[str, str]] = {
         " tables that were off, and leave out `active`."
     ),
     "CW-P113.typed": (
-        "{what} is corrected by values that are in no file for the control ({why}). Type them into"
-        " {where}, {rows}. The commissioning card and the entry sheet in its folder describe how."
-        " The values are {values:choose|correction=corrections|error=errors}; their sign is"
-        " unconfirmed: check it by a measurement before production. The prediction counts them as"
-        " typed in."
+        "{what} is corrected by values that are in no file for the control ({why})."
+        " {total:if|Type them in, in place of the values in|Add them to the values in} {where}:"
+        " {rows}. The commissioning card and the entry sheet in its folder describe how. The values"
+        " are {values:choose|correction=corrections|error=errors}; their sign is unconfirmed: check"
+        " it by a measurement before production. The prediction counts them as typed in."
     ),
     "CW-P114": (
         "{axis}: laser and circle disagree about the lost motion. It is {laser} according to"

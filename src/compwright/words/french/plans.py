@@ -126,10 +126,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P113.typed": (
         "{what} : les valeurs de correction ne sont dans aucun fichier pour la commande ({why})."
-        " Les saisir dans {where}, {rows}. La fiche de mise en service et la feuille de saisie du"
-        " même dossier le décrivent. Les valeurs sont des"
-        " {values:choose|correction=corrections|error=erreurs} ; leur signe n'est pas confirmé :"
-        " le vérifier par une mesure avant la production. La prévision les suppose saisies."
+        " {total:if|Les saisir à la place des|Les ajouter aux} valeurs dans {where} : {rows}. La"
+        " fiche de mise en service et la feuille de saisie du même dossier le décrivent. Les"
+        " valeurs sont des {values:choose|correction=corrections|error=erreurs} ; leur signe n'est"
+        " pas confirmé : le vérifier par une mesure avant la production. La prévision les suppose"
+        " saisies."
     ),
     "CW-P114": (
         "{axis} : laser et cercle ne concordent pas sur le jeu. Il est de {laser} d'après le"

@@ -131,11 +131,12 @@ SENTENCES: Final[dict[str, str]] = {
         " Messung angeben, ohne die Tabellen, die aus waren, und `active` weglassen."
     ),
     "CW-P113.typed": (
-        "Die Werte, die {what} korrigieren, sind in keiner Datei für die Steuerung ({why}). In"
-        " {where} eintippen, {rows}. Die Inbetriebnahmekarte und das Eingabeblatt in ihrem Ordner"
-        " beschreiben es. Die Werte sind {values:choose|correction=Korrekturen|error=Fehler}; ihr"
-        " Vorzeichen ist unbestätigt: vor der Fertigung durch eine Messung prüfen. Die Vorhersage"
-        " rechnet mit den eingetippten Werten."
+        "Die Werte, die {what} korrigieren, sind in keiner Datei für die Steuerung ({why})."
+        " {total:if|Anstelle der Werte eintippen|Zu den Werten addieren} in: {where}: {rows}. Die"
+        " Inbetriebnahmekarte und das Eingabeblatt in ihrem Ordner beschreiben es. Die Werte sind"
+        " {values:choose|correction=Korrekturen|error=Fehler}; ihr Vorzeichen ist unbestätigt: vor"
+        " der Fertigung durch eine Messung prüfen. Die Vorhersage rechnet mit den eingetippten"
+        " Werten."
     ),
     "CW-P114": (
         "{axis}: Laser und Kreis stimmen beim Umkehrspiel nicht überein. Es ist {laser} nach dem"

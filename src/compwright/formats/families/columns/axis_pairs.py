@@ -12,8 +12,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import numpy as np
-
 from compwright.formats.families.axis_pairs import (
     Between,
     BetweenRequest,
@@ -24,6 +22,7 @@ from compwright.formats.families.axis_pairs import (
     merged_files,
 )
 from compwright.formats.families.columns.crossing import CrossFiller, Filled, values_quantum
+from compwright.formats.families.columns.typed_columns import TypedColumn, typed_column
 from compwright.formats.families.family import Family
 from compwright.formats.text.entry_sheet import is_entry_sheet
 from compwright.formats.text.scale import NotHeld
@@ -34,6 +33,10 @@ from compwright.words.sentences import SentenceText, control_text, say
 
 #: More points than these are typed from the sheet.
 _MOST_SHOWN = 8
+_MORE_ROWS = control_text(
+    "The table gets more rows, at the same spacing: DATUM is the position of the first row. In a"
+    " new row, every other column gets its value in the nearest old row. "
+)
 _CHECK = control_text(
     "The sign is unconfirmed: check it with a square or a dial gauge, on and off, before"
     " production."
@@ -55,13 +58,23 @@ def columns_between(family: Family, request: BetweenRequest) -> Between:
             continue
         filler = CrossFiller(family, request.axes, files)
         try:
+            filler.refuse_waking(entry.added.output, tabled=entry.output in request.tabled)
+        except NotHeld as error:
+            answers.append(cannot_hold([entry], error.args[0]))
+            continue
+        try:
             filled = filler.fill(entry)
         except NotHeld as error:
-            answers.append(_typed(family, request, entry, error.args[0]))
+            try:
+                column = typed_column(filler, entry)
+            except NotHeld as refusal:
+                answers.append(cannot_hold([entry], refusal.args[0]))
+            else:
+                answers.append(_typed(filler, request, entry, column, error.args[0]))
         else:
             files = filler.patched(range(len(files)))
             held.append(filled.entry)
-            answers.append(_in_the_table(family, request, filled))
+            answers.append(_in_the_table(filler, request, filled))
     if not held:
         return combined_answer(answers)
     changed = tuple(after for before, after in zip(own, files, strict=True) if after != before)
@@ -72,9 +85,9 @@ def columns_between(family: Family, request: BetweenRequest) -> Between:
     )
 
 
-def _in_the_table(family: Family, request: BetweenRequest, filled: Filled) -> Between:
+def _in_the_table(filler: CrossFiller, request: BetweenRequest, filled: Filled) -> Between:
     """Return the answer for a correction that was written into the user's own table."""
-    entry, form = filled.entry, _form(family, request, filled.entry)
+    entry, form = filled.entry, _form(filler.family, request, filled.entry)
     rows = _rows(entry, form)
     where = control_text("{file}, column {column}", file=filled.file, column=str(filled.column))
     text = control_text(
@@ -83,9 +96,9 @@ def _in_the_table(family: Family, request: BetweenRequest, filled: Filled) -> Be
         " {selected}{check}",
         error=SentenceText(error_label(entry)),
         where=where,
-        values=_shown(entry, rows),
+        values=_shown(rows, entry.added.output_kind.unit),
         form=form,
-        selected=_selected(family, entry),
+        selected=_selected(filler, entry),
         check=_CHECK,
     )
     return Between(
@@ -107,33 +120,50 @@ def _in_the_table(family: Family, request: BetweenRequest, filled: Filled) -> Be
     )
 
 
-def _typed(family: Family, request: BetweenRequest, entry: PlannedCross, why: str) -> Between:
-    """Return the answer that a table column has to be typed in, for the reason ``why``."""
-    form = _form(family, request, entry)
-    rows = _rows(entry, form)
-    where = control_text(
-        "the table (.COM) of {input}, column of {output}", input=entry.input, output=entry.output
-    )
+def _typed(
+    filler: CrossFiller, request: BetweenRequest, entry: PlannedCross, column: TypedColumn, why: str
+) -> Between:
+    """Return the answer that a table ``column`` has to be typed in, for the reason ``why``."""
+    form = _form(filler.family, request, entry)
+    position_unit = "" if column.position_unit == entry.added.input_kind.unit else "inch"
+    shown = _shown(list(column.rows), column.unit, position_unit, column.decimals)
     sentence = say(
         "CW-P113.typed",
         what=error_label(entry),
         why=why,
-        where=where,
-        rows=_shown(entry, rows),
+        total=column.total,
+        where=column.where,
+        rows=shown,
         values=form,
     )
-    text = control_text(
-        "{error}. Add to the values in {where}, on a straight line between:"
-        " {values} (values are {form}s). {selected}{check}",
-        error=SentenceText(error_label(entry)),
-        where=where,
-        values=_shown(entry, rows),
-        form=form,
-        selected=_selected(family, entry),
-        check=_CHECK,
-    )
-    values = _sign(form) * np.array([value for _, value in rows])
-    return entry_sheet_answer(entry, values, _sheet(entry, form, rows), sentence, text)
+    sheet = _sheet(entry, form, column)
+    selected = _selected(filler, entry)
+    if column.total:
+        text = control_text(
+            "{error}. Type in, in place of the values in {where}: {values} (values are {form}s;"
+            " all rows: {sheet}). {more}{selected}{check}",
+            error=SentenceText(error_label(entry)),
+            where=column.where,
+            values=shown,
+            form=form,
+            sheet=sheet.name,
+            more=_MORE_ROWS if column.more_rows else "",
+            selected=selected,
+            check=_CHECK,
+        )
+    else:
+        text = control_text(
+            "{error}. Add to the values in {where}, on a straight line between:"
+            " {values} (values are {form}s). {selected}{check}",
+            error=SentenceText(error_label(entry)),
+            where=column.where,
+            values=shown,
+            form=form,
+            selected=selected,
+            check=_CHECK,
+        )
+    changed = replace(entry, added=column.added)
+    return entry_sheet_answer(changed, column.added.positive, sheet, sentence, text)
 
 
 def _form(family: Family, request: BetweenRequest, entry: PlannedCross) -> str:
@@ -141,17 +171,25 @@ def _form(family: Family, request: BetweenRequest, entry: PlannedCross) -> str:
     return str(family.options_of(request.axes.get(entry.input))["table_values"])
 
 
-def _selected(family: Family, entry: PlannedCross) -> str:
-    """Return the card's sentence that the table column is active only while the corrected axis' bit
-    in a parameter is 1.
-    """
-    select = _parameter(family, "enabled")
+def _selected(filler: CrossFiller, entry: PlannedCross) -> str:
+    """Return the card's sentence on the bit of the corrected axis that selects the table column."""
+    select, output = _parameter(filler.family, "enabled"), entry.added.output
     if not select:
         return ""
+    names = {"output": entry.output, "parameter": select}
+    if filler.is_off(output):
+        return control_text("Set the bit of {output} in {parameter} to 1. ", **names)
+    active = control_text(
+        "It is active on {output} only while the bit of {output} in {parameter} is 1. ", **names
+    )
+    if (output, "enabled") in filler.sources.given:
+        return active
     return control_text(
-        "It is active on {output} only while the bit of {output} in {parameter} is 1. ",
+        "{active}If it is 0, and {linear} of {output} or one of its columns in any table is not 0,"
+        " leave out this step: set the bit to 1 first and repeat the test. ",
+        active=active,
+        linear=_parameter(filler.family, "slope"),
         output=entry.output,
-        parameter=select,
     )
 
 
@@ -195,21 +233,20 @@ def _parameter(family: Family, quantity: str) -> str:
     return name_of(family.definition, quantity) if quantity in family.definition.bindings else ""
 
 
-def _sign(form: str) -> float:
-    return -1.0 if form == "error" else 1.0
-
-
 def _rows(entry: PlannedCross, form: str) -> list[tuple[float, float]]:
     """Return a table column's positions and values, mm or deg; ``form``: errors or corrections."""
+    sign = -1.0 if form == "error" else 1.0
     added = entry.added
     return [
-        (float(position), round(_sign(form) * float(value), 4) + 0.0)
+        (float(position), round(sign * float(value), 4) + 0.0)
         for position, value in zip(added.positions, added.positive, strict=True)
     ]
 
 
-def _shown(entry: PlannedCross, rows: list[tuple[float, float]]) -> str:
-    unit = entry.added.output_kind.unit
+def _shown(
+    rows: list[tuple[float, float]], unit: str, position_unit: str = "", decimals: int = 4
+) -> str:
+    """Return rows as text; ``position_unit``: empty if it is that of the axis in the job."""
     shown = rows if len(rows) <= _MOST_SHOWN else [rows[0], rows[-1]]
     return SentenceText(
         say(
@@ -217,9 +254,9 @@ def _shown(entry: PlannedCross, rows: list[tuple[float, float]]) -> str:
             text=[
                 control_text(
                     "{value} {unit} at {position}",
-                    value=f"{value:+.4f}",
+                    value=f"{value:+.{decimals}f}",
                     unit=unit,
-                    position=f"{position:g}",
+                    position=f"{position:g} {position_unit}".rstrip(),
                 )
                 for position, value in shown
             ],
@@ -227,9 +264,14 @@ def _shown(entry: PlannedCross, rows: list[tuple[float, float]]) -> str:
     )
 
 
-def _sheet(entry: PlannedCross, form: str, rows: list[tuple[float, float]]) -> ControlFile:
-    unit = entry.added.output_kind.unit
-    head = f"# column of {entry.output} in the table of {entry.input}\n# value: {form}\n"
-    head += f"position_{entry.input},{entry.output},unit\n"
-    body = "".join(f"{position:.4f},{value:.4f},{unit}\n" for position, value in rows)
+def _sheet(entry: PlannedCross, form: str, column: TypedColumn) -> ControlFile:
+    head = f"# column of {entry.output} in the table of {entry.input}: "
+    head += "totals, in place of the values there" if column.total else "add to the values there"
+    if column.position_unit != entry.added.input_kind.unit:
+        head += f"; positions in {column.position_unit}"
+    head += f"\n# value: {form}\nposition_{entry.input},{entry.output},unit\n"
+    body = "".join(
+        f"{position:.4f},{value:.{column.decimals}f},{column.unit}\n"
+        for position, value in column.rows
+    )
     return ControlFile(f"cross_{entry.input}_{entry.output}.csv", (head + body).encode())

@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.columns.table import SECOND, is_number
+from compwright.formats.families.columns.table import SECOND
 from compwright.formats.families.columns.values import TableValues
 from compwright.formats.text.gathering import FoundValue
 from compwright.formats.text.notes import ADD_FILE, CORRECT_VALUE
@@ -362,15 +362,9 @@ class ColumnAxisReader:
         axis has values for it.
         """
         column = self.sources.column_of(self.address)
-        cells = [
-            row.cells[column].text
-            for moving, table in self.sources.tables.items()
-            if moving != self.address
-            for row in table.rows
-            if column in row.cells
-        ]
         return self.address in self.wanted and any(
-            not is_number(text) or float(text) != 0 for text in cells
+            moving != self.address and table.fills(column)
+            for moving, table in self.sources.tables.items()
         )
 
     def _parameter(self, quantity: str, scale: NumberScale) -> float:

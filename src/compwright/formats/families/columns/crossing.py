@@ -57,6 +57,64 @@ class CrossFiller(Patches):
         raise_all(InputError, notes.faults)
         self.values = TableValues(family, self.sources, self.by_address, notes)
 
+    def refuse_waking(self, output: str, *, tabled: bool) -> None:
+        """Raise NotHeld if the switch that makes a column active on an axis would also activate
+        values that are not active now. ``tabled``: the axis gets a new table of its own.
+
+        The bit of the axis selects every table that corrects it. The active line of the .CMA
+        activates every table that it names.
+        """
+        sources, definition = self.sources, self.family.definition
+        if sources.assignments is not None and sources.active is None:
+            raise NotHeld(
+                control_text(
+                    "no line of {file} is active, and an active line activates every table that it"
+                    " names; mark the line, repeat the test and give the files as they are then",
+                    file=sources.assignments.file,
+                )
+            )
+        column = sources.column_of(output)
+        waking = [
+            control_text("{file}, column {column}", file=table.file, column=column)
+            for moving, table in sources.tables.items()
+            if table.fills(column) and not (tabled and moving == output)
+        ]
+        bit = control_text("the active line of the .CMA")
+        if "enabled" in definition.bindings:
+            bit = control_text(
+                "the bit of {output} in {parameter}",
+                output=output,
+                parameter=name_of(definition, "enabled"),
+            )
+        if waking and (self.is_off(output) or self._is_idle(output, tabled=tabled)):
+            raise NotHeld(
+                control_text(
+                    "no table is active on {output} now, and {bit} would also activate values that"
+                    " are not active now ({tables}); empty these columns, or activate them and"
+                    " repeat the test, then give the files as they are then",
+                    output=output,
+                    bit=bit,
+                    tables=", ".join(waking),
+                )
+            )
+        if self.is_off(output) and (sources.assignments is None or sources.missing):
+            raise NotHeld(
+                control_text(
+                    "no table is active on {output} now, and not all tables that {bit} would"
+                    " activate are among the files; give the .CMA and every .COM that its active"
+                    " line names",
+                    output=output,
+                    bit=bit,
+                )
+            )
+
+    def _is_idle(self, output: str, *, tabled: bool) -> bool:
+        """Return whether the control's state has a table for an axis that is not active on it."""
+        state = self.family.state
+        return (bool(state.facts_of(output).grid) and not tabled) or any(
+            entry.output == output and not entry.positive.any() for entry in state.cross
+        )
+
     def fill(self, entry: PlannedCross) -> Filled:
         """Note the change of each table cell that a correction needs; return the correction as
         written.
@@ -68,11 +126,11 @@ class CrossFiller(Patches):
         exact = self.values.positions(table, added.input) or ()
         raise_all(InputError, self.values.notes.faults)
         rows = np.array([float(position) for position in exact])
-        more = _on_rows(added, rows, table.file)
+        more = correction_at_rows(added, rows, table.file)
         old = self.values.values(table, column, exact, added.output, added.input)
         raise_all(InputError, self.values.notes.faults)
         total = (np.zeros(rows.size) if old is None else old) + more
-        self._gentle(table, rows, total)
+        self.refuse_steep(table, rows, total)
         self._write(table, column, self.values.scale(added.input, added.output_kind), total)
         held = replace(added, positions=rows, positive=more, negative=more, period=None)
         return Filled(table.file, column, replace(entry, added=held))
@@ -89,7 +147,7 @@ class CrossFiller(Patches):
                     input=added.input,
                 )
             )
-        if any(bit.text == "0" for bit in self.sources.given.get((added.output, "enabled"), [])):
+        if self.is_off(added.output):
             bits = name_of(self.family.definition, "enabled")
             raise NotHeld(
                 control_text(
@@ -107,6 +165,15 @@ class CrossFiller(Patches):
             raise NotHeld(control_text("{input} is a rotary axis", input=added.input))
         if table.head["unit"].text.upper() != "MM":
             raise NotHeld(control_text("{file} is in inch", file=table.file))
+        self.refuse_shared(table)
+        return table, column
+
+    def is_off(self, output: str) -> bool:
+        """Return whether the files state that no table is active on an axis."""
+        return any(bit.text == "0" for bit in self.sources.given.get((output, "enabled"), []))
+
+    def refuse_shared(self, table: UserTable) -> None:
+        """Raise NotHeld if a table follows the motion of several axes."""
         moving = [address for address, known in self.sources.tables.items() if known is table]
         if len(moving) > 1:
             raise NotHeld(
@@ -116,9 +183,8 @@ class CrossFiller(Patches):
                     axes=", ".join(moving),
                 )
             )
-        return table, column
 
-    def _gentle(self, table: UserTable, rows: FloatArray, total: FloatArray) -> None:
+    def refuse_steep(self, table: UserTable, rows: FloatArray, total: FloatArray) -> None:
         """Raise NotHeld if neighbouring values ``total`` of a column, at the positions ``rows``,
         differ by more than the control allows.
         """
@@ -145,7 +211,7 @@ class CrossFiller(Patches):
         self.replace(number, *changes)
 
 
-def _on_rows(added: CrossCompensation, rows: FloatArray, file: str) -> FloatArray:
+def correction_at_rows(added: CrossCompensation, rows: FloatArray, file: str) -> FloatArray:
     """Return the correction (k,), mm or deg, interpolated at the positions of the table's rows.
 
     A straight line is extended to the ends of the table. Raises NotHeld if each direction has its

@@ -109,7 +109,7 @@ class ColumnsFamily(Family):
             lambda axis, table, capacity, _: tuple(broken_limits(bound, axis, table, capacity)),
         )
         raise_all(CapacityError, faults)
-        return write_columns(bound, tables, files)
+        return write_columns(bound, tables, files, self.state)
 
     def card(self, request: CardRequest) -> AxisCard:
         """Return the contents of the commissioning card for a written table; see `Family.card`."""

@@ -134,13 +134,13 @@ class UserTable:
         return tuple(
             column.name
             for column in self.columns
-            if column.name not in (ROW_NUMBER, *names)
-            and any(self._filled(row, column.name) for row in self.rows)
+            if column.name not in (ROW_NUMBER, *names) and self.fills(column.name)
         )
 
-    def _filled(self, row: Row, name: str) -> bool:
-        cell = row.cells.get(name)
-        return cell is not None and not (is_number(cell.text) and Decimal(cell.text) == 0)
+    def fills(self, name: str) -> bool:
+        """Return whether a column has a value that is not zero."""
+        texts = [row.cells[name].text for row in self.rows if name in row.cells]
+        return any(not (is_number(text) and Decimal(text) == 0) for text in texts)
 
 
 def is_number(text: str) -> bool:

@@ -131,7 +131,7 @@ class TableValues:
         )
         if found is None:
             return None
-        factor = self._factor(table, kind)
+        factor = self.factor(table, kind)
         self._uneven(table, found)
         return self._checked(table, [position * factor for position in found], scale)
 
@@ -245,13 +245,14 @@ class TableValues:
             message = f"the {column} contains no number"
             self._fault(table, row.line, message, "a decimal number", text)
             return
-        value = scale.read("value", text) * self._factor(table, scale.kind)
+        value = scale.read("value", text) * self.factor(table, scale.kind)
         if not in_range(self.definition.measure("value"), scale, value):
             message = f"{column}: a value this large is not plausible"
             self._fault(table, row.line, message, "see formats show", text)
         yield float(value) + 0.0
 
-    def _factor(self, table: UserTable, kind: AxisKind) -> Decimal:
+    def factor(self, table: UserTable, kind: AxisKind) -> Decimal:
+        """Return the factor from a table's numbers for an axis of this kind to mm or deg."""
         inch = table.head["unit"].text.upper() == "INCH" and kind is AxisKind.LINEAR
         return _INCH if inch else Decimal(1)
 

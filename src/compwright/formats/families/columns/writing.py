@@ -13,7 +13,7 @@ from decimal import Decimal
 from compwright.formats.definition.statements import print_form
 from compwright.formats.families.columns.filling import ColumnEntry, TableFiller
 from compwright.formats.families.columns.source_files import ambiguous, find_sources, mask_of
-from compwright.formats.families.columns.table import is_number, with_sign
+from compwright.formats.families.columns.table import with_sign
 from compwright.formats.families.columns.values import TableValues
 from compwright.formats.families.family import AxisTable, Family
 from compwright.formats.text.entry_sheet import SheetRow, is_entry_sheet, write_sheet
@@ -24,13 +24,14 @@ from compwright.formats.text.scale import NotHeld
 from compwright.formats.text.values import name_of
 from compwright.foundations.errors import CapacityError, Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis
-from compwright.records.correction import AxisCompensation, ControlFile
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 
 
 def write_columns(
-    control: Family, pairs: Sequence[AxisTable], files: Sequence[ControlFile]
+    control: Family, pairs: Sequence[AxisTable], files: Sequence[ControlFile], found: ControlState
 ) -> tuple[ControlFile, ...]:
     """Return the files that load the tables of ``pairs`` (address, axis, table) into the control.
+    ``found``: what was active before, by the job's answer too.
 
     The result contains all of the user's own ``files``, patched, so that the set is complete. Only
     old entry sheets are left out. Values that no file has a place for are put into one entry sheet
@@ -40,7 +41,7 @@ def write_columns(
     if files:
         _refuse_unknown_backlash(control, pairs, files)
     own = [file for file in files if not is_entry_sheet(file)]
-    written = _OwnTables(control, {address: axis for address, axis, _ in pairs}, own)
+    written = _OwnTables(control, {address: axis for address, axis, _ in pairs}, own, found)
     faults: list[Fault] = []
     sheets: list[ControlFile] = []
     for address, axis, compensation in pairs:
@@ -96,10 +97,15 @@ class _OwnTables(Patches):
     """Collects the changes to the tables and parameters in the user's own files."""
 
     def __init__(
-        self, control: Family, axes: Mapping[str, Axis], own: Sequence[ControlFile]
+        self,
+        control: Family,
+        axes: Mapping[str, Axis],
+        own: Sequence[ControlFile],
+        found: ControlState,
     ) -> None:
         super().__init__(control.definition.dialect, own)
         self.control = control
+        self.found = found
         notes = Notes()
         self.sources = find_sources(control.definition, own, list(axes.values()), notes.faults)
         raise_all(InputError, notes.faults)
@@ -121,6 +127,10 @@ class _OwnTables(Patches):
             for name, text in entry.parameters().items()
             if not self._parameter(address, name, text)
         }
+        wanted = left.get("enabled", "")
+        for cross in self.found.cross if wanted else ():
+            if cross.output == address and bool(cross.positive.any()) != (wanted == "1"):
+                self._check_other_tables(address, awake=wanted == "1")
         rows = [*points, *entry.parameter_rows(left)]
         return self._sheet(address, entry, rows, len(points)) if rows else None
 
@@ -187,12 +197,7 @@ class _OwnTables(Patches):
         others = [
             f"{table.file} ({address} over {moving})"
             for moving, table in self.sources.tables.items()
-            if moving != address
-            and any(
-                not is_number(row.cells[column].text) or Decimal(row.cells[column].text) != 0
-                for row in table.rows
-                if column in row.cells
-            )
+            if moving != address and table.fills(column)
         ]
         if others:
             name = name_of(self.control.definition, "enabled")

@@ -231,6 +231,39 @@ TEXTS: Final[dict[str, str]] = {
     "the bit of {output} in {parameter} is 0: no table is active on it": (
         "le bit de {output} dans {parameter} est à 0 : aucune table n'agit sur cet axe"
     ),
+    "Set the bit of {output} in {parameter} to 1. ": (
+        "Mettre à 1 le bit de {output} dans {parameter}. "
+    ),
+    "{active}If it is 0, and {linear} of {output} or one of its columns in any table is"
+    " not 0, leave out this step: set the bit to 1 first and repeat the test. ": (
+        "{active}S'il est à 0, et si {linear} de {output} ou l'une de ses colonnes dans"
+        " une table n'est pas 0, omettre cette étape : mettre d'abord le bit à 1 et"
+        " répéter l'essai. "
+    ),
+    "no line of {file} is active, and an active line activates every table that it names;"
+    " mark the line, repeat the test and give the files as they are then": (
+        "aucune ligne de {file} n'est active, et une ligne active met en service chaque"
+        " table qu'elle nomme ; marquer la ligne, répéter l'essai et donner les fichiers"
+        " dans cet état"
+    ),
+    "the bit of {output} in {parameter}": ("le bit de {output} dans {parameter}"),
+    "the active line of the .CMA": ("la ligne active de la .CMA"),
+    "no table is active on {output} now, and {bit} would also activate values that are not"
+    " active now ({tables}); empty these columns, or activate them and repeat the test,"
+    " then give the files as they are then": (
+        "aucune table n'agit sur {output} maintenant, et {bit} mettrait aussi en service"
+        " des valeurs inactives maintenant ({tables}) ; vider ces colonnes, ou les mettre"
+        " en service et répéter l'essai, puis donner les fichiers dans cet état"
+    ),
+    "no table is active on {output} now, and not all tables that {bit} would activate are"
+    " among the files; give the .CMA and every .COM that its active line names": (
+        "aucune table n'agit sur {output} maintenant, et les tables que {bit} mettrait en"
+        " service ne sont pas toutes parmi les fichiers ; donner la .CMA et chaque .COM"
+        " que sa ligne active nomme"
+    ),
+    "{file} would need {rows} rows, and the control accepts {most}": (
+        "{file} demanderait {rows} lignes, et la commande en accepte {most}"
+    ),
     "{file} has no column {column}": "{file} n'a pas de colonne {column}",
     "{file} has no row at a position where the correction bends": (
         "{file} n'a pas de ligne à une position où la correction a un coude"

@@ -230,6 +230,39 @@ TEXTS: Final[dict[str, str]] = {
     "the bit of {output} in {parameter} is 0: no table is active on it": (
         "das Bit von {output} in {parameter} ist 0: Keine Tabelle wirkt auf diese Achse"
     ),
+    "Set the bit of {output} in {parameter} to 1. ": (
+        "Das Bit von {output} in {parameter} auf 1 setzen. "
+    ),
+    "{active}If it is 0, and {linear} of {output} or one of its columns in any table is"
+    " not 0, leave out this step: set the bit to 1 first and repeat the test. ": (
+        "{active}Ist es 0 und {linear} von {output} oder eine seiner Spalten in"
+        " irgendeiner Tabelle nicht 0, diesen Schritt auslassen: zuerst das Bit auf 1"
+        " setzen und die Prüfung wiederholen. "
+    ),
+    "no line of {file} is active, and an active line activates every table that it names;"
+    " mark the line, repeat the test and give the files as they are then": (
+        "keine Zeile von {file} ist aktiv, und eine aktive Zeile schaltet jede Tabelle"
+        " ein, die sie nennt; die Zeile markieren, die Prüfung wiederholen und die Dateien"
+        " in diesem Zustand angeben"
+    ),
+    "the bit of {output} in {parameter}": ("das Bit von {output} in {parameter}"),
+    "the active line of the .CMA": ("die aktive Zeile der .CMA"),
+    "no table is active on {output} now, and {bit} would also activate values that are not"
+    " active now ({tables}); empty these columns, or activate them and repeat the test,"
+    " then give the files as they are then": (
+        "auf {output} wirkt jetzt keine Tabelle, und {bit} würde auch Werte einschalten,"
+        " die jetzt nicht wirken ({tables}); diese Spalten leeren, oder sie einschalten"
+        " und die Prüfung wiederholen, dann die Dateien in diesem Zustand angeben"
+    ),
+    "no table is active on {output} now, and not all tables that {bit} would activate are"
+    " among the files; give the .CMA and every .COM that its active line names": (
+        "auf {output} wirkt jetzt keine Tabelle, und nicht alle Tabellen, die {bit}"
+        " einschalten würde, sind unter den Dateien; die .CMA und jede .COM angeben, die"
+        " ihre aktive Zeile nennt"
+    ),
+    "{file} would need {rows} rows, and the control accepts {most}": (
+        "{file} bräuchte {rows} Zeilen, und die Steuerung nimmt {most}"
+    ),
     "{file} has no column {column}": "{file} hat keine Spalte {column}",
     "{file} has no row at a position where the correction bends": (
         "{file} hat keine Zeile an einer Position, an der die Korrektur einen Knick hat"

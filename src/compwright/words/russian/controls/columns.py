@@ -160,6 +160,22 @@ TEXTS: Final[dict[str, str]] = {
         "{error}. Прибавьте к значениям, {where}, по прямой между ними: {values} (значения"
         " имеют смысл {form}). {selected}{check}"
     ),
+    "{error}. Type in, in place of the values in {where}: {values} (values are {form}s;"
+    " all rows: {sheet}). {more}{selected}{check}": (
+        "{error}. Введите вместо имеющихся значений, {where}: {values} (значения имеют"
+        " смысл {form}; все строки: {sheet}). {more}{selected}{check}"
+    ),
+    "The table gets more rows, at the same spacing: DATUM is the position of the first"
+    " row. In a new row, every other column gets its value in the nearest old row. ": (
+        "В таблице станет больше строк, с тем же шагом: DATUM — позиция первой строки. В"
+        " новой строке каждый другой столбец получает своё значение из ближайшей старой"
+        " строки. "
+    ),
+    "the table (.COM) that the active line of the .CMA names for the motion of {input} (a"
+    " new one, where it names none), column of {output}": (
+        "таблица (.COM), которую активная строка .CMA называет для движения {input}"
+        " (новая, если она не называет никакой), столбец {output}"
+    ),
     "{output} over {input}: {where}": "{output} по {input}: {where}",
     "{value} {unit} at {position}": "{value} {unit} в {position}",
     "(see the axis list of the machine)": "(см. список осей станка)",

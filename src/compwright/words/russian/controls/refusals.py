@@ -221,6 +221,39 @@ TEXTS: Final[dict[str, str]] = {
     "the bit of {output} in {parameter} is 0: no table is active on it": (
         "бит {output} в {parameter} равен 0: на эту ось не действует ни одна таблица"
     ),
+    "Set the bit of {output} in {parameter} to 1. ": (
+        "Установите бит {output} в {parameter} в 1. "
+    ),
+    "{active}If it is 0, and {linear} of {output} or one of its columns in any table is"
+    " not 0, leave out this step: set the bit to 1 first and repeat the test. ": (
+        "{active}Если он равен 0, а {linear} оси {output} или один из её столбцов в"
+        " какой-либо таблице не равен 0, пропустите этот шаг: сначала установите бит в 1 и"
+        " повторите измерение. "
+    ),
+    "no line of {file} is active, and an active line activates every table that it names;"
+    " mark the line, repeat the test and give the files as they are then": (
+        "ни одна строка {file} не активна, а активная строка включает каждую таблицу,"
+        " которую называет; отметьте строку, повторите измерение и укажите файлы в этом"
+        " состоянии"
+    ),
+    "the bit of {output} in {parameter}": ("бит {output} в {parameter}"),
+    "the active line of the .CMA": ("активная строка .CMA"),
+    "no table is active on {output} now, and {bit} would also activate values that are not"
+    " active now ({tables}); empty these columns, or activate them and repeat the test,"
+    " then give the files as they are then": (
+        "сейчас на {output} не действует ни одна таблица, а {bit} включил бы и значения,"
+        " которые сейчас не действуют ({tables}); очистите эти столбцы, либо включите их и"
+        " повторите измерение, затем укажите файлы в этом состоянии"
+    ),
+    "no table is active on {output} now, and not all tables that {bit} would activate are"
+    " among the files; give the .CMA and every .COM that its active line names": (
+        "сейчас на {output} не действует ни одна таблица, и среди файлов не все таблицы,"
+        " которые включил бы {bit}; укажите .CMA и каждую .COM, которую называет её"
+        " активная строка"
+    ),
+    "{file} would need {rows} rows, and the control accepts {most}": (
+        "для {file} понадобилось бы строк: {rows}, а УЧПУ принимает {most}"
+    ),
     "{file} has no column {column}": "в {file} нет столбца {column}",
     "{file} has no row at a position where the correction bends": (
         "в {file} нет строки в положении, где коррекция имеет излом"

@@ -1,0 +1,295 @@
+"""HEIDENHAIN: a correction between axes that is typed in leaves the machine as predicted.
+
+The control is worked out by hand from the manuals: point k of a .COM is at DATUM + k times DIST,
+straight lines between the points, the end values hold outside; a column that states errors adds the
+opposite of its values; it is active on its axis only while the bit of that axis in MP730 is 1, and
+so is every other column of this axis (TNC 407 technical manual p151 and p153, iTNC 530).
+The circle finds that Y leans by 40 µm/m over X, with whatever was active while it was measured.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+import pytest
+from test_heidenhain_described import PLAY, com
+from test_run_apply import card, folder, measured, prediction, run  # noqa: F401 - two fixtures
+
+from loop import Floats
+
+pytestmark = pytest.mark.short_estimate
+
+ITNC, NCK = "heidenhain-itnc530", "heidenhain-nck"
+LEAN = 40e-6  # of Y over X; the correction of Y is + 40 µm/m times the distance of X from 0
+MEASURED = 1e-6  # the circle knows it to 1 µm/m
+LINE = "BEGIN CONFIG .CMA MM\nNR   1         2\n0    X         Y\nEND   CONFIG .CMA\n"
+PARAMETERS = "MP710.0 : 0.0\nMP710.1 : 0.0\nMP720.0 : 0.0\nMP720.1 : 0.0\n"
+X = np.arange(0.0, 801.0, 50.0)
+OWN, SAG = 1e-5, -2.5e-5  # mm of error for each mm: column 1=F() and column 2=F() of X.COM
+
+
+def x_com(
+    sag: float = SAG, *, datum: float = 0, dist: float = 100, rows: int = 9, unit: str = "MM"
+) -> str:
+    decimals = 5 if unit == "INCH" else 4
+    text = f"BEGIN X      .COM {unit} DATUM:{datum:g} DIST:{dist:g}\nNR   1=F()     2=F()\n"
+    for k in range(rows):
+        where = datum + k * dist
+        text += f"{k:<5d}{OWN * where:<+10.{decimals}f}{sag * where:<+10.{decimals}f}".rstrip()
+        text += "\n"
+    return f"{text}END   X      .COM\n"
+
+
+def y_com(own: float = 1e-5) -> str:
+    rows = "".join(f"{k:<5d}          {own * 100 * k:+.4f}\n" for k in range(6))
+    head = "BEGIN Y      .COM MM DATUM:-500 DIST:100\nNR   1=F()     2=F()\n"
+    return f"{head}{rows}END   Y      .COM\n"
+
+
+def files(folder: Path, texts: Mapping[str, str]) -> str:  # noqa: F811
+    for name, text in texts.items():
+        (folder / name).write_text(text)
+    return f"[{', '.join(texts)}]"
+
+
+def column(text: str, number: int) -> tuple[Floats, Floats]:
+    """Positions and values of a column, mm, by the first line of the table."""
+    head = text.splitlines()[0]
+    factor = 25.4 if "INCH" in head else 1.0
+    datum, dist = (float(re.search(rf"{key}:(-?[\d.]+)", head)[1]) for key in ("DATUM", "DIST"))
+    rows = [line.split() for line in text.splitlines()[2:-1]]
+    values = np.array([float(row[number]) for row in rows])
+    return factor * (datum + dist * np.arange(len(rows))), factor * values
+
+
+def added_to_y(text: str, where: Floats) -> Floats:
+    """What column 2=F() of X.COM adds to Y while its bit is 1, mm: the opposite of the errors."""
+    return -np.interp(where, *column(text, 2))
+
+
+def sheet(folder: Path) -> tuple[str, list[list[str]]]:  # noqa: F811
+    lines = (folder / "job" / "card" / "cross_X_Y.csv").read_text(encoding="utf-8").splitlines()
+    return lines[0], [line.split(",") for line in lines[3:]]
+
+
+def followed(folder: Path, text: str) -> str:  # noqa: F811
+    """X.COM after the engineer did what the sheet and the card say: the totals of the sheet in
+    column 2=F(), a row for each of them; a new row has the other values of its nearest old row.
+    """
+    head, rows = sheet(folder)
+    assert "totals, in place of the values there" in head
+    where = np.array([float(row[0]) for row in rows])
+    factor = 25.4 if "positions in inch" in head else 1.0
+    old, own = column(text, 1)
+    kept = np.interp(where, old / factor, own / factor)
+    steps = np.diff(where)
+    np.testing.assert_allclose(steps, steps[0])  # rows that a table with DATUM and DIST can have
+    first, names, *_ = text.splitlines()
+    first = re.sub(r"DATUM:\S+", f"DATUM:{where[0]:g}", first)
+    assert f"DIST:{steps[0]:g}" in first
+    body = [f"{k:<5d}{kept[k]:<+10.5f}{row[1]}" for k, row in enumerate(rows)]
+    return "\n".join([first, names, *body, "END   X      .COM"]) + "\n"
+
+
+# --- what is not active now
+
+
+@pytest.mark.parametrize(
+    ("sag", "own", "cma", "named"),
+    [
+        (SAG, 1e-5, True, "X.COM, column 2=F(), Y.COM, column 2=F()"),
+        (SAG, 0.0, True, "X.COM, column 2=F()"),
+        (0.0, 1e-5, True, "Y.COM, column 2=F()"),
+        (SAG, 1e-5, False, "X.COM, column 2=F(), Y.COM, column 2=F()"),
+        (0.0, 0.0, False, "give the .CMA and every .COM"),
+    ],
+)
+def test_what_the_bit_would_activate_besides_refuses_the_plane(
+    *,
+    folder: Path,  # noqa: F811
+    capsys: pytest.CaptureFixture[str],
+    sag: float,
+    own: float,
+    cma: bool,
+    named: str,
+) -> None:
+    """With the bit of Y at 1, every column of Y is active: also those that were not when the circle
+    was measured.
+    """
+    texts = {"X.COM": x_com(sag), "Y.COM": y_com(own), "MP.TXT": f"{PARAMETERS}MP730 : %00001\n"}
+    if cma:
+        texts["CONFIG.CMA"] = LINE
+    assert run(folder, ITNC, states=files(folder, texts)) == 1
+    said = " ".join(capsys.readouterr().out.split())
+    assert "error CW-P113" in said
+    assert "the bit of Y in MP730" in said
+    assert named in said
+    assert not (folder / "job" / "card" / "cross_X_Y.csv").exists()
+    assert not (folder / "job" / "tables").exists()
+    circle = prediction(folder)["circles"]["xy-150"]
+    assert circle["predicted"]["squareness"]["median"] == pytest.approx(40, abs=1)
+
+
+def test_the_answer_not_active_wakes_no_table_of_the_axis_either(
+    folder: Path,  # noqa: F811
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """MP730 is in no file, and the job says that nothing was active: Y.COM would be, with the bit
+    that the column of Y in X.COM needs.
+    """
+    texts = {"X.COM": x_com(0.0), "Y.COM": y_com(), "CONFIG.CMA": LINE, "MP.TXT": PARAMETERS}
+    given = files(folder, texts)
+    assert run(folder, ITNC, states=f"{{files: {given}, active: no}}") == 1
+    said = " ".join(capsys.readouterr().out.split())
+    assert "the bit of Y in MP730 would also activate" in said
+    assert "(Y.COM, column 2=F())" in said
+    assert not (folder / "job" / "tables").exists()
+
+
+@pytest.mark.parametrize("answer", ["no", "yes"])
+def test_a_table_of_an_axis_wakes_no_column_of_another_table(
+    folder: Path,  # noqa: F811
+    capsys: pytest.CaptureFixture[str],
+    answer: str,
+) -> None:
+    """The table of Y is written, and the sheet sets its bit in MP730: column 2=F() of X.COM, which
+    was not active by the job's answer, would be.
+    """
+    lines = ["# axis: Y", "target_mm,direction,run,deviation_um"]
+    for turn in range(1, 6):
+        for way, sign in (("+", 1), ("-", -1)):
+            lines += [f"{50 * k - 500},{way},{turn},{0.5 * k:.1f}" for k in range(11)[::sign]]
+    (folder / "y.csv").write_text("\n".join(lines) + "\n")
+    texts = {"X.COM": x_com(), "Y.COM": y_com(), "CONFIG.CMA": LINE, "MP.TXT": PARAMETERS}
+    states = f"{{files: {files(folder, texts)}, active: {answer}}}"
+    refused = run(folder, ITNC, states=states, y="before: [y.csv]", apply="{}") == 4
+    assert refused is (answer == "no")
+    said = "which would activate the values in X.COM (Y over X)" in capsys.readouterr().err
+    assert said is refused
+    assert (folder / "job" / "tables").exists() is not refused
+
+
+def test_no_active_line_refuses_the_plane(
+    folder: Path,  # noqa: F811
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """A mark in the line would activate every table that it names, not only the new column."""
+    texts = {
+        "X.COM": com(19, 50),
+        "CONFIG.CMA": "BEGIN CONFIG.CMA MM\nNR  ACTIVE  X       Y\n0           X.COM\n[END]\n",
+        "play.csv": PLAY.format("X"),
+        "Y.csv": PLAY.format("Y") + "linearCompValue,,0.0,mm/m\n",
+    }
+    assert run(folder, NCK, states=files(folder, texts)) == 1
+    said = " ".join(capsys.readouterr().out.split())
+    assert "no line of CONFIG.CMA is active" in said
+    assert not (folder / "job" / "card" / "cross_X_Y.csv").exists()
+
+
+def test_a_table_that_follows_two_axes_is_not_typed_into(
+    folder: Path,  # noqa: F811
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """The column of Y in X.COM would also bend Y by its own motion."""
+    texts = {
+        "X.COM": x_com(0.0),
+        "CONFIG.CMA": LINE.replace("X         Y", "X         X"),
+        "MP.TXT": f"{PARAMETERS}MP730 : %00011\n",
+    }
+    assert run(folder, ITNC, states=files(folder, texts)) == 1
+    assert "X.COM is active for the motion of several axes: X, Y" in " ".join(
+        capsys.readouterr().out.split()
+    )
+    assert not (folder / "job" / "card" / "cross_X_Y.csv").exists()
+
+
+def test_a_bit_of_0_with_empty_columns_is_set_by_the_card(
+    folder: Path,  # noqa: F811
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    texts = {
+        "X.COM": x_com(0.0),
+        "Y.COM": y_com(0.0),
+        "CONFIG.CMA": LINE,
+        "MP.TXT": f"{PARAMETERS}MP730 : %00001\n",
+    }
+    assert run(folder, ITNC, states=files(folder, texts)) == 0
+    assert "the bit of Y in MP730 is 0: no table is active on it" in " ".join(
+        capsys.readouterr().out.split()
+    )
+    assert "Set the bit of Y in MP730 to 1." in card(folder)
+    after = added_to_y(followed(folder, texts["X.COM"]), X)
+    np.testing.assert_allclose(after, LEAN * X, atol=800 * MEASURED + 1e-4)
+
+
+# --- totals, in the rows and the unit of the table
+
+
+@pytest.mark.parametrize(
+    ("text", "more", "unit"),
+    [
+        (x_com(datum=200, rows=5), True, "mm"),
+        (x_com(datum=130, rows=5), True, "mm"),  # rows at 30 and -70, 630 to 830
+        (x_com(dist=8, rows=5, unit="INCH"), False, "inch"),  # to 32 inch, 812.8 mm
+        (x_com(datum=8, dist=8, rows=2, unit="INCH"), True, "inch"),
+    ],
+)
+def test_the_sheet_has_the_totals_of_every_row(
+    *,
+    folder: Path,  # noqa: F811
+    capsys: pytest.CaptureFixture[str],
+    text: str,
+    more: bool,
+    unit: str,
+) -> None:
+    """Typed in, the column adds what it adds now and the correction, over the whole travel, and the
+    other column stays as it is.
+    """
+    texts = {
+        "X.COM": text,
+        "Y.COM": y_com(),
+        "CONFIG.CMA": LINE,
+        "MP.TXT": f"{PARAMETERS}MP730 : %00011\n",
+    }
+    assert run(folder, ITNC, states=files(folder, texts)) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    step = card(folder)
+    assert "Type them in, in place of the values in X.COM, column 2=F():" in said
+    assert "Type in, in place of the values in X.COM, column 2=F():" in step
+    for one in (said, step):
+        assert "Add" not in one
+        assert f" {unit} at " in one
+    assert ("The table gets more rows" in step) is more
+    assert {row[2] for row in sheet(folder)[1]} == {unit}
+    after = followed(folder, text)
+    expected = added_to_y(text, X) + LEAN * X
+    steps = np.diff(column(after, 2)[0])[0]
+    # the circle's 1 µm/m, half of the last digit, and old ends that hold only up to the next row
+    bend = abs(SAG) * steps if "DATUM:130" in text else 0.0
+    np.testing.assert_allclose(added_to_y(after, X), expected, atol=800 * MEASURED + 1.3e-4 + bend)
+    for where in column(text, 2)[0]:
+        np.testing.assert_allclose(
+            added_to_y(after, where),
+            added_to_y(text, where) + LEAN * where,
+            atol=800 * MEASURED + 1.3e-4,
+        )
+    np.testing.assert_allclose(
+        np.interp(X, *column(after, 1)), np.interp(X, *column(text, 1)), atol=1e-4
+    )
+
+
+def test_a_table_that_is_not_among_the_files_is_added_to(
+    folder: Path,  # noqa: F811
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Message, card and sheet say the same."""
+    assert run(folder, ITNC) == 0
+    where = "the values in the table (.COM) of X, column of Y"
+    assert f"Add them to {where}: " in " ".join(capsys.readouterr().out.split())
+    step = card(folder)
+    assert f"Add to {where}, " in step
+    assert "If it is 0, and MP720 of Y or one of its columns in any table is not 0, leave" in step
+    assert sheet(folder)[0] == "# column of Y in the table of X: add to the values there"
