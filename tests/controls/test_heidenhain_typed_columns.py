@@ -59,10 +59,12 @@ def column(text: str, number: int) -> tuple[Floats, Floats]:
     """Positions and values of a column, mm, by the first line of the table."""
     head = text.splitlines()[0]
     factor = 25.4 if "INCH" in head else 1.0
-    datum, dist = (float(re.search(rf"{key}:(-?[\d.]+)", head)[1]) for key in ("DATUM", "DIST"))
+    words = dict(re.findall(r"(DATUM|DIST):(\S+)", head))
+    datum, dist = float(words["DATUM"]), float(words["DIST"])
     rows = [line.split() for line in text.splitlines()[2:-1]]
     values = np.array([float(row[number]) for row in rows])
-    return factor * (datum + dist * np.arange(len(rows))), factor * values
+    where: Floats = factor * (datum + dist * np.arange(len(rows), dtype=float))
+    return where, factor * values
 
 
 def added_to_y(text: str, where: Floats) -> Floats:
@@ -149,27 +151,39 @@ def test_the_answer_not_active_wakes_no_table_of_the_axis_either(
     assert not (folder / "job" / "tables").exists()
 
 
-@pytest.mark.parametrize("answer", ["no", "yes"])
-def test_a_table_of_an_axis_wakes_no_column_of_another_table(
+@pytest.mark.parametrize(
+    ("answer", "method", "harm"),
+    [
+        ("no", "table", "which would activate the values in X.COM (Y over X)"),
+        ("yes", "table", ""),
+        ("no", "line", ""),
+        ("yes", "line", "which would switch off the active values in X.COM (Y over X)"),
+    ],
+)
+def test_the_bit_of_an_axis_changes_no_column_of_another_table(
     folder: Path,  # noqa: F811
     capsys: pytest.CaptureFixture[str],
     answer: str,
+    method: str,
+    harm: str,
 ) -> None:
-    """The table of Y is written, and the sheet sets its bit in MP730: column 2=F() of X.COM, which
-    was not active by the job's answer, would be.
+    """Y is corrected, and the sheet sets its bit in MP730: 1 for a table, 0 for MP720. Column 2=F()
+    of X.COM, active or not by the job's answer, must stay so.
     """
+    rise = {"no": 0.5, "yes": 0.6}[answer] + {"table": 0.0, "line": 0.2}[method]
     lines = ["# axis: Y", "target_mm,direction,run,deviation_um"]
     for turn in range(1, 6):
         for way, sign in (("+", 1), ("-", -1)):
-            lines += [f"{50 * k - 500},{way},{turn},{0.5 * k:.1f}" for k in range(11)[::sign]]
+            lines += [f"{50 * k - 500},{way},{turn},{rise * k:.1f}" for k in range(11)[::sign]]
     (folder / "y.csv").write_text("\n".join(lines) + "\n")
     texts = {"X.COM": x_com(), "Y.COM": y_com(), "CONFIG.CMA": LINE, "MP.TXT": PARAMETERS}
     states = f"{{files: {files(folder, texts)}, active: {answer}}}"
-    refused = run(folder, ITNC, states=states, y="before: [y.csv]", apply="{}") == 4
-    assert refused is (answer == "no")
-    said = "which would activate the values in X.COM (Y over X)" in capsys.readouterr().err
-    assert said is refused
-    assert (folder / "job" / "tables").exists() is not refused
+    y = f"before: [y.csv], options: {{method: {method}}}"
+    assert (run(folder, ITNC, states=states, y=y, apply="{}") == 4) is bool(harm)
+    said = capsys.readouterr().err
+    assert harm in said
+    assert ("the bit of Y in MP730" in said) is bool(harm)
+    assert (folder / "job" / "tables").exists() is not bool(harm)
 
 
 def test_no_active_line_refuses_the_plane(

@@ -60,12 +60,14 @@ def typed_column(filler: CrossFiller, entry: PlannedCross) -> TypedColumn:
     )
     scale = filler.values.scale(added.input, added.output_kind)
     sign = -1.0 if scale.sign("value") == "error" else 1.0
-    units = {"unit": added.output_kind.unit, "position_unit": added.input_kind.unit}
+    unit, position_unit = str(added.output_kind.unit), str(added.input_kind.unit)
     if table is None or added.input_kind is not AxisKind.LINEAR:
         numbers = np.round(sign * added.positive, _DECIMALS) + 0.0
         rows = tuple(zip(added.positions.tolist(), numbers.tolist(), strict=True))
         held = replace(added, positive=sign * numbers, negative=sign * numbers)
-        return TypedColumn(where=where, rows=rows, **units, added=held)
+        return TypedColumn(
+            where=where, rows=rows, unit=unit, position_unit=position_unit, added=held
+        )
     filler.refuse_shared(table)
     exact = filler.values.positions(table, added.input) or ()
     raise_all(InputError, filler.values.notes.faults)
@@ -79,17 +81,14 @@ def typed_column(filler: CrossFiller, entry: PlannedCross) -> TypedColumn:
     along, across = (
         float(filler.values.factor(table, kind)) for kind in (added.input_kind, added.output_kind)
     )
-    if along != 1.0:
-        units["position_unit"] = "inch"
-    if across != 1.0:
-        units["unit"] = "inch"
     decimals = max([_DECIMALS, *_decimals(table)])
     numbers = np.round(sign * total / across, decimals) + 0.0
     more = sign * numbers * across - before
     return TypedColumn(
         where=where,
         rows=tuple(zip((grid / along).tolist(), numbers.tolist(), strict=True)),
-        **units,
+        unit=unit if across == 1.0 else "inch",
+        position_unit=position_unit if along == 1.0 else "inch",
         decimals=decimals,
         total=True,
         more_rows=grid.size > now.size,
