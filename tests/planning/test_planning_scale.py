@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,7 @@ from compwright.prediction.active_corrections import NO_CORRECTIONS, ActiveCorre
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlState
+from compwright.records.fitted_table import Mode, TableRequest
 from compwright.records.job import Acknowledgement, ApplyRequest
 from planning_samples import (
     PLUS,
@@ -44,9 +46,12 @@ def scaled(
     axis: Axis = Y,
     capacity: CapacityOf = capacity_of,
     acknowledged: tuple[Acknowledgement, ...] = (),
+    mode: Mode = "auto",
 ) -> ScaleCorrection:
     apply = ApplyRequest(scale=(axis.name,))
     job = job_of(axis_of(), axis, untested=(axis.name,), apply=apply, acknowledged=acknowledged)
+    entry = replace(job.axes[axis.name], table=TableRequest(mode=mode))
+    job = replace(job, axes={**job.axes, axis.name: entry})
     checks = CircleChecks(job, works or {}, states or {"as_found": NO_CORRECTIONS})
     (found,) = correct_scales(job, circles, checks, capacity, state)
     return found
@@ -340,6 +345,47 @@ def test_a_laser_on_the_axis_wins() -> None:
     checks = CircleChecks(job, {}, {"as_found": NO_CORRECTIONS})
     (found,) = correct_scales(job, [circle_of({})], checks, capacity_of, EMPTY)
     assert (found.planned, found.finding.code) == (None, "CW-P118")
+
+
+def holds_one(axis: Axis, *, one_curve: bool = False) -> Capacity:
+    """A control without free indices for a second table, as a SINUMERIK 840D sl with one CEC."""
+    if not one_curve:
+        raise CapacityError(Fault(message="needs 2 tables"))
+    return replace(capacity_of(axis), curves=1)
+
+
+@pytest.mark.parametrize(
+    ("mode", "planned"), [("auto", True), ("single", True), ("bidirectional", False)]
+)
+def test_a_scale_needs_no_second_table(mode: Mode, *, planned: bool) -> None:
+    circle = circle_of({"scale_error_second": (50.0, 2.0)}, feed=150.0)
+    found = scaled(circle, capacity=holds_one, mode=mode)
+    assert (found.planned is not None) is planned
+    if planned:
+        assert slope_of(found) == pytest.approx(-50.0 * PPM, abs=0.2 * PPM)
+    else:
+        assert "needs 2 tables" in found.finding.message
+
+
+@pytest.mark.parametrize(("minus", "planned"), [((4.0, -26.0), True), ((4.0, -29.0), False)])
+def test_existing_tables_that_differ_keep_both_directions(
+    minus: tuple[float, float], *, planned: bool
+) -> None:
+    """The same but for a constant, which is the backlash; or a difference of 1 to 4 µm."""
+    table = AxisCompensation(
+        address="Y",
+        kind=AxisKind.LINEAR,
+        positions=np.array([0.0, 1000.0]),
+        positive=np.array([0.0, -30.0]) * UM,
+        negative=np.array(minus) * UM,
+    )
+    found = scaled(
+        circle_of({"scale_error_second": (50.0, 2.0)}, feed=150.0),
+        state=ControlState(format="any", axes={"Y": table}),
+        states={"as_found": ActiveCorrections({"Y": table.at}, {})},
+        capacity=holds_one,
+    )
+    assert (found.planned is not None) is planned
 
 
 def test_a_control_that_cannot_hold_it_is_an_error_with_its_reason() -> None:

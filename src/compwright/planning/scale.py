@@ -41,6 +41,8 @@ from compwright.words.sentences import Sentence, say
 #: of its radius.
 LOW = 2e-6
 _PPM = 1e6
+#: Curves of both directions whose difference varies by less than this, mm or deg, are one curve.
+_SAME = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -256,7 +258,10 @@ def _planned(
     )
     active = axis_compensation(state, axis)
     wanted = wanted_correction(estimate, active, axis, reversal_log_odds=0.0)
-    limits = capacity(axis)
+    # A scale is the same in both directions. Only existing tables that differ need two.
+    differ = float(np.ptp(wanted.positive - wanted.negative)) > _SAME
+    mode = entry.table.mode
+    limits = capacity(axis, one_curve=mode == "single" or (mode == "auto" and not differ))
 
     def fit(request: TableRequest) -> FittedTable:
         return fit_remaining(wanted, limits, request, axis)
