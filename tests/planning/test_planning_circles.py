@@ -153,6 +153,21 @@ def test_the_arc_alone_has_to_lie_within_the_travel() -> None:
     assert (found.code, found.axes) == ("CW-P102", ("X", "Y"))
 
 
+def test_the_ends_of_the_measured_part_are_rounded_outwards() -> None:
+    """The samples of a circle that begin between two steps of angle miss its ends by a little."""
+    work = at((50.0, -300.0))
+    runs = tuple(replace(one, angles=one.angles + 0.11) for one in work.result.test.runs)
+    work = replace(work, result=replace(work.result, test=replace(work.result.test, runs=runs)))
+    (found,) = travel_findings(work, AXES)
+    assert "from -50 to 150 on axis X" in found.message
+
+
+def test_a_rotary_axis_has_no_travel_that_a_circle_leaves() -> None:
+    (found,) = travel_findings(at((500.0, -300.0)), {"X": axis_of(kind=AxisKind.ROTARY)})
+    assert "beyond the travel" not in found.message
+    assert "axis X is a rotary axis" in found.message
+
+
 def prediction(was: dict[str, float], becomes: dict[str, tuple[float, float]]) -> CirclePrediction:
     """``becomes``: 5 % quantile and median, mm."""
     before: CircularResult = replace(circle_of({}).result, parameters=was)

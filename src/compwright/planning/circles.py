@@ -43,6 +43,8 @@ WORSE = 0.1
 DRAWS: Final = 100
 #: Less than this, mm, beyond the travel is rounding.
 _OUTSIDE: Final = 1e-6
+#: Step, mm, in which the ends of the measured part are given.
+_SHOWN: Final = 0.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -227,16 +229,24 @@ def travel_findings(work: CircleWork, axes: Mapping[str, Axis]) -> tuple[Finding
         axis = axes.get(name)
         if axis is None:
             continue
+        if axis.kind is not AxisKind.LINEAR:
+            found.append(
+                Finding.of("CW-P102.rotary", "warning", test.axes, circle=test.name, axis=name)
+            )
+            continue
         reach = middle + test.nominal_radius * np.array([side.min(), side.max()])
-        low, high = (float(each) for each in reach)
-        if (
-            axis.kind is not AxisKind.LINEAR
-            or low < axis.travel[0] - _OUTSIDE
-            or high > axis.travel[1] + _OUTSIDE
-        ):
+        if reach[0] < axis.travel[0] - _OUTSIDE or reach[1] > axis.travel[1] + _OUTSIDE:
+            # The ends of an arc are between two samples: rounded outwards.
+            low, high = np.round(reach / _SHOWN + [-0.5, 0.5]) * _SHOWN
             found.append(
                 Finding.of(
-                    "CW-P102", "warning", test.axes, circle=test.name, low=low, high=high, axis=name
+                    "CW-P102",
+                    "warning",
+                    test.axes,
+                    circle=test.name,
+                    low=float(low),
+                    high=float(high),
+                    axis=name,
                 )
             )
     return tuple(found)

@@ -43,6 +43,10 @@ SENTENCES: Final[dict[str, str]] = {
         "Circle {circle}: about its centre it reaches from {low:.6g} to {high:.6g} on axis {axis},"
         " which is beyond the travel. Check centre, radius and travel."
     ),
+    "CW-P102.rotary": (
+        "Circle {circle}: axis {axis} is a rotary axis in the job, but a circular test moves two"
+        " linear axes. Check `kind` of axis {axis} and the axes of the circle."
+    ),
     "CW-P103": (
         "The table that corrects {output} over {input} has equally spaced points. At the measured"
         " positions it therefore differs from the wanted correction by up to {missed}."

@@ -44,6 +44,11 @@ SENTENCES: Final[dict[str, str]] = {
         "Cercle {circle} : autour de son centre, il va de {low:.6g} à {high:.6g} sur l'axe {axis},"
         " au-delà de la course. Vérifier centre, rayon et course."
     ),
+    "CW-P102.rotary": (
+        "Cercle {circle} : l'axe {axis} est un axe rotatif dans le travail, mais un essai"
+        " circulaire déplace deux axes linéaires. Vérifier `kind` de l'axe {axis} et les axes du"
+        " cercle."
+    ),
     "CW-P103": (
         "La table qui corrige {output} selon {input} a des points à pas égaux. Aux positions"
         " mesurées, elle s'écarte donc de la correction souhaitée de {missed} au plus."

@@ -50,6 +50,10 @@ SENTENCES: Final[dict[str, str]] = {
         "Kreis {circle}: Um seinen Mittelpunkt reicht er auf Achse {axis} von {low:.6g} bis"
         " {high:.6g}, über den Verfahrweg hinaus. Mittelpunkt, Radius und Verfahrweg prüfen."
     ),
+    "CW-P102.rotary": (
+        "Kreis {circle}: Achse {axis} ist im Auftrag eine Rundachse, ein Kreisformtest bewegt aber"
+        " zwei Linearachsen. `kind` der Achse {axis} und die Achsen des Kreises prüfen."
+    ),
     "CW-P103": (
         "Die Tabelle, die {output} über {input} korrigiert, hat Punkte in gleichem Abstand. An den"
         " gemessenen Positionen weicht sie deshalb um bis zu {missed} von der gewünschten"
