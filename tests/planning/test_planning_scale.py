@@ -277,7 +277,7 @@ def test_a_table_that_was_not_active_in_a_state_is_told_and_not_averaged(
     (doubt,) = (one for one in refused.findings if one.code == "CW-P136")
     assert (doubt.is_doubt, doubt.axes) == (True, ("Y",))
     assert 40.0 < -slope_of(scaled(*circles, states=LATE, acknowledged=KNOWN)) / PPM < 52.0
-    assert [one.code for one in scaled(*circles).findings] == ["CW-P120"]
+    assert [one.code for one in scaled(*circles).findings] == ["CW-P120", "CW-P111"]
 
 
 def test_the_circles_of_one_state_that_contradict_each_other_are_not_averaged() -> None:
@@ -345,6 +345,32 @@ def test_a_laser_on_the_axis_wins() -> None:
     checks = CircleChecks(job, {}, {"as_found": NO_CORRECTIONS})
     (found,) = correct_scales(job, [circle_of({})], checks, capacity_of, EMPTY)
     assert (found.planned, found.finding.code) == (None, "CW-P118")
+
+
+@pytest.mark.parametrize(("centres", "far"), [((500.0,), True), ((250.0, 550.0), False)])
+def test_a_scale_from_a_small_part_of_the_travel_is_extrapolated(
+    centres: tuple[float, ...], *, far: bool
+) -> None:
+    """One circle of 400 mm on 1000 mm of travel; two of them cover 700 mm. Squareness has the same
+    limit, half of the travel.
+    """
+    found = scaled(
+        *(
+            circle_of(
+                {"scale_error_second": (50.0, 2.0)},
+                radius=200.0,
+                feed=150.0,
+                centre=(500.0, centre),
+                name=f"at {centre:g}",
+            )
+            for centre in centres
+        )
+    )
+    reach = [one.message for one in found.findings if one.code == "CW-P111"]
+    assert len(reach) == far
+    if far:
+        assert "over 1000 mm of axis Y" in reach[0]
+        assert "is only 400 mm" in reach[0]
 
 
 def holds_one(axis: Axis, *, one_curve: bool = False) -> Capacity:

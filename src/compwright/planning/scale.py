@@ -20,6 +20,7 @@ from compwright.planning.axis_work import CapacityOf
 from compwright.planning.circle_checks import CircleChecks, mismatch, scale_error
 from compwright.planning.circle_network import CircleNetwork, contradiction, state_networks
 from compwright.planning.circles import CircleWork, why_undetermined
+from compwright.planning.cross import FAR
 from compwright.planning.tables import NEW_GRID, fit_keeping_grid, fit_remaining
 from compwright.planning.value_with_error import ValueWithError, weighted_mean, worse_doubts
 from compwright.planning.wanted_correction import (
@@ -136,7 +137,7 @@ def _scaled(
             finding = Finding.of("CW-P119.impossible", "error", scale=words, reasons=faults)
         else:
             finding = Finding.of("CW-P120", "warning", scale=words)
-            doubts += worse_doubts(*in_ppm, (name,))
+            doubts += (*_reach(job.axes[name].axis, circles), *worse_doubts(*in_ppm, (name,)))
     return ScaleCorrection(name, planned, finding, doubts)
 
 
@@ -200,6 +201,27 @@ def _by_mismatch(work: CircleWork, name: str, checks: CircleChecks) -> _Shown | 
         work.name,
         say("CW-P119.mismatch", circle=work.name, axis=work.planned.test.axes[1 - index]),
     )
+
+
+def _reach(axis: Axis, circles: Sequence[CircleWork]) -> Iterator[Finding]:
+    """Yield the finding CW-P111 if the circular tests cover a small part of the travel."""
+    ends = [
+        work.planned.centre[_index(work, axis.name)] + side * work.planned.test.nominal_radius
+        for work in circles
+        if axis.name in work.planned.test.axes
+        for side in (-1.0, 1.0)
+    ]
+    travel, length = float(np.ptp(axis.travel)), float(np.ptp(ends))
+    if travel > FAR * length:
+        yield Finding.of(
+            "CW-P111",
+            "warning",
+            pair=axis.name,
+            travel=travel,
+            axis=axis.name,
+            what="measured range",
+            length=length,
+        )
 
 
 def shrinking(work: CircleWork) -> float:
