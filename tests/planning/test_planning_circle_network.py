@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from circular_samples import circular_test, plain_run
+from circular_samples import SENSES, circular_test, plain_run
 from compwright.planning.circle_diagnosis import diagnose_circle
 from compwright.planning.circle_network import CircleNetwork, network_findings, solve_network
 from compwright.planning.circles import CIRCULAR_STANDARD, CircleWork
@@ -161,7 +161,7 @@ def test_arcs_state_how_uncertain_their_mean_scale_is() -> None:
         for seed in range(3):
             rng = np.random.default_rng([seed, int(start) + 20])
             runs = []
-            for sense, way in (("ccw", 1.0), ("cw", -1.0)):
+            for sense, way in zip(SENSES, (1.0, -1.0), strict=True):
                 angles = start + 220.0 * (np.arange(1000) + 0.5)[:: int(way)] / 1000.0
                 cos, sin = np.cos(np.radians(angles)), np.sin(np.radians(angles))
                 lost = np.sign(sin) * cos - 1.5 * np.sign(cos) * sin
