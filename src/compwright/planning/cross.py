@@ -155,12 +155,9 @@ class _Planner:
             for direction in Direction
         }
         slope = float(np.polyfit(where, np.mean(list(curves.values()), axis=0), 1)[0])
-        self._reach(
-            f"{request.input} on {request.output}",
-            self.axes[request.input],
-            float(np.ptp(where)),
-            "measured range",
-        )
+        label = f"{request.input} on {request.output}"
+        reach = float(np.ptp(where))
+        self.findings.extend(extrapolated(label, self.axes[request.input], reach, "measured range"))
         planned = PlannedCross(
             input=request.input,
             output=request.output,
@@ -316,7 +313,7 @@ class _Planner:
         points = np.array(axis.travel)
         values = np.round(angle.value * (points - axis.reference) / QUANTUM) * QUANTUM
         plane = f"{given} on {bent}"
-        self._reach(plane, axis, angle.diameter, "diameter")
+        self.findings.extend(extrapolated(plane, axis, angle.diameter, "diameter"))
         self._gantry(bent)
         mine = [work for work in self.circles if work.name in angle.tests]
         self.find(
@@ -385,22 +382,26 @@ class _Planner:
     # --- findings
     # ----------------------------------------------------------------------------------------------
 
-    def _reach(self, label: str, axis: Axis, length: float, of: str) -> None:
-        travel = axis.travel[1] - axis.travel[0]
-        if travel > FAR * length:
-            self.find(
-                "CW-P111",
-                "warning",
-                pair=label,
-                travel=travel,
-                axis=axis.name,
-                what=of,
-                length=length,
-            )
-
     def _gantry(self, bent: str) -> None:
         if self.axes[bent].gantry is not None:
             self.find("CW-P112", "warning", axis=bent)
+
+
+def extrapolated(label: str, axis: Axis, length: float, of: str) -> Iterator[Finding]:
+    """Yield the finding CW-P111 if a correction of ``label`` over the travel of an axis reaches far
+    beyond the measured ``length``, mm. ``of``: what has this length.
+    """
+    travel = axis.travel[1] - axis.travel[0]
+    if travel > FAR * length:
+        yield Finding.of(
+            "CW-P111",
+            "warning",
+            pair=label,
+            travel=travel,
+            axis=axis.name,
+            what=of,
+            length=length,
+        )
 
 
 def angle_of(work: CircleWork, state: ActiveCorrections) -> float:

@@ -20,7 +20,7 @@ from compwright.planning.axis_work import CapacityOf
 from compwright.planning.circle_checks import CircleChecks, mismatch, scale_error
 from compwright.planning.circle_network import CircleNetwork, contradiction, state_networks
 from compwright.planning.circles import CircleWork, why_undetermined
-from compwright.planning.cross import FAR
+from compwright.planning.cross import extrapolated
 from compwright.planning.tables import NEW_GRID, fit_keeping_grid, fit_remaining
 from compwright.planning.value_with_error import ValueWithError, weighted_mean, worse_doubts
 from compwright.planning.wanted_correction import (
@@ -211,17 +211,7 @@ def _reach(axis: Axis, circles: Sequence[CircleWork]) -> Iterator[Finding]:
         if axis.name in work.planned.test.axes
         for side in (-1.0, 1.0)
     ]
-    travel, length = float(np.ptp(axis.travel)), float(np.ptp(ends))
-    if travel > FAR * length:
-        yield Finding.of(
-            "CW-P111",
-            "warning",
-            pair=axis.name,
-            travel=travel,
-            axis=axis.name,
-            what="measured range",
-            length=length,
-        )
+    yield from extrapolated(axis.name, axis, float(np.ptp(ends)), "measured range")
 
 
 def shrinking(work: CircleWork) -> float:
