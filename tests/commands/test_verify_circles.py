@@ -487,3 +487,38 @@ def test_scales_that_are_not_corrected_after_loading_are_a_doubt(
         assert found == code
         words = json.dumps(document["circles"]["xy"]["findings"])
         assert ("Scale error X" in words and "Scale error Y" in words) == (code == 1)
+
+
+@pytest.mark.parametrize(
+    ("radius", "scale", "noise", "declared"),
+    [(50.0, 40.0, 0.7, ""), (100.0, 22.0, 0.3, "uncertainty: {circular: {E_VE: 3}}\n")],
+    ids=["noise", "declared"],
+)
+def test_a_circle_that_cannot_show_a_scale_proves_none(
+    tmp_path: Path, radius: float, scale: float, noise: float, declared: str
+) -> None:
+    """No table is active: 2 µm of the circle within what noise and another day change."""
+    setup = Setup(feed=100.0, noise=noise, radius=radius)
+    machine = Machine(scale_error_first=scale, scale_error_second=scale)
+    job = planned(tmp_path, machine, "", setup, "scale: [X, Y]")
+    Path(job).write_text(Path(job).read_text() + declared)
+    compwright(["run", job, "--force"])
+    code, document = verified(tmp_path, job, circle(tmp_path / "after.csv", machine, setup, 2))
+    assert (code, document["verdict"]) == (1, "undecided")
+    assert [found["code"] for found in document["findings"]] == ["CW-V023", "CW-V023"]
+
+
+def test_the_next_command_replaces_a_circle_that_shows_no_scale(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    slow = Setup(feed=100.0, noise=0.3)
+    machine = Machine(scale_error_first=60.0, scale_error_second=60.0)
+    job = planned(tmp_path, machine, "", slow, "scale: [X, Y]")
+    after = Path(circle(tmp_path / "after.csv", Machine(), slow, 2))
+    rest = [line for line in after.read_text().splitlines(True) if "calibrated" not in line]
+    after.write_text("".join(rest))
+    capsys.readouterr()
+    assert verified(tmp_path, job, str(after))[0] == 1
+    (last,) = [each for each in capsys.readouterr().out.splitlines() if each.startswith("Next: ")]
+    assert "CW-V023" in last
+    assert "after.csv" not in last

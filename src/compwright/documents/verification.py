@@ -69,13 +69,15 @@ class VerifiedCircle:
     ``squareness``: only if the squareness of its plane was corrected from circular tests.
     ``accept``, ``acknowledged``: see `VerifiedAxis`. ``findings``: open doubts, because of which
     its limits stay undecided. ``comparable``: whether radius, feed and arc are those of the test
-    before, so that the predicted values are those of this circle.
+    before, so that the predicted values are those of this circle. ``scales``: the axes whose scale
+    error it would show if the correction were not active.
     """
 
     prediction: CirclePrediction
     after: CircularResult
     squareness: SquarenessAfter | None = None
     comparable: bool = True
+    scales: tuple[str, ...] = ()
     accept: Mapping[str, AcceptDecision] = field(default_factory=dict)
     acknowledged: tuple[Acknowledged, ...] = ()
     findings: tuple[Finding, ...] = ()

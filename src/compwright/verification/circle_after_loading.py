@@ -210,15 +210,40 @@ def _changes(
         if name in _ODD and each.value * was.value >= 0.0 and abs(each.value) <= abs(was.value):
             continue  # better than predicted
         off = abs(each.value - was.value)
-        if name in _SCALES and _other_temperature(off, first[name].value - was.value):
+        if name in _SCALES and _other_temperature(off, first.get(name, was).value - was.value):
             continue
-        larger = max(was, each, key=lambda one: abs(one.value))
-        size = off * larger.effect / abs(larger.value) if larger.value else 0.0
+        size = _size(max(was, each, key=lambda one: abs(one.value)), off)
         if off > IMPROBABLE * float(np.hypot(was.std_error, each.std_error)) and size > least:
             found.append(
                 _UnexpectedCause(name, each.value, prediction.causes[name], each.unit, size)
             )
     return sorted(found, key=lambda change: -change.size)
+
+
+def _size(effect: CircularEffect, off: float) -> float:
+    """Return by how much the circle changes, µm, if this cause changes by ``off``."""
+    return off * effect.effect / abs(effect.value) if effect.value else 0.0
+
+
+def shown_scales(
+    prediction: CirclePrediction, after: CircularResult, part: float
+) -> tuple[str, ...]:
+    """Return the axes of which a circular test ``after`` loading would show it if half of the
+    planned change of scale were missing. ``part``: see `unexpected_findings`.
+    """
+    least, shown = _believed(prediction, after, part), []
+    first, now = _effects(prediction.before), _effects(after)
+    for axis, name in zip(after.test.axes, _SCALES, strict=True):
+        was = _effects(prediction.expected).get(name)
+        if was is None or name not in first or name not in now:
+            continue
+        planned = first[name].value - was.value
+        off = 0.5 * abs(planned)
+        error = float(np.hypot(was.std_error, now[name].std_error))
+        clear = off > IMPROBABLE * error and _size(first[name], off) > least
+        if clear and not _other_temperature(abs(planned), planned):
+            shown.append(axis)
+    return tuple(shown)
 
 
 def _other_temperature(off: float, planned: float) -> bool:

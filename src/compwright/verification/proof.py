@@ -24,7 +24,6 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import share_a_file
 from compwright.records.circular import CircularResult, CircularTest
 from compwright.records.conditions import CircularBudget, UncertaintyBudget
-from compwright.records.correction_need import NEGLIGIBLE
 from compwright.records.job import Job
 from compwright.records.plan import Plan
 from compwright.records.positioning import PositioningTest
@@ -138,13 +137,18 @@ def _changed(what: str, was: str, now: str, of: str = "") -> Finding:
 
 
 def not_measured(
-    job: Job, plan: Plan, axes: Mapping[str, str], circles: Mapping[str, CircularResult]
+    job: Job,
+    plan: Plan,
+    axes: Mapping[str, str],
+    circles: Mapping[str, CircularTest],
+    scales: Collection[str],
 ) -> Iterator[Finding]:
     """Yield the finding CW-V023 for each planned or limited axis or circle that was not measured
     after loading.
 
     ``axes``: the measured axes, each with the name of the test that was repeated. ``circles``: the
-    results of the circular tests after loading, by the name of the tests before.
+    circular tests after loading, by the name of the tests before. ``scales``: axes whose scale
+    these circles show.
     """
     for name, entry in plan.axes.items():
         limited = name in job.axes and job.axes[name].accept is not None
@@ -158,25 +162,17 @@ def not_measured(
     for name, circle in plan.circles.items():
         if circle.accept is not None and name not in circles:
             yield Finding.of("CW-V023.circle", "warning", circle=name)
-    yield from _circles_missing(plan, circles)
+    yield from _circles_missing(plan, circles, scales)
 
 
-def _circles_missing(plan: Plan, circles: Mapping[str, CircularResult]) -> Iterator[Finding]:
+def _circles_missing(
+    plan: Plan, circles: Mapping[str, CircularTest], scales: Collection[str]
+) -> Iterator[Finding]:
     """Yield a finding for each scale error or squareness that was corrected from circles but that
     no circle after loading shows.
     """
     for name, entry in plan.axes.items():
-        if (
-            not entry.tests
-            and entry.fitted is not None
-            and not any(
-                _shows_scale(result, name)
-                and not any(
-                    other_circle(plan.circles[first].test, result.test, first, limited=True)
-                )
-                for first, result in circles.items()
-            )
-        ):
+        if not entry.tests and entry.fitted is not None and name not in scales:
             yield Finding.of("CW-V023.scale", "warning", axis=name, circles=_circles(plan, {name}))
     for cross in plan.cross:
         measured = any(cross.pair == frozenset(plan.circles[name].test.axes) for name in circles)
@@ -187,17 +183,6 @@ def _circles_missing(plan: Plan, circles: Mapping[str, CircularResult]) -> Itera
                 plane="".join(sorted(cross.pair)),
                 circles=_circles(plan, set(cross.pair)),
             )
-
-
-def _shows_scale(result: CircularResult, axis: str) -> bool:
-    """Return whether a circular test shows a scale error of the axis that would be corrected."""
-    if axis not in result.test.axes or result.diagnosis is None:
-        return False
-    name = f"scale_error_{'first' if axis == result.test.axes[0] else 'second'}"
-    effect = result.diagnosis.effects.get(name)
-    if effect is None or name in result.diagnosis.undetermined:
-        return False
-    return 2.0 * effect.std_error < NEGLIGIBLE
 
 
 def _limited_test(job: Job, axis: str) -> str | None:

@@ -62,7 +62,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V023.scale": (
         "The scale error of axis {axis} was corrected from circular tests, and no circle"
-        " after loading shows it, so"
+        " after loading shows clearly enough whether this is active, so"
         " the result is not proven for it. Measure the circle {circles:if|{circles:join| or }|of"
         " this plane} again."
     ),

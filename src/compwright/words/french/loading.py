@@ -61,9 +61,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V023.scale": (
         "L'erreur d'échelle de l'axe {axis} a été corrigée d'après des essais circulaires, et aucun"
-        " cercle après chargement ne la montre, donc rien n'est prouvé pour elle. Mesurer de"
-        " nouveau le cercle {circles:if|{circles:join| ou"
-        " }|de ce plan}."
+        " cercle après chargement ne montre assez nettement si cela est actif,"
+        " donc rien n'est prouvé pour elle. Mesurer de nouveau le cercle"
+        " {circles:if|{circles:join| ou }|de ce plan}."
     ),
     "CW-V023.squareness": (
         "La perpendicularité de {plane} a été corrigée et non mesurée après chargement, donc rien"

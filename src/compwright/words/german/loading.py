@@ -64,8 +64,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-V023.scale": (
         "Der Maßstabsfehler der Achse {axis} wurde nach Kreisprüfungen korrigiert, und kein Kreis"
-        " nach dem Laden zeigt ihn. Daher ist für sie nichts bewiesen. Den Kreis"
-        " {circles:if|{circles:join| oder }|dieser Ebene}"
+        " nach dem Laden zeigt deutlich genug, ob das aktiv ist. Daher ist für sie nichts"
+        " bewiesen. Den Kreis {circles:if|{circles:join| oder }|dieser Ebene}"
         " neu messen."
     ),
     "CW-V023.squareness": (

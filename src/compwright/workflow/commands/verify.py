@@ -249,7 +249,8 @@ def _verified(
             job,
             plan,
             {name: axis.before.test.name for name, axis in axes.items()},
-            {name: circle.after for name, circle in circles.items()},
+            measured,
+            {axis for circle in circles.values() for axis in circle.scales},
         ),
         *(
             finding

@@ -101,7 +101,6 @@ def after_verify(
             for file in files
         )
         kept = [word for file in (*good, *circled) for word in ("--after", file)]
-        kept = again if lacking == ["CW-V023"] else kept
         return f"Next: {_what_to_measure(lacking, check=bool(doubtful))}, then type: " + (
             _command("verify", job, *kept, "--after", _AFTER, *given, *loaded, "--force")
         )
@@ -145,9 +144,13 @@ def after_verify(
 def _circles_of(codes: Sequence[str], document: Mapping[str, Any]) -> set[str]:
     """Return the names of the circles to which a finding with one of the ``codes`` belongs."""
     return {
-        finding.get("values", {}).get("circle", "")
+        name
         for finding in document["findings"]
         if finding["code"] in codes
+        for name in (
+            finding.get("values", {}).get("circle", ""),
+            *finding.get("values", {}).get("circles", ()),
+        )
     } | {
         name
         for name, circle in document["circles"].items()

@@ -49,6 +49,7 @@ from compwright.records.prediction import AcceptDecision
 from compwright.verification.circle_after_loading import (
     DEVIATIONS,
     noise_findings,
+    shown_scales,
     turned_findings,
     unexpected_findings,
 )
@@ -248,6 +249,7 @@ def _verified(
         accept=accept,
         acknowledged=acknowledged,
         comparable=not other,
+        scales=() if unproven or other else shown_scales(prediction, result, WORSE),
         findings=(
             *(each for each in other if each.severity == "info"),
             *lacking,
