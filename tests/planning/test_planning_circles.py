@@ -13,6 +13,7 @@ from compwright.planning import circles as planning_circles
 from compwright.planning.circles import (
     CircleWork,
     in_job_names,
+    measured_range,
     predicted_circle,
     start_circle,
     travel_findings,
@@ -143,7 +144,9 @@ def at(centre: tuple[float, float], part: float = 1.0) -> CircleWork:
     """The circle of `measured` at a ``centre``; ``part``: of it, from 0° on."""
     work, test = circle_of({}, centre=centre), measured()
     runs = tuple(replace(one, angles=one.angles * part) for one in test.runs)
-    return replace(work, result=replace(work.result, test=replace(test, runs=runs)))
+    test = replace(test, runs=runs, arc=(0.0, 360.0 * part))
+    planned = replace(work.planned, test=test)
+    return replace(work, result=replace(work.result, test=test), planned=planned)
 
 
 def test_the_arc_alone_has_to_lie_within_the_travel() -> None:
@@ -224,3 +227,20 @@ def test_both_runs_together_count_where_there_are_both() -> None:
     assert worse_circle_findings({"xy": prediction(was, becomes)}) == ()
     alone = prediction({"G_ccw": 2.0 * UM}, {"G_ccw": (4.0 * UM, 5.0 * UM)})
     assert len(worse_circle_findings({"xy": alone})) == 1
+
+
+@pytest.mark.parametrize(
+    ("arc", "x", "y"),
+    [
+        ((0.0, 360.0), (400.0, 600.0), (-400.0, -200.0)),
+        ((350.0, 200.0), (400.0, 600.0), (-317.36, -200.0)),
+        ((60.0, 90.0), (413.40, 550.0), (-250.0, -200.0)),
+    ],
+)
+def test_the_range_of_an_arc(
+    arc: tuple[float, float], x: tuple[float, float], y: tuple[float, float]
+) -> None:
+    work = circle_of({}, centre=(500.0, -300.0))
+    planned = replace(work.planned, test=replace(work.planned.test, arc=arc))
+    for index, range_ in enumerate((x, y)):
+        assert measured_range(planned, index) == pytest.approx(range_, abs=0.01)

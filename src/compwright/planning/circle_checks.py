@@ -11,7 +11,7 @@ import numpy as np
 
 from compwright.foundations.findings import Finding
 from compwright.planning.axis_work import AxisWork
-from compwright.planning.circles import CircleWork, effect_of
+from compwright.planning.circles import CircleWork, effect_of, measured_range
 from compwright.planning.cross_doubts import SQUARE
 from compwright.planning.value_with_error import CONTRADICTORY, ValueWithError
 from compwright.prediction.active_corrections import NO_CORRECTIONS, ActiveCorrections, difference
@@ -143,7 +143,7 @@ class CircleChecks:
         circle = scale_error(work, index)
         if circle is None or not circle.differs(laser.scale):
             return
-        radius, middle = work.planned.test.nominal_radius, work.planned.centre[index]
+        low, high = measured_range(work.planned, index)
         yield Finding.of(
             "CW-P115",
             "warning",
@@ -151,8 +151,8 @@ class CircleChecks:
             laser=laser.scale.words(_PPM, "µm/m"),
             circle=circle.words(_PPM, "µm/m"),
             test=work.name,
-            low=middle - radius,
-            high=middle + radius,
+            low=float(low),
+            high=float(high),
         )
 
     def _mismatch(

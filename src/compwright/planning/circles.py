@@ -27,7 +27,7 @@ from compwright.planning.circle_diagnosis import diagnose_circle
 from compwright.planning.limit_decisions import limit_faults
 from compwright.prediction.active_corrections import ActiveCorrections
 from compwright.prediction.circular import moved_test, predict_circle
-from compwright.records.axis import Axis, AxisKind
+from compwright.records.axis import Axis, AxisKind, FloatArray
 from compwright.records.circular import CircularEffect, CircularResult, CircularTest
 from compwright.records.conditions import CircularBudget, Thermal
 from compwright.records.job import CircleRequest, Job
@@ -43,8 +43,7 @@ WORSE = 0.1
 DRAWS: Final = 100
 #: Less than this, mm, beyond the travel is rounding.
 _OUTSIDE: Final = 1e-6
-#: Step, mm, in which the ends of the measured part are given.
-_SHOWN: Final = 0.1
+_DECIMALS: Final = 1  # of the ends of the measured part, mm
 
 
 @dataclass(frozen=True, slots=True)
@@ -218,14 +217,26 @@ def _middle_assumed(test: CircularTest, centre: tuple[float, float]) -> Finding:
     return Finding.of("CW-P101", "warning", circle=test.name, centre=where)
 
 
+def measured_range(planned: PlannedCircle, index: int) -> FloatArray:
+    """Return from where to where (2,), mm, a circular test moves its first (``index`` 0) or second
+    (1) axis.
+    """
+    start, extent = planned.test.arc
+    turns = np.arange(-360.0, 1080.0, 90.0)  # an axis turns back at these angles
+    inside = turns[(turns > start) & (turns < start + extent)]
+    angles = np.deg2rad([start, *inside, start + extent])
+    along = np.sin(angles) if index else np.cos(angles)
+    ends = np.array([np.min(along), np.max(along)])
+    reach: FloatArray = planned.centre[index] + planned.test.nominal_radius * ends
+    return reach
+
+
 def travel_findings(work: CircleWork, axes: Mapping[str, Axis]) -> tuple[Finding, ...]:
     """Return the doubt CW-P102 for each axis whose travel the measured points of a circle leave, or
     that is not linear.
     """
     test, found = work.result.test, []
-    angles = np.deg2rad(np.concatenate([run.angles for run in test.runs]))
-    sides = np.cos(angles), np.sin(angles)
-    for name, middle, side in zip(test.axes, work.planned.centre, sides, strict=True):
+    for index, name in enumerate(test.axes):
         axis = axes.get(name)
         if axis is None:
             continue
@@ -234,10 +245,9 @@ def travel_findings(work: CircleWork, axes: Mapping[str, Axis]) -> tuple[Finding
                 Finding.of("CW-P102.rotary", "warning", test.axes, circle=test.name, axis=name)
             )
             continue
-        reach = middle + test.nominal_radius * np.array([side.min(), side.max()])
+        reach = measured_range(work.planned, index)
         if reach[0] < axis.travel[0] - _OUTSIDE or reach[1] > axis.travel[1] + _OUTSIDE:
-            # The ends of an arc are between two samples: rounded outwards.
-            low, high = np.round(reach / _SHOWN + [-0.5, 0.5]) * _SHOWN
+            low, high = np.round(reach, _DECIMALS)
             found.append(
                 Finding.of(
                     "CW-P102",

@@ -19,7 +19,7 @@ from compwright.foundations.findings import Finding
 from compwright.planning.axis_work import CapacityOf
 from compwright.planning.circle_checks import CircleChecks, mismatch, scale_error
 from compwright.planning.circle_network import CircleNetwork, contradiction, state_networks
-from compwright.planning.circles import CircleWork, why_undetermined
+from compwright.planning.circles import CircleWork, measured_range, why_undetermined
 from compwright.planning.cross import extrapolated
 from compwright.planning.tables import NEW_GRID, fit_keeping_grid, fit_remaining
 from compwright.planning.value_with_error import ValueWithError, weighted_mean, worse_doubts
@@ -206,10 +206,9 @@ def _by_mismatch(work: CircleWork, name: str, checks: CircleChecks) -> _Shown | 
 def _reach(axis: Axis, circles: Sequence[CircleWork]) -> Iterator[Finding]:
     """Yield the finding CW-P111 if the circular tests cover a small part of the travel."""
     ends = [
-        work.planned.centre[_index(work, axis.name)] + side * work.planned.test.nominal_radius
+        measured_range(work.planned, _index(work, axis.name))
         for work in circles
         if axis.name in work.planned.test.axes
-        for side in (-1.0, 1.0)
     ]
     yield from extrapolated(axis.name, axis, float(np.ptp(ends)), "measured range")
 
