@@ -40,7 +40,7 @@ def test_a_test_that_cannot_miss_a_correction_proves_nothing(
         # What is accepted has no other name, however wide U is.
         (SquarenessCheck(value=1.0, expected=0.0, U=12.0, before=40.0), ("loaded", True)),
         # On top of a table that was loaded with a wrong factor there is no second one.
-        (SquarenessCheck(value=40.0, expected=0.0, U=2.0, before=100.0), ("scaled", False)),
+        (SquarenessCheck(value=40.0, expected=0.0, U=2.0, before=100.0), ("undecided", False)),
         (SquarenessCheck(value=30.0, expected=20.0, U=2.0, before=100.0), ("loaded", True)),
     ],
 )

@@ -23,7 +23,8 @@ from compwright.records.circular import CircularResult
 from compwright.records.job import Acknowledged
 from compwright.records.prediction import AcceptDecision, CirclePrediction, Quantiles
 from compwright.records.result import ExpandedUncertainty, PositioningResult
-from compwright.records.verification import SquarenessAfter
+from compwright.records.rounding import LOGARITHM, rounded_number
+from compwright.records.verification import LoadingName, SquarenessAfter
 from compwright.words.sentences import SentenceText, say
 
 SCHEMA = "compwright/verification/1"
@@ -70,7 +71,8 @@ class VerifiedCircle:
     ``accept``, ``acknowledged``: see `VerifiedAxis`. ``findings``: open doubts, because of which
     its limits stay undecided. ``comparable``: whether radius, feed and arc are those of the test
     before, so that the predicted values are those of this circle. ``scales``: the axes whose scale
-    error it would show if the correction were not active.
+    error it would show if the correction were not active. ``scale_loading``: the loading verdicts
+    of scale corrections that are not as predicted.
     """
 
     prediction: CirclePrediction
@@ -78,6 +80,7 @@ class VerifiedCircle:
     squareness: SquarenessAfter | None = None
     comparable: bool = True
     scales: tuple[str, ...] = ()
+    scale_loading: tuple[LoadingName, ...] = ()
     accept: Mapping[str, AcceptDecision] = field(default_factory=dict)
     acknowledged: tuple[Acknowledged, ...] = ()
     findings: tuple[Finding, ...] = ()
@@ -127,7 +130,9 @@ def _headline(
     if verdict == "bad":
         decisions = [entry.decision for one in circles.values() for entry in one.accept.values()]
         decisions += [one.squareness.decision for one in circles.values() if one.squareness]
-        return SentenceText(say("headline.bad", circles="reject" in decisions or not axes))
+        faulty = any(one.scale_loading for one in circles.values())
+        of_circles = "reject" in decisions or faulty or not axes
+        return SentenceText(say("headline.bad", circles=of_circles))
     if verdict == "undecided":
         return SentenceText(say("headline.undecided"))
     without = [name for name, axis in axes.items() if not axis.accept]
@@ -214,6 +219,14 @@ def _squareness(found: SquarenessAfter) -> dict[str, Any]:
         "verdict": found.verdict,
         "factor": found.factor,
         "active": found.active,
+        "candidates": [
+            {
+                "verdict": each.verdict,
+                "probability": rounded_number(each.probability, LOGARITHM),
+                "detail": str(each.detail or ""),
+            }
+            for each in found.candidates
+        ],
     }
 
 

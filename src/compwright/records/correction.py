@@ -172,7 +172,12 @@ class CrossCompensation:
         """Return the correction of ``output`` with ``input`` at ``positions`` (any shape),
         approached in ``direction``.
         """
-        as_axis = AxisCompensation(
+        return self.by_input.at(positions, direction)
+
+    @property
+    def by_input(self) -> AxisCompensation:
+        """The correction as if it were one of the axis ``input``."""
+        return AxisCompensation(
             address=self.input,
             kind=self.input_kind,
             positions=self.positions,
@@ -182,7 +187,6 @@ class CrossCompensation:
             above=self.above,
             period=self.period,
         )
-        return as_axis.at(positions, direction)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

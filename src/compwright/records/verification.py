@@ -104,12 +104,15 @@ class SquarenessAfter:
     ``value``: None if the circle does not determine it. ``U`` (k = 2): of their difference.
     ``factor``: the part of the correction that is active, None if the tests do not show it.
     ``active``: whether the correction is active as planned, so that a further one may be added.
+    ``verdict``: as of an axis, or ``read_back`` if the table that was read back differs from the
+    plan. ``candidates``: the most probable verdicts, in falling order.
     """
 
     value: float | None
     expected: float
     U: float
     decision: Decision
-    verdict: Literal["loaded", "not_active", "inverted", "scaled", "undecided"]
+    verdict: LoadingName | Literal["read_back"]
     factor: float | None
     active: bool
+    candidates: tuple[Candidate, ...] = ()

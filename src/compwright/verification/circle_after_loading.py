@@ -20,6 +20,7 @@ from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.circular import CircularEffect, CircularResult
 from compwright.records.correction_need import NEGLIGIBLE
 from compwright.records.prediction import CirclePrediction, Quantiles
+from compwright.verification.circle_loading import ShownValue
 from compwright.verification.measurement_faults import BELIEVED, IMPROBABLE, scatter_findings
 from compwright.words.sentences import Amount, Sentence, say
 
@@ -31,6 +32,8 @@ _ODD: Final = ("backlash_first", "backlash_second", "servo_mismatch")
 _LASTING: Final = ("squareness", "scale_mismatch", *_ODD)
 #: The scale of one axis. The temperature changes it from day to day (`_other_temperature`).
 _SCALES: Final = ("scale_error_first", "scale_error_second")
+#: What a scale error changes in addition.
+OF_SCALES: Final = (*_SCALES, "scale_mismatch", *DEVIATIONS)
 #: From the median to the upper end of a 90 % interval, in standard deviations.
 _NINETY: Final = 1.645
 _UNITS: Final = {"um": ("µm", ".2f"), "um/m": ("µm/m", ".1f"), "ms": ("ms", ".3f")}
@@ -223,6 +226,22 @@ def _changes(
 def _size(effect: CircularEffect, off: float) -> float:
     """Return by how much the circle changes, µm, if this cause changes by ``off``."""
     return off * effect.effect / abs(effect.value) if effect.value else 0.0
+
+
+def unexpected_scales(
+    prediction: CirclePrediction, after: CircularResult, part: float
+) -> dict[str, ShownValue]:
+    """Return, by axis, each scale error ``after`` loading that is not as predicted, by the rule of
+    `unexpected_findings`, with that before loading.
+    """
+    first, now, found = _effects(prediction.before), _effects(after), {}
+    changed = {each.name for each in _changes(prediction, after, part)}
+    for axis, name in zip(after.test.axes, _SCALES, strict=True):
+        was = _effects(prediction.expected).get(name)
+        if name in changed and was is not None and name in first:
+            error = float(np.hypot(was.std_error, now[name].std_error))
+            found[axis] = ShownValue(now[name].value, was.value, first[name].value, error)
+    return found
 
 
 def shown_scales(

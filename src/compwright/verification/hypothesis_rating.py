@@ -20,12 +20,12 @@ from compwright.verification.likelihood import AfterMeans, Curves, Fits, fits_of
 from compwright.verification.measurement_cases import MeasurementCase
 
 #: Standard deviation of a slope of any size, mm/mm: 3 K of steel.
-_ANY_SLOPE: Final = 35e-6
+ANY_SLOPE: Final = 35e-6
 #: Prior odds of all faults of loading on an axis that is longer or shorter now, two faults at once,
 #: against a loaded table, and of a loaded table on one. Shared among them: a slope takes away what
 #: a curve has of its own, and among hundreds of curves one always fits by chance.
 _SLOPED: Final = 0.002
-_THERMAL: Final = 0.2
+THERMAL: Final = 0.2
 #: Distance from the loaded table and the old control, in standard errors, from which a fault counts
 #: in full.
 _SEEN: Final = 3.0
@@ -68,7 +68,7 @@ def rate_hypotheses(
         part = _effect(view.hypotheses)
         measured = ways if part is None else [*ways, part]
         sloped = slope is not None and all(each.name != "measurement" for each in ways)
-        more = (0.0, _ANY_SLOPE) if sloped else (0.0,)
+        more = (0.0, ANY_SLOPE) if sloped else (0.0,)
         fits = fits_of(after, view.belief, _curves_of(measured), slope or 0.0, more)
         if part is not None and fits.amount[len(ways), 1] > 0.0:
             effect = (float(fits.amount[len(ways), 0]), float(fits.amount[len(ways), 1]))
@@ -155,7 +155,7 @@ def _on_slope(way: Hypothesis, share: float) -> Hypothesis:
     """Return the hypothesis ``way`` together with a changed length of the axis, which adds a slope.
     ``share``: how probable a fault with the slope is beforehand, relative to the fault without it.
     """
-    odds = _THERMAL if way.name == "loaded" else share
+    odds = THERMAL if way.name == "loaded" else share
     return replace(way, sloped=True, weight=odds * way.weight)
 
 
@@ -179,7 +179,7 @@ def distances(
 
     def flat(values: FloatArray) -> FloatArray:
         kept = np.ascontiguousarray(values[..., used])
-        centred: FloatArray = kept - kept.mean(axis=-1, keepdims=True)
+        centred: FloatArray = kept - kept.mean(axis=-1, keepdims=True) if after.datum else kept
         return centred
 
     goal, slope = flat(best.expected), flat(along)

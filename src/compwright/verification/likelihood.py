@@ -3,7 +3,8 @@
     mean of cell i = deviation before + change of the correction + datum (+ slope) + noise
 
 The deviation before loading has a normal distribution (`ErrorBelief`). The noise is a mixture of
-equally probable draws (`AfterMeans`). The datum is common to both directions and has a flat prior.
+equally probable draws (`AfterMeans`). The datum of an axis is common to both directions and has a
+flat prior; values of a circular test have none.
 All other unknowns have normal priors and are integrated (Rasmussen and Williams, Gaussian Processes
 for Machine Learning, 2006, section 2.7).
 
@@ -107,7 +108,7 @@ class AfterMeans:
       variance.
     - ``plain`` (2, m): the means as defined in the standard, NaN if there is none.
     - ``sigma``: standard deviation of one reading. ``readings``: their mean number per target and
-      direction. ``targets`` (m,).
+      direction. ``targets`` (m,). ``datum``: whether an unknown constant is in all means.
     """
 
     targets: FloatArray
@@ -118,6 +119,7 @@ class AfterMeans:
     columns: FloatArray
     sigma: float
     readings: float
+    datum: bool = True
 
     @property
     def used(self) -> FloatArray:
@@ -283,8 +285,8 @@ def _one_noise(
         [belief.root, after.columns[j], declared_slope * along[..., np.newaxis]], axis=2
     )
     white = _Whitener.of(after.precision[j], used, belief.blocks, columns)
-    datum = white(np.ones((*used.shape, 1)))
-    length = float(np.sum(datum**2))
+    datum = white(np.ones((*used.shape, 1)))[:, : int(after.datum)]
+    length = float(np.sum(datum**2)) if after.datum else 1.0
     unit = datum / math.sqrt(length)
 
     def seen(values: FloatArray) -> FloatArray:
@@ -300,7 +302,7 @@ def _one_noise(
     score, inner = _products(change, left, slope, free, numbers)
     square = np.einsum("nh,nh->h", left, left)
     logs, scores = [], []
-    dof = max(after.count - 1.0, 1.0)
+    dof = float(max(after.count - int(after.datum), 1))
     for std in more:
         scale = np.column_stack([curves.slack, np.ones(square.size), np.full(square.size, std)])
         scaled = inner * scale[:, :, np.newaxis] * scale[:, np.newaxis, :] + np.eye(3)

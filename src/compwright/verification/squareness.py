@@ -7,13 +7,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final, Literal
 
-from compwright.foundations.findings import Finding
+from compwright.foundations.findings import Finding, Severity
 from compwright.records.correction_need import NEGLIGIBLE, most_uncertain
 from compwright.records.prediction import Decision
-from compwright.records.verification import SquarenessAfter
+from compwright.records.verification import LoadingName, LoadingVerdict, SquarenessAfter
+from compwright.words.sentences import say
 
-#: A loading fault of a squareness is named if U is below this part of the correction: the nearest
-#: faults (not active, opposite sign) are a whole correction apart.
+#: The active part of a correction is known if U is below this part of the correction.
 _CLEAR: Final = 0.25
 
 
@@ -24,12 +24,14 @@ class SquarenessCheck:
     ``before``: before loading, under the corrections that the control had as found; the plan
     changes it from there to ``expected``. ``U`` (k = 2): of the difference between ``value`` and
     ``expected``, from the noise of the two tests. It does not hold the set-up of the instrument.
+    ``fault``: what the circle shows of the loaded table; None if that is unknown.
     """
 
     value: float | None
     expected: float
     U: float
     before: float
+    fault: LoadingVerdict | None = None
     #: Whether the table that was read back differs from the plan: then this is the reason.
     differs: bool = False
 
@@ -42,19 +44,19 @@ class SquarenessCheck:
         return (self.before - self.value) / planned
 
     @property
-    def verdict(self) -> Literal["loaded", "not_active", "inverted", "scaled", "undecided"]:
-        """The name of the loading verdict to which ``factor`` belongs, as of an axis."""
+    def verdict(self) -> LoadingName | Literal["read_back"]:
+        """The name of the loading verdict, as of an axis; ``read_back`` if the table that was read
+        back differs from the plan.
+        """
+        if self.differs:
+            return "read_back"
         if self.factor is None:
             return "loaded" if self.decision == "accept" else "undecided"
         planned = abs(self.before - self.expected)
         near = max(self.U, min(NEGLIGIBLE, _CLEAR * planned)) / planned
         if abs(self.factor - 1.0) <= near:
             return "loaded"
-        if abs(self.factor) <= near:
-            return "not_active"
-        if abs(self.factor + 1.0) <= near:
-            return "inverted"
-        return "scaled" if self.factor > 0.0 else "undecided"
+        return "undecided" if self.fault is None else self.fault.verdict
 
     @property
     def active(self) -> bool:
@@ -88,6 +90,7 @@ class SquarenessCheck:
             verdict=self.verdict,
             factor=self.factor,
             active=self.active,
+            candidates=() if self.fault is None else self.fault.candidates,
         )
 
     @property
@@ -98,20 +101,44 @@ class SquarenessCheck:
         if abs(self.value - self.expected) <= self.U:
             return ()
         accepted = self.decision == "accept"
-        found = Finding.of(
-            "CW-V035",
-            "info" if accepted else "warning",
-            value=self.value,
-            expected=self.expected,
-            U=self.U,
-            verdict=(
-                "read_back"
-                if self.differs
-                else "uncertain"
-                if self.factor is None
-                else self.verdict
+        uncertain = self.factor is None and not self.differs
+        return (
+            correction_finding(
+                self.value,
+                self.expected,
+                self.U,
+                "uncertain" if uncertain else self.verdict,
+                self.fault,
+                severity="info" if accepted else "warning",
+                negligible=NEGLIGIBLE if accepted else 0.0,
             ),
-            percent=100.0 * (self.factor or 0.0),
-            negligible=NEGLIGIBLE if accepted else 0.0,
         )
-        return (found,)
+
+
+def correction_finding(
+    value: float,
+    expected: float,
+    U: float,
+    verdict: str,
+    fault: LoadingVerdict | None,
+    *,
+    severity: Severity = "warning",
+    axis: str = "",
+    negligible: float = 0.0,
+) -> Finding:
+    """Return the finding CW-V035 on a squareness, or on the scale error of an ``axis``, that is not
+    as ``expected`` after loading (µm/m), with the name of the loading ``fault``.
+    """
+    return Finding.of(
+        "CW-V035",
+        severity,
+        axis=axis,
+        value=value,
+        expected=expected,
+        U=U,
+        verdict=verdict,
+        loading=say("loading.circle", effect=None, candidates=[])
+        if fault is None
+        else fault.sentence,
+        negligible=negligible,
+    )

@@ -245,9 +245,9 @@ SENTENCES: Final[dict[str, str]] = {
         "{verdict:choose|loaded=✓ loaded|undecided=? undecided|measurement=? fault of"
         " measurement|not_active=✗ not active|inverted=✗ inverted|scaled=✗ scaled|shifted=✗"
         " shifted|mirrored=✗ mirrored|wrong_axis=✗ wrong axis|increment=✗ only the change"
-        " loaded|on_top=✗ old plus new table|state=✗ old table not active|one_direction=✗"
-        " active in one direction|backlash=✗ backlash value wrong|partial=✗ partly active|thermal=✗"
-        " thermal slope|=✗ {verdict}}"
+        " loaded|on_top=✗ old plus new table|state=✗ old table not active|one_direction=✗ active"
+        " in one direction|backlash=✗ backlash value wrong|partial=✗ partly active|thermal=✗"
+        " thermal slope|read_back=✗ differs from the plan|=✗ {verdict}}"
     ),
     "parameter.A": "{term:if|{term}|Bidirectional accuracy}",
     "parameter.A_negative": "{term:if|{term}|Accuracy, approach −}",

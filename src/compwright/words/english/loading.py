@@ -158,18 +158,16 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V034.feed": "its feed is {now:g} mm/min (of the first one {was:g} mm/min)",
     "CW-V034.radius": "its radius is {now:g} mm (of the first one {was:g} mm)",
     "CW-V035": (
-        "The squareness after loading is {value:.1f} µm/m. {expected:.1f} µm/m was predicted, ±"
-        " {U:.1f} µm/m from the noise of the two tests (k = 2). {verdict:choose|loaded=The"
-        " correction is active; a new set-up of the instrument or a change of the machine can"
-        " leave this rest|not_active=The correction is not active. Check that its table is"
-        " loaded and switched on|inverted=The correction is active with the opposite sign. Check"
-        " the sign of its table, and load it again|scaled={percent:.0f} % of the planned"
-        " correction is active. Compare what is loaded with the plan|undecided=No known loading"
-        " fault explains this. Compare what is loaded with the plan, and measure the circle"
-        " again|read_back=The table that was read back differs from the plan"
-        " (CW-V011)|uncertain=The tests are too uncertain to name the fault. Measure the full"
-        " circle again in both directions}.{negligible:if| Below {negligible:.0f} µm/m it is"
-        " accepted.|}"
+        "{axis:if|The scale error of axis {axis}|The squareness} after loading is {value:.1f} µm/m."
+        " {expected:.1f} µm/m was predicted, ± {U:.1f} µm/m from the noise of the two tests (k ="
+        " 2). {verdict:choose|loaded=The correction is active; a new set-up of the instrument or a"
+        " change of the machine can leave this rest.|not_active={loading} Check that it is loaded"
+        " and switched on.|inverted={loading} Check the sign of the table, and load it"
+        " again.|increment={loading} The existing correction is missing. Compare what is loaded"
+        " with the plan.|read_back=The table that was read back differs from the plan"
+        " (CW-V011).|uncertain=The tests are too uncertain to name the fault. Measure the full"
+        " circle again in both directions.|={loading} Compare what is loaded with the"
+        " plan.}{negligible:if| Below {negligible:.0f} µm/m it is accepted.|}"
     ),
     "CW-V035.open": (
         "The circle after loading does not determine the squareness well enough to show that its"
@@ -203,6 +201,11 @@ SENTENCES: Final[dict[str, str]] = {
         " instead of the new one|added=the old value added to the new one}"
     ),
     "loading.candidate": "{name} ({sure:if|more than 99|{percent:2sig}} %)",
+    "loading.circle": (
+        "{candidates:if|The test after loading shows {effect}. These causes are possible:"
+        " {candidates}.|No known loading fault explains this{effect:if|: the test after loading"
+        " shows {effect}}. Measure the circle again.}"
+    ),
     "loading.declared_slope": (
         "Over the travel the deviations of this test rise by {slope:+.2f} ± {error:.2f} µm/m more"
         " than expected. Steel shows such a slope when its temperature changes by {kelvin:+2sig} K,"

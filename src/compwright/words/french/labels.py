@@ -255,7 +255,7 @@ SENTENCES: Final[dict[str, str]] = {
         " décalée|mirrored=✗ en miroir|wrong_axis=✗ mauvais axe|increment=✗ changement seul"
         " chargé|on_top=✗ ajoutée à l'ancienne table|state=✗ ancienne table non"
         " active|one_direction=✗ active dans un sens|backlash=✗ valeur de jeu fausse|partial=✗"
-        " active en partie|thermal=✗ pente thermique|=✗ {verdict}}"
+        " active en partie|thermal=✗ pente thermique|read_back=✗ diffère du plan|=✗ {verdict}}"
     ),
     "parameter.A": "Exactitude bidirectionnelle de positionnement",
     "parameter.A_negative": "Exactitude unidirectionnelle de positionnement, approche −",

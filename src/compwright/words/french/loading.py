@@ -161,18 +161,17 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V034.feed": "son avance est de {now:g} mm/min (celle du premier {was:g} mm/min)",
     "CW-V034.radius": "son rayon est de {now:g} mm (celui du premier {was:g} mm)",
     "CW-V035": (
-        "La perpendicularité après chargement est de {value:.1f} µm/m. La prévision était de"
-        " {expected:.1f} µm/m, ± {U:.1f} µm/m dus au bruit des deux essais (k = 2)."
-        " {verdict:choose|loaded=La correction est active ; un nouveau montage de l'instrument"
-        " ou un changement de la machine peut laisser ce reste|not_active=La correction n'est"
-        " pas active. Vérifier que sa table est chargée et activée|inverted=La correction est"
-        " active avec le signe opposé. Vérifier le signe de sa table et la charger de"
-        " nouveau|scaled={percent:.0f} % de la correction prévue sont actifs. Comparer ce qui"
-        " est chargé avec le plan|undecided=Aucun défaut de chargement connu ne l'explique."
-        " Comparer ce qui est chargé avec le plan et mesurer de nouveau le cercle|read_back=La"
-        " table relue diffère du plan (CW-V011)|uncertain=Les essais sont trop incertains pour"
-        " nommer le défaut. Mesurer de nouveau le cercle entier dans les deux"
-        " sens}.{negligible:if| Au-dessous de {negligible:.0f} µm/m elle est acceptée.|}"
+        "{axis:if|L'erreur d'échelle de l'axe {axis}|La perpendicularité} après chargement est de"
+        " {value:.1f} µm/m. La prévision était de {expected:.1f} µm/m, ± {U:.1f} µm/m dus au bruit"
+        " des deux essais (k = 2). {verdict:choose|loaded=La correction est active ; un nouveau"
+        " montage de l'instrument ou un changement de la machine peut laisser ce"
+        " reste.|not_active={loading} Vérifier qu'elle est chargée et activée.|inverted={loading}"
+        " Vérifier le signe de la table et la charger de nouveau.|increment={loading} La correction"
+        " existante manque. Comparer ce qui est chargé avec le plan.|read_back=La table relue"
+        " diffère du plan (CW-V011).|uncertain=Les essais sont trop incertains pour nommer le"
+        " défaut. Mesurer de nouveau le cercle entier dans les deux sens.|={loading} Comparer ce"
+        " qui est chargé avec le plan.}{negligible:if| Au-dessous de {negligible:.0f} µm/m elle est"
+        " acceptée.|}"
     ),
     "CW-V035.open": (
         "Le cercle après chargement ne détermine pas assez bien la perpendicularité pour montrer"
@@ -206,6 +205,11 @@ SENTENCES: Final[dict[str, str]] = {
         " valeur au lieu de la nouvelle|added=l'ancienne valeur ajoutée à la nouvelle}"
     ),
     "loading.candidate": "{name} ({sure:if|plus de 99|{percent:2sig}} %)",
+    "loading.circle": (
+        "{candidates:if|L'essai après chargement montre {effect}. Causes possibles :"
+        " {candidates}.|Aucun défaut de chargement connu ne l'explique{effect:if| : l'essai après"
+        " chargement montre {effect}}. Mesurer de nouveau le cercle.}"
+    ),
     "loading.declared_slope": (
         "Sur la course, les écarts de cet essai montent de {slope:+.2f} ± {error:.2f} µm/m de plus"
         " que prévu. L'acier montre une telle pente quand sa température change de {kelvin:+2sig}"

@@ -252,7 +252,8 @@ SENTENCES: Final[dict[str, str]] = {
         " verschoben|mirrored=✗ gespiegelt|wrong_axis=✗ falsche Achse|increment=✗ nur Änderung"
         " geladen|on_top=✗ zur alten Tabelle addiert|state=✗ alte Tabelle war nicht"
         " aktiv|one_direction=✗ in einer Richtung aktiv|backlash=✗ Losewert falsch|partial=✗"
-        " teilweise aktiv|thermal=✗ thermische Steigung|=✗ {verdict}}"
+        " teilweise aktiv|thermal=✗ thermische Steigung|read_back=✗ weicht vom Plan ab|=✗"
+        " {verdict}}"
     ),
     "parameter.A": "Genauigkeit der Positionierung, zweiseitig",
     "parameter.A_negative": "Genauigkeit der Positionierung, Anfahrrichtung −",

@@ -165,18 +165,17 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V034.feed": "sein Vorschub ist {now:g} mm/min (des ersten {was:g} mm/min)",
     "CW-V034.radius": "sein Radius ist {now:g} mm (des ersten {was:g} mm)",
     "CW-V035": (
-        "Die Rechtwinkligkeit nach dem Laden ist {value:.1f} µm/m. Vorhergesagt waren"
-        " {expected:.1f} µm/m, ± {U:.1f} µm/m aus dem Rauschen der beiden Messungen (k = 2)."
-        " {verdict:choose|loaded=Die Korrektur ist aktiv; ein neues Einrichten des Messgeräts"
-        " oder eine Änderung der Maschine kann diesen Rest lassen|not_active=Die Korrektur ist"
-        " nicht aktiv. Prüfen, ob ihre Tabelle geladen und eingeschaltet ist|inverted=Die"
-        " Korrektur ist mit umgekehrtem Vorzeichen aktiv. Das Vorzeichen ihrer Tabelle prüfen"
-        " und sie neu laden|scaled={percent:.0f} % der geplanten Korrektur sind aktiv. Das"
-        " Geladene mit dem Plan vergleichen|undecided=Kein bekannter Ladefehler erklärt das. Das"
-        " Geladene mit dem Plan vergleichen und den Kreis neu messen|read_back=Die"
-        " zurückgelesene Tabelle weicht vom Plan ab (CW-V011)|uncertain=Die Messungen sind zu"
-        " unsicher, um den Fehler zu nennen. Den vollen Kreis in beiden Richtungen neu"
-        " messen}.{negligible:if| Unter {negligible:.0f} µm/m wird sie angenommen.|}"
+        "{axis:if|Der Maßstabsfehler der Achse {axis}|Die Rechtwinkligkeit} nach dem Laden ist"
+        " {value:.1f} µm/m. Vorhergesagt waren {expected:.1f} µm/m, ± {U:.1f} µm/m aus dem Rauschen"
+        " der beiden Messungen (k = 2). {verdict:choose|loaded=Die Korrektur ist aktiv; ein neues"
+        " Einrichten des Messgeräts oder eine Änderung der Maschine kann diesen Rest"
+        " lassen.|not_active={loading} Prüfen, ob sie geladen und eingeschaltet"
+        " ist.|inverted={loading} Das Vorzeichen der Tabelle prüfen und sie neu"
+        " laden.|increment={loading} Die vorhandene Korrektur fehlt. Das Geladene mit dem Plan"
+        " vergleichen.|read_back=Die zurückgelesene Tabelle weicht vom Plan ab"
+        " (CW-V011).|uncertain=Die Messungen sind zu unsicher, um den Fehler zu nennen. Den vollen"
+        " Kreis in beiden Richtungen neu messen.|={loading} Das Geladene mit dem Plan"
+        " vergleichen.}{negligible:if| Unter {negligible:.0f} µm/m wird sie angenommen.|}"
     ),
     "CW-V035.open": (
         "Der Kreis nach dem Laden bestimmt die Rechtwinkligkeit nicht gut genug, um zu zeigen, dass"
@@ -210,6 +209,11 @@ SENTENCES: Final[dict[str, str]] = {
         " statt des neuen|added=der alte Wert zum neuen addiert}"
     ),
     "loading.candidate": "{name} ({sure:if|über 99|{percent:2sig}} %)",
+    "loading.circle": (
+        "{candidates:if|Die Prüfung nach dem Laden zeigt {effect}. Mögliche Ursachen:"
+        " {candidates}.|Kein bekannter Ladefehler erklärt das{effect:if|: Die Prüfung nach dem"
+        " Laden zeigt {effect}}. Den Kreis neu messen.}"
+    ),
     "loading.declared_slope": (
         "Über den Verfahrweg steigen die Abweichungen dieser Prüfung um {slope:+.2f} ± {error:.2f}"
         " µm/m mehr als erwartet. Stahl zeigt eine solche Steigung, wenn sich seine Temperatur um"

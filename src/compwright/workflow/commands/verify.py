@@ -56,6 +56,7 @@ from compwright.workflow.results.folder_record import (
 from compwright.workflow.results.report_file import answer_files
 from compwright.workflow.results.single_files import refuse_other_kinds
 from compwright.workflow.results.view import evaluations, verify_view
+from compwright.workflow.verify.circle_decision import TablesOnControl
 from compwright.workflow.verify.next_round import (
     FOLDER,
     Round,
@@ -241,7 +242,18 @@ def _verified(
     files = planned_files(control.in_state(as_found.state), plan, as_found)[0] if cross else ()
     between = list(between_axes(control, cross, plan.every_axis, files, read_back))
     differing = {entry.pair for entry, found in between if entry and found.code == "CW-V011"}
-    circles = verify_circles(session, job, plan, circle_files, as_found, states, differing)
+    same = {entry.pair: entry.pair not in differing for entry in cross}
+    if isinstance(compared, CompareOutcome):
+        of_axes = compared.document["axes"].items()
+        same |= {frozenset({name}): axis["verdict"] == "loaded" for name, axis in of_axes}
+    on_control = TablesOnControl(
+        control=control.in_state(as_found.state),
+        plan=plan,
+        as_found=as_found,
+        stored=stored.state,
+        read_back={} if ours else same,
+    )
+    circles = verify_circles(session, job, plan, circle_files, on_control, states)
     measured = {name: circle.after.test for name, circle in circles.items()}
     general = [
         *changed_limits(job, plan),
@@ -413,8 +425,13 @@ def _verdict(
             *(entry.decision for one in tested for entry in one.accept.values()),
             *squareness,
         ],
-        [axis.loading["verdict"] for axis in axes.values()]
-        or ["loaded" for _ in (*squareness, *scales)],
+        [
+            *(
+                [axis.loading["verdict"] for axis in axes.values()]
+                or ["loaded" for _ in (*squareness, *scales)]
+            ),
+            *(verdict for circle in circles.values() for verdict in circle.scale_loading),
+        ],
         still_open=bool(general) or any(lacks_proof(finding) for finding in findings),
     )
 

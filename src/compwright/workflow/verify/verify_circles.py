@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -45,14 +45,18 @@ from compwright.records.circular import CircularResult, CircularTest
 from compwright.records.job import Acceptance, Acknowledged, Job
 from compwright.records.plan import Plan, PlannedCircle
 from compwright.records.positioning import PositioningTest
-from compwright.records.prediction import AcceptDecision
+from compwright.records.prediction import AcceptDecision, CirclePrediction
+from compwright.records.verification import LoadingVerdict
 from compwright.verification.circle_after_loading import (
     DEVIATIONS,
+    OF_SCALES,
     noise_findings,
     shown_scales,
     turned_findings,
     unexpected_findings,
+    unexpected_scales,
 )
+from compwright.verification.circle_loading import ShownValue
 from compwright.verification.proof import (
     SAME_RADIUS,
     doubt_warnings,
@@ -60,8 +64,9 @@ from compwright.verification.proof import (
     other_circle,
     unproven_circle,
 )
-from compwright.verification.squareness import SquarenessCheck
+from compwright.verification.squareness import SquarenessCheck, correction_finding
 from compwright.workflow.inputs.circles import read_circle
+from compwright.workflow.verify.circle_decision import TablesOnControl, table_in_circle
 
 
 def split_after(
@@ -160,23 +165,23 @@ def verify_circles(
     job: Job,
     plan: Plan,
     files: Mapping[str, Sequence[Path | CircularTest]],
-    as_found: DecodedState,
+    on_control: TablesOnControl,
     states: Mapping[str, DecodedState],
-    differing: Container[frozenset[str]],
 ) -> dict[str, VerifiedCircle]:
     """Evaluate the circular tests after loading (``files``: their files by the name of the circle),
-    and return their comparison with the plan by the name of the circle. ``differing``: the pairs of
-    axes whose table that was read back differs from the plan. Raises InputError.
+    and return their comparison with the plan by the name of the circle. Raises InputError.
     """
     axes = plan.every_axis
-    then = _planned(plan, as_found, axes)
+    then = _planned(plan, on_control.as_found, axes)
     errors: list[CompwrightError] = []
     verified: dict[str, VerifiedCircle] = {}
     for name, paths in files.items():
         try:
             test = in_job_names(read_circle(session, paths, name), plan.circles[name].test.axes)
-            during = active_corrections(states.get(plan.circles[name].measured_in), axes)
-            verified[name] = _verified(job, plan, plan.circles[name], test, during, then, differing)
+            during = states.get(plan.circles[name].measured_in)
+            verified[name] = _verified(
+                job, plan, plan.circles[name], test, during, then, on_control
+            )
         except InputError as error:
             errors.append(error)
     raise_all(InputError, collect(errors))
@@ -188,9 +193,9 @@ def _verified(
     plan: Plan,
     circle: PlannedCircle,
     after: CircularTest,
-    during: ActiveCorrections,
+    during: DecodedState | None,
     then: ActiveCorrections,
-    differing: Container[frozenset[str]],
+    on_control: TablesOnControl,
 ) -> VerifiedCircle:
     before, result = (
         with_uncertainty(diagnose_circle(test, CIRCULAR_STANDARD), budget, job.thermal)
@@ -200,38 +205,30 @@ def _verified(
         )
     )
     result = after_test_doubts(result, _loaded(plan, circle.test.axes))
-    prediction = predicted_circle(before, circle, during, then)
+    was = active_corrections(during, plan.every_axis)
+    prediction = predicted_circle(before, circle, was, then)
     serial, name = job.machine.get("serial", ""), circle.test.name
     unproven = any(unproven_circle(circle.test, after, serial, name))
     limits = next((one.accept for one in job.circles if one.name == name), None)
     other = tuple(other_circle(circle.test, after, name, limited=limits is not None))
     turned = () if other else tuple(turned_findings(prediction, result, WORSE))
     unproven = unproven or bool(turned)
-    removed = [
-        entry.squareness
-        for entry in plan.cross
-        if entry.delivered and entry.source == "circle" and not unproven
-        if entry.pair == frozenset(circle.test.axes)
-    ]
+    between = None if other else (result.test, prediction.expected.test)
     check = None
-    if removed:
-        expected, now = (effect_of(each, "squareness") for each in (prediction.expected, result))
-        if expected is not None:
-            error = expected.std_error
-            error = error if now is None else float(np.hypot(error, now.std_error))
-            check = SquarenessCheck(
-                value=None if now is None else now.value,
-                expected=expected.value,
-                U=SIGNIFICANT * error,
-                before=expected.value + 1e6 * sum(removed),
-                differs=frozenset(circle.test.axes) in differing,
-            )
+    if not unproven:
+        check = _squareness_check(circle, result, prediction, during, on_control, between)
+    comparable = not (unproven or other)
+    scales = _scale_faults(circle, result, prediction, during, on_control) if comparable else {}
     found = () if check is None else check.findings
-    judged = () if check is None else ("squareness", *(DEVIATIONS if found else ()))
+    judged = (
+        *(() if check is None else ("squareness",)),
+        *(DEVIATIONS if found else ()),
+        *(OF_SCALES if scales else ()),
+    )
     doubted = (
         *turned,
         *noise_findings(before, result),
-        *(() if unproven or other else unexpected_findings(prediction, result, WORSE, judged)),
+        *(unexpected_findings(prediction, result, WORSE, judged) if comparable else ()),
     )
     accept, lacking, acknowledged = _judged(
         job,
@@ -249,13 +246,87 @@ def _verified(
         accept=accept,
         acknowledged=acknowledged,
         comparable=not other,
-        scales=() if unproven or other else shown_scales(prediction, result, WORSE),
+        scales=shown_scales(prediction, result, WORSE) if comparable else (),
+        scale_loading=tuple(fault.verdict for fault, _ in scales.values()),
         findings=(
             *(each for each in other if each.severity == "info"),
             *lacking,
             *found,
+            *(finding for _, finding in scales.values()),
         ),
     )
+
+
+def _squareness_check(
+    circle: PlannedCircle,
+    result: CircularResult,
+    prediction: CirclePrediction,
+    during: DecodedState | None,
+    on_control: TablesOnControl,
+    compared: tuple[CircularTest, CircularTest] | None,
+) -> SquarenessCheck | None:
+    """Return the comparison of the squareness with the prediction; None if it was not corrected
+    from circles, or is not predicted. ``compared``: the test after loading and the predicted one,
+    if they are the same circle.
+    """
+    pair = frozenset(circle.test.axes)
+    removed = [
+        entry
+        for entry in on_control.plan.cross
+        if entry.delivered and entry.source == "circle" and entry.pair == pair
+    ]
+    expected, now = (effect_of(each, "squareness") for each in (prediction.expected, result))
+    if not removed or expected is None:
+        return None
+    error = expected.std_error
+    error = error if now is None else float(np.hypot(error, now.std_error))
+    check = SquarenessCheck(
+        value=None if now is None else now.value,
+        expected=expected.value,
+        U=SIGNIFICANT * error,
+        before=expected.value + 1e6 * sum(entry.squareness for entry in removed),
+        differs=on_control.read_back.get(pair) is False,
+    )
+    if now is None or len(removed) > 1:
+        return check
+    table = table_in_circle(circle, removed[0].input, removed[0].output)
+    between = None if compared is None else table.between_directions(*compared)
+    shown = ShownValue(now.value, expected.value, check.before, error, between)
+    return replace(check, fault=on_control.judged_squareness(table, removed[0], shown, during))
+
+
+def _scale_faults(
+    circle: PlannedCircle,
+    result: CircularResult,
+    prediction: CirclePrediction,
+    during: DecodedState | None,
+    on_control: TablesOnControl,
+) -> dict[str, tuple[LoadingVerdict, Finding]]:
+    """Return, by axis, what is wrong with each scale correction that is not as predicted, with the
+    finding CW-V035.
+    """
+    found = {}
+    for name, mean in unexpected_scales(prediction, result, WORSE).items():
+        planned = on_control.plan.axes.get(name)
+        if planned is None or planned.fitted is None or planned.tests:
+            continue
+        table = table_in_circle(circle, name, name)
+        between = table.between_directions(result.test, prediction.expected.test)
+        shown = replace(mean, between=between)
+        fault = on_control.judged_scale(table, name, shown, during)
+        differs = on_control.read_back.get(frozenset({name})) is False
+        found[name] = (
+            fault,
+            correction_finding(
+                shown.value,
+                shown.expected,
+                SIGNIFICANT * shown.std_error,
+                "read_back" if differs else fault.verdict,
+                fault,
+                axis=name,
+            ),
+        )
+    return found
 
 
 def _loaded(plan: Plan, axes: Sequence[str]) -> list[str]:
