@@ -250,7 +250,8 @@ def test_where_the_table_has_no_place_the_sheet_comes_as_before(
     (folder / "Y.csv").write_text(PLAY.format("Y") + "linearCompValue,,0.0,mm/m\n")
     assert run(folder, NCK.id, states=states(folder, text).replace("]", ", Y.csv]")) == 0
     said = " ".join(capsys.readouterr().out.split())
-    assert f"({why}). Type them in, in place of the values in X.COM, column Y: " in said
+    assert f"({why})." in said
+    assert "Replace the values in X.COM, column Y by these: " in said
     assert (folder / "job" / "card" / "cross_X_Y.csv").exists()
     assert not (folder / "job" / "tables").exists()
 
@@ -266,7 +267,7 @@ def test_an_axis_without_a_table_in_the_active_line_gets_the_sheet(
     text = com(19, 50).replace("   Y\n", "   Z\n")
     assert run(folder, NCK.id, states=states(folder, text)) == 1
     said = " ".join(capsys.readouterr().out.split())
-    assert "(X.COM has no column Y). Type them in, in place of the values in X.COM" in said
+    assert "(X.COM has no column Y). Replace the values in X.COM, column Y by these:" in said
     job = folder / "job.yaml"
     job.write_text(job.read_text() + "report: {language: de}\n")
     assert compwright(["run", str(job), "--force"]) == 1

@@ -271,8 +271,8 @@ def test_the_sheet_has_the_totals_of_every_row(
     assert run(folder, ITNC, states=files(folder, texts)) == 0
     said = " ".join(capsys.readouterr().out.split())
     step = card(folder)
-    assert "Type them in, in place of the values in X.COM, column 2=F():" in said
-    assert "Type in, in place of the values in X.COM, column 2=F():" in step
+    assert "Replace the values in X.COM, column 2=F() by these:" in said
+    assert "Replace the values in X.COM, column 2=F() by:" in step
     for one in (said, step):
         assert "Add" not in one
         assert f" {unit} at " in one
@@ -302,8 +302,8 @@ def test_a_table_that_is_not_among_the_files_is_added_to(
     """Message, card and sheet say the same."""
     assert run(folder, ITNC) == 0
     where = "the values in the table (.COM) of X, column of Y"
-    assert f"Add them to {where}: " in " ".join(capsys.readouterr().out.split())
+    assert f"Add these to {where}: " in " ".join(capsys.readouterr().out.split())
     step = card(folder)
-    assert f"Add to {where}, " in step
+    assert f"Add to {where}: " in step
     assert "If it is 0, and MP720 of Y or one of its columns in any table is not 0, leave" in step
     assert sheet(folder)[0] == "# column of Y in the table of X: add to the values there"

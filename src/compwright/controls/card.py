@@ -354,7 +354,7 @@ def _with_all_files(
     left = [file.name for file in files if file.name not in named]
     loading = next((step for step in steps if step["title"].startswith(("Load", "Enter"))), None)
     if left and loading is not None:
-        files_too = control_text("The files in tables/: {files}.", files=", ".join(left))
+        files_too = control_text("The files in tables/: {files}.", files=tuple(left))
         loading["text"] = SentenceText(say("paragraph", sentences=(loading["text"], files_too)))
     return steps
 
@@ -414,7 +414,7 @@ def restore_texts(
             **copies,
         )
         return [kept if steps else load]
-    small = SentenceText(say("card.then", names=loading_order(control.definition, back)))
+    small = say("card.then", names=loading_order(control.definition, back))
     return [
         control_text(
             "To undo: switch off as in the steps above, load {files} from {folder} (the old values"

@@ -20,7 +20,7 @@ from compwright.planning.wanted_correction import with_change
 from compwright.prediction.active_corrections import Correction, difference
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
-from compwright.words.sentences import SentenceText, control_text, say
+from compwright.words.sentences import control_text
 
 #: Of more files than these no parts are tried: each costs a reading of everything.
 _MOST_FILES = 6
@@ -56,13 +56,12 @@ def harmful_parts(
             state = decode(control, with_new_tables(control, own, [part], addresses), axes)
         except CompwrightError:
             continue  # the values contradict each other: the effect in the control is unknown
-        stated = [
+        effects = tuple(
             words
             for work in works.values()
             if (words := _worse(work, judged_correction(state, work.planned.axis)))
-        ]
-        if stated:
-            effects = SentenceText(say("as_written", text=stated))
+        )
+        if effects:
             found.append(
                 control_text("With {file} alone {effects}.", file=part.name, effects=effects)
             )

@@ -74,10 +74,10 @@ class Observation:
         return self.kind, next(iter(self.parts))[1] if len(self.parts) == 1 else ""
 
     @property
-    def axes(self) -> str:
+    def axes(self) -> str | Sentence:
         """The axes of this value as text: ``X - Y`` for a difference, ``X and Y`` for a mean."""
         shares = {axis: share for (kind, axis), share in self.parts.items() if kind != "shrinking"}
-        return (" - " if min(shares.values()) < 0.0 else " and ").join(shares)
+        return " - ".join(shares) if min(shares.values()) < 0.0 else say("card.and", names=shares)
 
 
 @dataclass(frozen=True, slots=True)
@@ -302,7 +302,7 @@ def machine_findings(network: CircleNetwork) -> Iterator[Finding]:
 
 
 def contradiction(
-    kind: str, axes: tuple[str, ...], values: Iterable[tuple[str, str, Sentence]]
+    kind: str, axes: tuple[str, ...], values: Iterable[tuple[str, str | Sentence, Sentence]]
 ) -> Finding:
     """Return the finding that circular tests contradict each other about a ``kind`` of values of
     these axes. ``values``: the circle, its axes and its value in words.

@@ -155,9 +155,9 @@ class _Planner:
             for direction in Direction
         }
         slope = float(np.polyfit(where, np.mean(list(curves.values()), axis=0), 1)[0])
-        label = f"{request.input} on {request.output}"
+        label = say("between.axes", output=request.output, input=request.input)
         reach = float(np.ptp(where))
-        self.findings.extend(extrapolated(label, self.axes[request.input], reach, "measured range"))
+        self.findings.extend(extrapolated(label, self.axes[request.input], reach))
         planned = PlannedCross(
             input=request.input,
             output=request.output,
@@ -312,8 +312,8 @@ class _Planner:
         axis = self.axes[given]
         points = np.array(axis.travel)
         values = np.round(angle.value * (points - axis.reference) / QUANTUM) * QUANTUM
-        plane = f"{given} on {bent}"
-        self.findings.extend(extrapolated(plane, axis, angle.diameter, "diameter"))
+        plane = say("between.axes", output=bent, input=given)
+        self.findings.extend(extrapolated(plane, axis, angle.diameter, diameter=True))
         self._gantry(bent)
         mine = [work for work in self.circles if work.name in angle.tests]
         self.find(
@@ -387,9 +387,11 @@ class _Planner:
             self.find("CW-P112", "warning", axis=bent)
 
 
-def extrapolated(label: str, axis: Axis, length: float, of: str) -> Iterator[Finding]:
+def extrapolated(
+    label: str | Sentence, axis: Axis, length: float, *, diameter: bool = False
+) -> Iterator[Finding]:
     """Yield the finding CW-P111 if a correction of ``label`` over the travel of an axis reaches far
-    beyond the measured ``length``, mm. ``of``: what has this length.
+    beyond the measured ``length``, mm. ``diameter``: it is the diameter of a circle.
     """
     travel = axis.travel[1] - axis.travel[0]
     if travel > FAR * length:
@@ -399,7 +401,7 @@ def extrapolated(label: str, axis: Axis, length: float, of: str) -> Iterator[Fin
             pair=label,
             travel=travel,
             axis=axis.name,
-            what=of,
+            diameter=diameter,
             length=length,
         )
 

@@ -13,7 +13,7 @@ from compwright.foundations.errors import Fault, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE, outside_factor
 from compwright.prediction.positioning import decide_prediction
-from compwright.records.axis import Axis, AxisKind
+from compwright.records.axis import Axis
 from compwright.records.circular import CircularResult
 from compwright.records.job import Acceptance, AxisJob, Job
 from compwright.records.prediction import (
@@ -180,40 +180,22 @@ def lacking_guard(axis: Axis, standard: str, names: Iterable[str]) -> tuple[Find
     """Return the finding CW-P132: which uncertainties the job must state so that decisions about
     the parameters ``names`` of an axis can allow for uncertainty (guard band).
     """
-    if standard == "vdi3441":
-        give = (
-            "no uncertainty is stated for VDI/DGQ 3441; give decision_rule: simple, or another"
-            " standard"
-        )
-    elif axis.kind is AxisKind.ROTARY:
-        give = (
-            "give uncertainty.rotary in the job (U of the instrument in arcsec, setup, E_VE), or"
-            " decision_rule: simple"
-        )
-    else:
-        give = (
-            "give uncertainty in the job (device.U in µm and what else is known), or decision_rule:"
-            " simple"
-        )
-    return _without_guard(f"Axis {axis.name}", names, give)
+    test = "vdi3441" if standard == "vdi3441" else axis.kind.value
+    return _without_guard(test, axis.name, names)
 
 
 def lacking_circle_guard(name: str, accept: Mapping[str, AcceptDecision]) -> tuple[Finding, ...]:
     """Return the finding CW-P132 for a circular test: which uncertainties the job must state so
     that decisions can allow for uncertainty (guard band).
     """
-    give = (
-        "give uncertainty.circular in the job (U of the instrument in µm, length, setup, E_VE), or"
-        " decision_rule: simple"
-    )
-    return _without_guard(f"Circle {name}", unguarded(accept), give)
+    return _without_guard("circular", name, unguarded(accept))
 
 
-def _without_guard(what: str, names: Iterable[str], give: str) -> tuple[Finding, ...]:
-    lacking = ", ".join(names)
+def _without_guard(test: str, name: str, names: Iterable[str]) -> tuple[Finding, ...]:
+    lacking = tuple(names)
     if not lacking:
         return ()
-    return (Finding.of("CW-P132", "warning", what=what, lacking=lacking, give=give),)
+    return (Finding.of("CW-P132", "warning", test=test, name=name, lacking=lacking),)
 
 
 def magnitude(quantiles: Quantiles) -> Quantiles:

@@ -210,7 +210,7 @@ def _reach(axis: Axis, circles: Sequence[CircleWork]) -> Iterator[Finding]:
         for work in circles
         if axis.name in work.planned.test.axes
     ]
-    yield from extrapolated(axis.name, axis, float(np.ptp(ends)), "measured range")
+    yield from extrapolated(axis.name, axis, float(np.ptp(ends)))
 
 
 def shrinking(work: CircleWork) -> float:

@@ -178,7 +178,7 @@ def evidence_mark(evidence: object) -> dict[str, Any]:
     text = plain(evidence) if evidence else ""
     unconfirmed = "unconfirmed" in text.lower()
     if isinstance(text, ControlText) and text.startswith("unconfirmed"):
-        text = text.values["what"]
+        text = plain(text.values["what"])
     elif text.lower().startswith("unconfirmed"):
         text = text[len("unconfirmed") :].lstrip(" :;,.-")
     return {"evidence": text, "open": unconfirmed}

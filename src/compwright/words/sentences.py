@@ -24,7 +24,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from functools import cache
-from typing import Any, Final, Literal, Self
+from typing import Any, Final, Literal, Self, TypeAlias
 
 Language = Literal["en", "de", "fr", "ru"]
 
@@ -176,20 +176,24 @@ class SentenceText(str):
         return self.sentence.text(language)
 
 
+#: What can be inserted in a control's text; a tuple becomes a list with commas.
+TextValue: TypeAlias = str | Sentence | tuple[str, ...]
+
+
 class ControlText(str):
     """An English text about a control that keeps its template, so that a page can translate it."""
 
     __slots__ = ("template", "values")
     template: str
-    values: Mapping[str, str]
+    values: Mapping[str, TextValue]
 
-    def __new__(cls, template: str, values: Mapping[str, str]) -> Self:
+    def __new__(cls, template: str, values: Mapping[str, TextValue]) -> Self:
         """Return an English text that keeps its template for translation."""
         written = super().__new__(cls, _inserted(template, values, "en"))
         written.template, written.values = template, dict(values)
         return written
 
-    def __reduce__(self) -> tuple[type[ControlText], tuple[str, Mapping[str, str]]]:
+    def __reduce__(self) -> tuple[type[ControlText], tuple[str, Mapping[str, TextValue]]]:
         """Return how to rebuild the text when copied or pickled: its class, template and values."""
         return ControlText, (self.template, self.values)
 
@@ -203,7 +207,7 @@ class ControlText(str):
         return language == "en" or self.template in control_texts(language)
 
 
-def control_text(template: str, /, **values: str) -> ControlText:
+def control_text(template: str, /, **values: TextValue) -> ControlText:
     """Return the English ``template`` with its values as a text that can be translated."""
     return ControlText(template, values)
 
@@ -213,7 +217,7 @@ def unconfirmed(what: str) -> ControlText:
     return control_text("unconfirmed: {what}", what=what)
 
 
-def _inserted(template: str, values: Mapping[str, str], language: Language) -> str:
+def _inserted(template: str, values: Mapping[str, TextValue], language: Language) -> str:
     return _FIELD.sub(lambda field: in_language(values.get(field[1], field[0]), language), template)
 
 
@@ -247,7 +251,9 @@ _WORDED: Final = (Amount, Sentence, NumberText, DateText, SentenceText, ControlT
 
 
 def in_language(value: object, language: Language) -> str:
-    """Return a sentence, number, unit or symbol as text in a language."""
+    """Return a sentence, number, unit or symbol, or a tuple of these, as text in a language."""
+    if isinstance(value, tuple):
+        return ", ".join(in_language(item, language) for item in value)
     if isinstance(value, _WORDED):
         return value.text(language)
     text = str(value)

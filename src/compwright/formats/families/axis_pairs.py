@@ -127,11 +127,8 @@ def entry_sheet_answer(
 
 
 def cannot_hold(entries: Sequence[PlannedCross], why: str) -> Between:
-    """Return the answer that the control cannot store corrections, with their common reason
-    ``why``.
-    """
-    what = _labels(entries)
-    remark = say("CW-P113.not_held", what=what, why=why, several=len(entries) > 1)
+    """Return the answer that ``entries`` are not corrected, with their common reason ``why``."""
+    remark = say("CW-P113.not_held", what=_labels(entries), why=why)
     return not_corrected(entries, remark, control_text("{why}.", why=why))
 
 
@@ -143,7 +140,7 @@ def _labels(entries: Sequence[PlannedCross]) -> Sentence:
 
 def not_corrected(entries: Sequence[PlannedCross], remark: Sentence, step: str) -> Between:
     """Return the answer that corrections are not written: a finding, and a ``step`` of the card."""
-    title = control_text("Not corrected: {error}", error=SentenceText(_labels(entries)))
+    title = control_text("Not corrected: {error}", error=_labels(entries))
     return Between(
         remarks=(("error", remark),),
         steps=({"title": title, "text": step, "evidence": "inferred"},),

@@ -62,6 +62,13 @@ SENTENCES: Final[dict[str, str]] = {
     "card.stop": "Stop if off by",
     "card.then": "{names:join|, then }",
     "card.title": "Commissioning card: {axes}",
+    "card.typed_column": (
+        "{what:capital}. {total:if|Replace the values in {where} by|Add to the values in {where}}:"
+        " {rows} ({values:choose|correction=corrections|error=errors}; all rows:"
+        " {sheet}{total:if||, on straight lines between them}). {more:if|The table gets more rows,"
+        " at the same spacing: DATUM is the position of the first row. In a new row, every other"
+        " column gets its value in the nearest old row. |}{selected}{check}"
+    ),
     "card.unconfirmed": "unconfirmed",
     "card.values": "Values that change",
     "card.way_back": "Way back",

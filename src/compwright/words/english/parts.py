@@ -11,6 +11,7 @@ SENTENCES: Final[dict[str, str]] = {
         " lost motion of the axis."
     ),
     "better_targets": "targets that would show this error: {targets:g} {unit}",
+    "between.axes": "{output} over {input}",
     "between.deviation": "the measured deviation of {output} over {input} ({slope})",
     "between.fault": (
         "{where:if|{where}: |}{message}{expected:if|; expected {expected}|}"

@@ -88,9 +88,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P110.circle": "{circle} {squareness:+.1f}",
     "CW-P111": (
-        "{pair}: the correction reaches over {travel:g} mm of axis {axis}, but the {what} of the"
-        " measurement is only {length:g} mm. Beyond the measured part it is extrapolated: check"
-        " it there."
+        "{pair}: the correction reaches over {travel:g} mm of axis {axis}, but the"
+        " {diameter:if|diameter|range} of the measurement is only {length:g} mm. Beyond the"
+        " measured part it is extrapolated: check it there."
     ),
     "CW-P112": (
         "{axis} is a gantry axis. Moving it by micrometres while another axis travels can cause"
@@ -101,10 +101,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{what} is corrected in {where} (the values there are"
         " {values:choose|correction=corrections|error=errors})."
     ),
-    "CW-P113.not_held": (
-        "{what} {several:if|are|is} not corrected, because this control, as the job describes it,"
-        " cannot store the correction{several:if|s|}: {why}."
-    ),
+    "CW-P113.not_held": "This job leaves {what} uncorrected: {why}.",
     "CW-P113.own_table": (
         "{what} is corrected in table {table} of the control, which is active now: its values get"
         " the old and the new correction. To leave it as it is, allow only free tables:"
@@ -126,7 +123,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P113.typed": (
         "{what} is corrected by values that are in no file for the control ({why})."
-        " {total:if|Type them in, in place of the values in|Add them to the values in} {where}:"
+        " {total:if|Replace the values in {where} by these|Add these to the values in {where}}:"
         " {rows}. The commissioning card and the entry sheet in its folder describe how. The values"
         " are {values:choose|correction=corrections|error=errors}; their sign is unconfirmed: check"
         " it by a measurement before production. The prediction counts them as typed in."
@@ -205,8 +202,13 @@ SENTENCES: Final[dict[str, str]] = {
         " undecided: find out why before you load anything."
     ),
     "CW-P132": (
-        "{what}: a guarded decision needs the uncertainty U of {lacking}, which is unknown. The"
-        " decision stays undecided: {give}."
+        "{test:choose|circular=Circle|=Axis} {name}: a guarded decision needs the uncertainty U of"
+        " {lacking}, which is unknown. The decision stays undecided."
+        " {test:choose|vdi3441=VDI/DGQ 3441 states no uncertainty: give another"
+        " standard|linear=Give `uncertainty` in the job (device.U in µm and what else is"
+        " known)|rotary=Give `uncertainty.rotary` in the job (U of the instrument in arcsec, setup,"
+        " E_VE)|circular=Give `uncertainty.circular` in the job (U of the instrument in µm, length,"
+        " setup, E_VE)}, or `decision_rule: simple`."
     ),
     "CW-P133": (
         "Axis {axis}: the limit is predicted to be kept at the same targets, but not at new targets"

@@ -63,6 +63,14 @@ SENTENCES: Final[dict[str, str]] = {
     "card.stop": "Arrêter si différent de plus de",
     "card.then": "{names:join|, puis }",
     "card.title": "Fiche de mise en service : {axes}",
+    "card.typed_column": (
+        "{what:capital}. {total:if|Remplacer les valeurs dans {where} par|Ajouter aux valeurs dans"
+        " {where}} : {rows} ({values:choose|correction=corrections|error=erreurs} ; toutes les"
+        " lignes : {sheet}{total:if||, sur des droites entre elles}). {more:if|La table reçoit des"
+        " lignes de plus, au même pas : DATUM est la position de la première ligne. Dans une"
+        " nouvelle ligne, chaque autre colonne reçoit sa valeur de l'ancienne ligne la plus proche."
+        " |}{selected}{check}"
+    ),
     "card.unconfirmed": "non confirmé",
     "card.values": "Valeurs qui changent",
     "card.way_back": "Retour",

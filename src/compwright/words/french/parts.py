@@ -11,6 +11,7 @@ SENTENCES: Final[dict[str, str]] = {
         " grande que le jeu à l'inversion de l'axe."
     ),
     "better_targets": "points visés qui montreraient cette erreur : {targets:g} {unit}",
+    "between.axes": "{output} sur {input}",
     "between.deviation": "l'écart mesuré de {output} sur {input} ({slope})",
     "between.fault": (
         "{where:if|{where} : |}{message}{expected:if| ; attendu : {expected}|}"

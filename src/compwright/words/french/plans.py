@@ -92,8 +92,8 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P110.circle": "{circle} {squareness:+.1f}",
     "CW-P111": (
         "{pair} : la correction s'étend sur {travel:g} mm de l'axe {axis}, mais la mesure"
-        " ({what}) ne fait que {length:g} mm. Au-delà de la partie mesurée, elle est extrapolée :"
-        " l'y vérifier."
+        " ({diameter:if|diamètre|plage mesurée}) ne fait que {length:g} mm. Au-delà de la partie"
+        " mesurée, elle est extrapolée : l'y vérifier."
     ),
     "CW-P112": (
         "{axis} est un axe de portique. Le déplacer de quelques micromètres pendant qu'un autre"
@@ -104,11 +104,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{what} : corrigé dans {where} (les valeurs y sont des"
         " {values:choose|correction=corrections|error=erreurs})."
     ),
-    "CW-P113.not_held": (
-        "{what} {several:if|ne sont pas corrigés|n'est pas corrigé}, car cette commande, telle que"
-        " le dossier de travail la décrit, ne peut contenir {several:if|les corrections|la"
-        " correction} : {why}."
-    ),
+    "CW-P113.not_held": "{what} sans correction par ce dossier de travail : {why}.",
     "CW-P113.own_table": (
         "{what} : corrigé dans la table {table} de la commande, qui est active maintenant : ses"
         " valeurs contiendront l'ancienne et la nouvelle correction. Pour la laisser telle quelle,"
@@ -131,11 +127,11 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P113.typed": (
         "{what} : les valeurs de correction ne sont dans aucun fichier pour la commande ({why})."
-        " {total:if|Les saisir à la place des|Les ajouter aux} valeurs dans {where} : {rows}. La"
-        " fiche de mise en service et la feuille de saisie du même dossier le décrivent. Les"
-        " valeurs sont des {values:choose|correction=corrections|error=erreurs} ; leur signe n'est"
-        " pas confirmé : le vérifier par une mesure avant la production. La prévision les suppose"
-        " saisies."
+        " {total:if|Remplacer les valeurs dans {where} par|Ajouter aux valeurs dans {where}} :"
+        " {rows}. La fiche de mise en service et la feuille de saisie du même dossier le décrivent."
+        " Les valeurs sont des {values:choose|correction=corrections|error=erreurs} ; leur signe"
+        " n'est pas confirmé : le vérifier par une mesure avant la production. La prévision les"
+        " suppose saisies."
     ),
     "CW-P114": (
         "{axis} : laser et cercle ne concordent pas sur le jeu. Il est de {laser} d'après le"
@@ -210,8 +206,13 @@ SENTENCES: Final[dict[str, str]] = {
         " décidées : chercher pourquoi avant de charger quoi que ce soit."
     ),
     "CW-P132": (
-        "{what} : une décision avec bande de garde demande l'incertitude U de {lacking}, qui est"
-        " inconnue. Elle reste non décidée : {give}."
+        "{test:choose|circular=Cercle|=Axe} {name} : une décision avec bande de garde demande"
+        " l'incertitude U de {lacking}, qui est inconnue. Elle reste non décidée."
+        " {test:choose|vdi3441=VDI/DGQ 3441 n'indique pas d'incertitude : donner une autre"
+        " norme|linear=Donner `uncertainty` dans le dossier de travail (device.U en µm et ce qui"
+        " est connu de plus)|rotary=Donner `uncertainty.rotary` dans le dossier de travail (U de"
+        " l'instrument en ″, setup, E_VE)|circular=Donner `uncertainty.circular` dans le dossier de"
+        " travail (U de l'instrument en µm, length, setup, E_VE)}, ou `decision_rule: simple`."
     ),
     "CW-P133": (
         "Axe {axis} : la limite devrait être tenue aux mêmes points visés, mais pas à de nouveaux"

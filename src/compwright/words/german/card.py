@@ -62,6 +62,14 @@ SENTENCES: Final[dict[str, str]] = {
     "card.stop": "Halt bei Unterschied über",
     "card.then": "{names:join|, dann }",
     "card.title": "Inbetriebnahmekarte: {axes}",
+    "card.typed_column": (
+        "{what:capital}. {total:if|Werte ersetzen in|Zu den Werten addieren in}: {where}: {rows}"
+        " ({values:choose|correction=Korrekturen|error=Fehler}; alle Zeilen:"
+        " {sheet}{total:if||, dazwischen auf geraden Linien}). {more:if|Die Tabelle bekommt mehr"
+        " Zeilen, im gleichen Abstand: DATUM ist die Position der ersten Zeile. In einer neuen"
+        " Zeile bekommt jede andere Spalte ihren Wert aus der nächsten alten Zeile."
+        " |}{selected}{check}"
+    ),
     "card.unconfirmed": "unbestätigt",
     "card.values": "Werte, die sich ändern",
     "card.way_back": "Weg zurück",

@@ -11,6 +11,7 @@ SENTENCES: Final[dict[str, str]] = {
         " das Umkehrspiel der Achse."
     ),
     "better_targets": "Zielpositionen, die diesen Fehler zeigen würden: {targets:g} {unit}",
+    "between.axes": "{output} über {input}",
     "between.deviation": "die gemessene Abweichung von {output} über {input} ({slope})",
     "between.fault": (
         "{where:if|{where}: |}{message}{expected:if|; erwartet: {expected}|}"

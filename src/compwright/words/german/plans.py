@@ -99,8 +99,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P110.circle": "{circle} {squareness:+.1f}",
     "CW-P111": (
-        "{pair}: Die Korrektur reicht über {travel:g} mm der Achse {axis}, die Messung ({what})"
-        " nur über {length:g} mm. Außerhalb davon ist sie extrapoliert: dort prüfen."
+        "{pair}: Die Korrektur reicht über {travel:g} mm der Achse {axis}, die Messung"
+        " ({diameter:if|Durchmesser|Messbereich}) nur über {length:g} mm. Außerhalb davon ist sie"
+        " extrapoliert: dort prüfen."
     ),
     "CW-P112": (
         "{axis} ist eine Gantry-Achse. Sie um Mikrometer zu bewegen, während eine andere Achse"
@@ -111,10 +112,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{what} wird in {where} korrigiert (die Werte dort sind"
         " {values:choose|correction=Korrekturen|error=Fehler})."
     ),
-    "CW-P113.not_held": (
-        "{what} {several:if|werden|wird} nicht korrigiert, denn diese Steuerung, wie der Auftrag"
-        " sie beschreibt, kann die Korrektur{several:if|en|} nicht aufnehmen: {why}."
-    ),
+    "CW-P113.not_held": "Dieser Auftrag lässt {what} unkorrigiert: {why}.",
     "CW-P113.own_table": (
         "{what} wird in Tabelle {table} der Steuerung korrigiert, die jetzt aktiv ist: Ihre Werte"
         " enthalten dann die alte und die neue Korrektur. Damit sie bleibt, wie sie ist, nur freie"
@@ -136,7 +134,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P113.typed": (
         "Die Werte, die {what} korrigieren, sind in keiner Datei für die Steuerung ({why})."
-        " {total:if|Anstelle der Werte eintippen|Zu den Werten addieren} in: {where}: {rows}. Die"
+        " {total:if|Werte ersetzen in|Zu den Werten addieren in}: {where}: {rows}. Die"
         " Inbetriebnahmekarte und das Eingabeblatt in ihrem Ordner beschreiben es. Die Werte sind"
         " {values:choose|correction=Korrekturen|error=Fehler}; ihr Vorzeichen ist unbestätigt: vor"
         " der Fertigung durch eine Messung prüfen. Die Vorhersage rechnet mit den eingetippten"
@@ -214,8 +212,12 @@ SENTENCES: Final[dict[str, str]] = {
         " Grenzwerte des Kreises bleiben offen: vor dem Laden klären, warum."
     ),
     "CW-P132": (
-        "{what}: Die Entscheidung mit Sicherheitsabstand braucht die Unsicherheit U von"
-        " {lacking}, die unbekannt ist. Sie bleibt offen: {give}."
+        "{test:choose|circular=Kreis|=Achse} {name}: Die Entscheidung mit Sicherheitsabstand"
+        " braucht die Unsicherheit U von {lacking}, die unbekannt ist. Sie bleibt offen."
+        " {test:choose|vdi3441=Eine andere Norm (VDI/DGQ 3441 gibt keine an)|linear=Im Auftrag"
+        " `uncertainty` (device.U in µm und was sonst bekannt ist)|rotary=Im Auftrag"
+        " `uncertainty.rotary` (U in ″, setup, E_VE)|circular=Im Auftrag `uncertainty.circular` (U"
+        " in µm, length, setup, E_VE)} oder `decision_rule: simple` angeben."
     ),
     "CW-P133": (
         "Achse {axis}: Der Grenzwert wird nach der Vorhersage an denselben Zielpositionen"

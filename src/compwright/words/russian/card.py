@@ -62,6 +62,13 @@ SENTENCES: Final[dict[str, str]] = {
     "card.stop": "Стоп при расхождении на",
     "card.then": "{names:join|, затем }",
     "card.title": "Карта ввода в эксплуатацию: {axes}",
+    "card.typed_column": (
+        "{what:capital}. {total:if|Замените имеющиеся значения|Прибавьте к имеющимся значениям},"
+        " {where}: {rows} ({values:choose|correction=коррекции|error=погрешности}; все строки:"
+        " {sheet}{total:if||, между ними по прямой}). {more:if|В таблице станет больше строк, с тем"
+        " же шагом: DATUM — позиция первой строки. В новой строке каждый другой столбец получает"
+        " своё значение из ближайшей старой строки. |}{selected}{check}"
+    ),
     "card.unconfirmed": "не подтверждено",
     "card.values": "Изменяемые значения",
     "card.way_back": "Путь назад",

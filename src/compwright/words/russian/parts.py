@@ -10,6 +10,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{finding} Это объясняют файлы УЧПУ: компенсация люфта в них больше мёртвого хода оси."
     ),
     "better_targets": "заданные позиции, которые показали бы эту погрешность: {targets:g} {unit}",
+    "between.axes": "{output} по {input}",
     "between.deviation": "измеренное отклонение {output} по {input} ({slope})",
     "between.fault": (
         "{where:if|{where}: |}{message}{expected:if|; ожидалось: {expected}|}"

@@ -95,7 +95,7 @@ def _machine(stated: Mapping[str, str | None], results: Sequence[CircularResult]
         [
             (
                 _CAUSES[kind],
-                [(one.circle, one.axes, one.found.value, one.found.std_error) for one in seen],
+                [(one.circle, str(one.axes), one.found.value, one.found.std_error) for one in seen],
             )
             for (kind, _), seen in network.contradictions.items()
         ],

@@ -33,10 +33,6 @@ from compwright.words.sentences import SentenceText, control_text, say
 
 #: More points than these are typed from the sheet.
 _MOST_SHOWN = 8
-_MORE_ROWS = control_text(
-    "The table gets more rows, at the same spacing: DATUM is the position of the first row. In a"
-    " new row, every other column gets its value in the nearest old row. "
-)
 _CHECK = control_text(
     "The sign is unconfirmed: check it with a square or a dial gauge, on and off, before"
     " production."
@@ -94,7 +90,7 @@ def _in_the_table(filler: CrossFiller, request: BetweenRequest, filled: Filled) 
         "{error} is in {where}, added to what was there: {values}"
         " (values are {form}s). Load that file; no other column of it changes."
         " {selected}{check}",
-        error=SentenceText(error_label(entry)),
+        error=error_label(entry),
         where=where,
         values=_shown(rows, entry.added.output_kind.unit),
         form=form,
@@ -125,45 +121,33 @@ def _typed(
 ) -> Between:
     """Return the answer that a table ``column`` has to be typed in, for the reason ``why``."""
     form = _form(filler.family, request, entry)
+    sheet = _sheet(entry, form, column)
     position_unit = "" if column.position_unit == entry.added.input_kind.unit else "inch"
-    shown = _shown(list(column.rows), column.unit, position_unit, column.decimals)
+    what = error_label(entry)
+    rows = _shown(list(column.rows), column.unit, position_unit, column.decimals)
     sentence = say(
         "CW-P113.typed",
-        what=error_label(entry),
+        what=what,
         why=why,
         total=column.total,
         where=column.where,
-        rows=shown,
+        rows=rows,
         values=form,
     )
-    sheet = _sheet(entry, form, column)
-    selected = _selected(filler, entry)
-    if column.total:
-        text = control_text(
-            "{error}. Type in, in place of the values in {where}: {values} (values are {form}s;"
-            " all rows: {sheet}). {more}{selected}{check}",
-            error=SentenceText(error_label(entry)),
-            where=column.where,
-            values=shown,
-            form=form,
-            sheet=sheet.name,
-            more=_MORE_ROWS if column.more_rows else "",
-            selected=selected,
-            check=_CHECK,
-        )
-    else:
-        text = control_text(
-            "{error}. Add to the values in {where}, on a straight line between:"
-            " {values} (values are {form}s). {selected}{check}",
-            error=SentenceText(error_label(entry)),
-            where=column.where,
-            values=shown,
-            form=form,
-            selected=selected,
-            check=_CHECK,
-        )
+    text = say(
+        "card.typed_column",
+        what=what,
+        total=column.total,
+        where=column.where,
+        rows=rows,
+        values=form,
+        sheet=sheet.name,
+        more=column.more_rows,
+        selected=_selected(filler, entry),
+        check=_CHECK,
+    )
     changed = replace(entry, added=column.added)
-    return entry_sheet_answer(changed, column.added.positive, sheet, sentence, text)
+    return entry_sheet_answer(changed, column.added.positive, sheet, sentence, SentenceText(text))
 
 
 def _form(family: Family, request: BetweenRequest, entry: PlannedCross) -> str:
@@ -245,23 +229,18 @@ def _rows(entry: PlannedCross, form: str) -> list[tuple[float, float]]:
 
 def _shown(
     rows: list[tuple[float, float]], unit: str, position_unit: str = "", decimals: int = 4
-) -> str:
-    """Return rows as text; ``position_unit``: empty if it is that of the axis in the job."""
-    shown = rows if len(rows) <= _MOST_SHOWN else [rows[0], rows[-1]]
-    return SentenceText(
-        say(
-            "as_written",
-            text=[
-                control_text(
-                    "{value} {unit} at {position}",
-                    value=f"{value:+.{decimals}f}",
-                    unit=unit,
-                    position=f"{position:g} {position_unit}".rstrip(),
-                )
-                for position, value in shown
-            ],
+) -> tuple[str, ...]:
+    """Return rows as texts; ``position_unit``: empty if it is that of the axis in the job."""
+    texts = [
+        control_text(
+            "{value} {unit} at {position}",
+            value=f"{value:+.{decimals}f}",
+            unit=unit,
+            position=f"{position:g} {position_unit}".rstrip(),
         )
-    )
+        for position, value in rows
+    ]
+    return tuple(texts) if len(texts) <= _MOST_SHOWN else (texts[0], "…", texts[-1])
 
 
 def _sheet(entry: PlannedCross, form: str, column: TypedColumn) -> ControlFile:

@@ -74,11 +74,11 @@ class CrossFiller(Patches):
                 )
             )
         column = sources.column_of(output)
-        waking = [
+        waking = tuple(
             control_text("{file}, column {column}", file=table.file, column=column)
             for moving, table in sources.tables.items()
             if table.fills(column) and not (tabled and moving == output)
-        ]
+        )
         bit = control_text("the active line of the .CMA")
         if "enabled" in definition.bindings:
             bit = control_text(
@@ -94,7 +94,7 @@ class CrossFiller(Patches):
                     " repeat the test, then give the files as they are then",
                     output=output,
                     bit=bit,
-                    tables=", ".join(waking),
+                    tables=waking,
                 )
             )
         if self.is_off(output) and (sources.assignments is None or sources.missing):
@@ -174,13 +174,13 @@ class CrossFiller(Patches):
 
     def refuse_shared(self, table: UserTable) -> None:
         """Raise NotHeld if a table follows the motion of several axes."""
-        moving = [address for address, known in self.sources.tables.items() if known is table]
+        moving = tuple(address for address, known in self.sources.tables.items() if known is table)
         if len(moving) > 1:
             raise NotHeld(
                 control_text(
                     "{file} is active for the motion of several axes: {axes}",
                     file=table.file,
-                    axes=", ".join(moving),
+                    axes=moving,
                 )
             )
 

@@ -115,8 +115,8 @@ def _one_turn(
     order = np.argsort(turned)
     if turned[order[0]] != 0:
         raise NotHeld(
-            "the table needs a point at 0 degrees; a spacing that divides the reference"
-            f" {axis.reference:g} would help"
+            "the table needs a point at 0 degrees. Next: set `table: {spacing: ...}` of the axis to"
+            f" a spacing that divides the reference {axis.reference:g}"
         )
     where = np.concatenate([turned[order], [TURN]])
     curves = [
@@ -163,7 +163,7 @@ class TableFiller:
         ):
             raise NotHeld(
                 f"{self.table.file} has {extra} rows too many, and there is no room behind 360"
-                " degrees; delete these rows"
+                " degrees. Next: delete these rows in the control, and export the table again"
             )
         held = np.concatenate([np.arange(points.size), np.full(extra, points.size - 1)])
         self._head(grid)
@@ -172,15 +172,16 @@ class TableFiller:
     def _suits(self) -> None:
         if self.table.head["unit"].text.upper() != "MM":
             raise NotHeld(
-                f"{self.table.file} is in inch; export it with the control set to mm, or leave it"
-                " out for an entry sheet"
+                f"{self.table.file} is in inch. Next: export it with the control set to mm, or"
+                " leave it out for an entry sheet"
             )
         moving = [address for address, table in self.sources.tables.items() if table is self.table]
         if len(moving) > 1:
             raise NotHeld(
                 f"{self.table.file} is active for the motion of several axes "
-                f"({', '.join(moving)}), and a"
-                " change for one of them changes all"
+                f"({', '.join(moving)}), and a change for one of them changes all. Next: name a"
+                " table of its own for each axis in the active line of the .CMA, repeat the test,"
+                " and give the files as they are then"
             )
         second = self.table.column(SECOND)
         if second is None and not np.array_equal(self.entry.positive, self.entry.negative):

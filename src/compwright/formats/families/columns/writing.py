@@ -202,7 +202,9 @@ class _OwnTables(Patches):
         if others:
             name = name_of(self.control.definition, "enabled")
             what = "would activate the values" if awake else "would switch off the active values"
+            other = "set the bit to 1" if awake else "choose `method: table` for this axis"
             raise NotHeld(
                 f"the bit of {address} in {name} has to become {int(awake)}, which {what} in"
-                f" {', '.join(others)}; empty that column first, or set the bit and measure again"
+                f" {', '.join(others)}. Next: {other}, or empty these columns; repeat the test,"
+                " then give the files as they are then"
             )

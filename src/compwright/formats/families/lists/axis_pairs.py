@@ -27,7 +27,7 @@ from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import ControlFile, ControlState, CrossCompensation
 from compwright.records.plan import PlannedCross
-from compwright.words.sentences import SentenceText, control_text
+from compwright.words.sentences import control_text
 
 #: Straight is what a curve misses by less than this, mm or deg.
 _STRAIGHT = 1e-9
@@ -120,7 +120,7 @@ def _write(
             control_text(
                 "remove the corrections of axis {output} over {inputs} from the {where}",
                 output=added.output,
-                inputs=", ".join(sorted(others)),
+                inputs=tuple(sorted(others)),
                 where=where,
             )
             for inputs, where in places
@@ -216,7 +216,7 @@ def _steps(entry: PlannedCross, files: Sequence[ControlFile], meaning: str) -> l
         " {input} is referenced. Outside the table its end values should stay; no page"
         " says it. Work offsets of {output} shift with {input}: probe them again.",
         files=and_joined([file.name for file in files]),
-        error=SentenceText(error_label(entry)),
+        error=error_label(entry),
         corrected=added.output,
         master=added.input,
         **axes,

@@ -49,7 +49,7 @@ from compwright.records.correction import (
     CrossCompensation,
 )
 from compwright.records.plan import PlannedCross
-from compwright.words.sentences import Sentence, SentenceText, control_text, say
+from compwright.words.sentences import Sentence, control_text, say
 
 
 def write_cross(
@@ -180,7 +180,7 @@ def _with_own(fault: Fault, own: Sequence[int], control: Family, entry: CrossCom
             "{message}; table {index} of these axes takes no further correction: {reasons}",
             message=message,
             index=str(index),
-            reasons=SentenceText(say("between.faults", faults=[reason for reason, _ in why])),
+            reasons=say("between.faults", faults=[reason for reason, _ in why]),
         )
         steps += [step for _, step in why if step]
     return replace(fault, message=message, hint=either_step(and_joined(steps), fault.hint))

@@ -9,7 +9,7 @@ from compwright.formats.families.pairs.updated_tables import largest_sum
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.correction import ControlState
 from compwright.records.plan import PlannedCross
-from compwright.words.sentences import SentenceText, control_text, say
+from compwright.words.sentences import control_text, say
 
 #: The least movement that a dial gauge shows beyond doubt, mm or deg.
 _VISIBLE = 0.005
@@ -124,7 +124,7 @@ def _in_use(check: str, which: str, value: str) -> str:
 def _loading(entry: PlannedCross, named: str) -> str:
     added, own = entry.added, entry.added.output_kind.unit
     factor, unit = outside_factor(own), shown_unit(own)
-    ends = [
+    ends = tuple(
         control_text(
             "{value} {unit} at {input} {position}",
             value=f"{round(value * factor, 2) + 0.0:+.2f}",
@@ -133,13 +133,13 @@ def _loading(entry: PlannedCross, named: str) -> str:
             position=f"{position:g}",
         )
         for position, value in zip(added.positions[[0, -1]], added.positive[[0, -1]], strict=True)
-    ]
+    )
     return control_text(
         "Load {files}. {error}: {output} is moved by {ends}, 0 at the reference of {input}.",
         files=named,
-        error=SentenceText(say("card.capital", text=error_label(entry))),
+        error=say("card.capital", text=error_label(entry)),
         output=entry.output,
-        ends=SentenceText(say("as_written", text=ends)),
+        ends=ends,
         input=entry.input,
     )
 

@@ -164,22 +164,6 @@ TEXTS: Final[dict[str, str]] = {
     "the table (.COM) of {input}, column of {output}": (
         "la table (.COM) de {input}, colonne de {output}"
     ),
-    "{error}. Add to the values in {where}, on a straight line between: {values} (values are"
-    " {form}s). {selected}{check}": (
-        "{error}. Ajouter aux valeurs dans {where}, sur une droite entre elles : {values} (les"
-        " valeurs signifient {form}). {selected}{check}"
-    ),
-    "{error}. Type in, in place of the values in {where}: {values} (values are {form}s;"
-    " all rows: {sheet}). {more}{selected}{check}": (
-        "{error}. Saisir à la place des valeurs dans {where} : {values} (les valeurs"
-        " signifient {form} ; toutes les lignes : {sheet}). {more}{selected}{check}"
-    ),
-    "The table gets more rows, at the same spacing: DATUM is the position of the first"
-    " row. In a new row, every other column gets its value in the nearest old row. ": (
-        "La table reçoit des lignes de plus, au même pas : DATUM est la position de la"
-        " première ligne. Dans une nouvelle ligne, chaque autre colonne reçoit sa valeur"
-        " de l'ancienne ligne la plus proche. "
-    ),
     "the table (.COM) that the active line of the .CMA names for the motion of {input} (a"
     " new one, where it names none), column of {output}": (
         "la table (.COM) que la ligne active de la .CMA nomme pour le déplacement de"

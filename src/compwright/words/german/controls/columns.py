@@ -162,22 +162,6 @@ TEXTS: Final[dict[str, str]] = {
     "the table (.COM) of {input}, column of {output}": (
         "Tabelle (.COM) von {input}, Spalte von {output}"
     ),
-    "{error}. Add to the values in {where}, on a straight line between: {values} (values are"
-    " {form}s). {selected}{check}": (
-        "{error}. Zu den Werten addieren in: {where}, auf einer geraden Linie dazwischen:"
-        " {values} (die Werte bedeuten {form}). {selected}{check}"
-    ),
-    "{error}. Type in, in place of the values in {where}: {values} (values are {form}s;"
-    " all rows: {sheet}). {more}{selected}{check}": (
-        "{error}. Anstelle der Werte eintippen in: {where}: {values} (die Werte bedeuten"
-        " {form}; alle Zeilen: {sheet}). {more}{selected}{check}"
-    ),
-    "The table gets more rows, at the same spacing: DATUM is the position of the first"
-    " row. In a new row, every other column gets its value in the nearest old row. ": (
-        "Die Tabelle bekommt mehr Zeilen, im gleichen Abstand: DATUM ist die Position der"
-        " ersten Zeile. In einer neuen Zeile bekommt jede andere Spalte ihren Wert aus der"
-        " nächsten alten Zeile. "
-    ),
     "the table (.COM) that the active line of the .CMA names for the motion of {input} (a"
     " new one, where it names none), column of {output}": (
         "Tabelle (.COM), die die aktive Zeile der .CMA für die Bewegung von {input} nennt"

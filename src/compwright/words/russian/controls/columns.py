@@ -155,22 +155,6 @@ TEXTS: Final[dict[str, str]] = {
         " {form}). Загрузите этот файл; другие столбцы в нём не меняются. {selected}{check}"
     ),
     "the table (.COM) of {input}, column of {output}": "таблица (.COM) {input}, столбец {output}",
-    "{error}. Add to the values in {where}, on a straight line between: {values} (values are"
-    " {form}s). {selected}{check}": (
-        "{error}. Прибавьте к значениям, {where}, по прямой между ними: {values} (значения"
-        " имеют смысл {form}). {selected}{check}"
-    ),
-    "{error}. Type in, in place of the values in {where}: {values} (values are {form}s;"
-    " all rows: {sheet}). {more}{selected}{check}": (
-        "{error}. Введите вместо имеющихся значений, {where}: {values} (значения имеют"
-        " смысл {form}; все строки: {sheet}). {more}{selected}{check}"
-    ),
-    "The table gets more rows, at the same spacing: DATUM is the position of the first"
-    " row. In a new row, every other column gets its value in the nearest old row. ": (
-        "В таблице станет больше строк, с тем же шагом: DATUM — позиция первой строки. В"
-        " новой строке каждый другой столбец получает своё значение из ближайшей старой"
-        " строки. "
-    ),
     "the table (.COM) that the active line of the .CMA names for the motion of {input} (a"
     " new one, where it names none), column of {output}": (
         "таблица (.COM), которую активная строка .CMA называет для движения {input}"
