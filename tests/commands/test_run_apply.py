@@ -21,6 +21,7 @@ from test_run_circles import AXIS_X, CEC, SIEMENS, Bent, codes, judge_of, measur
 
 from compwright.cli import run as compwright
 from compwright.records.axis import Direction
+from sinumerik_archive import ARCHIVE, needs_archive
 
 pytestmark = pytest.mark.short_estimate
 
@@ -668,6 +669,36 @@ def test_an_unused_table_with_channel_names_is_written_with_the_names_of_the_mac
     written = (folder / "job" / "tables" / "siemens-840d-sl" / "Y1_CROSS.INI").read_text()
     assert "$AN_CEC_INPUT_AXIS[0]=(AX1)" in written
     assert "$AN_CEC_OUTPUT_AXIS[0]=(AX2)" in written
+
+
+@needs_archive
+def test_the_file_of_an_axis_says_nothing_of_a_new_table_between_axes(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Y gets tables of its own and one over X. SD41300 of the new table over X is 0 in the archive
+    and set by hand after the check of its sign. The file of Y itself shows table 2 over X, which is
+    active now, and each value that changes is once among the changes.
+    """
+    shutil.copy(ARCHIVE, folder)
+    (folder / "job.yaml").write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl, options: {cec: available,"
+        f" cec_sign: error, cec_tables: [17, 18, 19]}}}}\nstates: {{as_found: [{ARCHIVE.name}]}}\n"
+        "axes:\n  X: {travel: [0, 400], address: AX1, before: []}\n"
+        "  Y: {travel: [-500, 0], address: AX2, before: [y.csv]}\n"
+        "circles: [{file: xy.csv, name: xy-150, centre: [200, -250]}]\n"
+        "apply: {squareness: {XY: Y}}\n"
+    )
+    assert compwright(["run", str(folder / "job.yaml")]) in (0, 1)
+    tables = folder / "job" / "tables" / SIEMENS
+    axis, between = ((tables / f"Y1_{name}.INI").read_text() for name in ("MD", "CROSS"))
+    assert "; as it is: $SN_CEC_TABLE_ENABLE[2]=1" in axis
+    assert "[19" not in axis
+    assert "; by hand: $SN_CEC_TABLE_ENABLE[19]=1" in between
+    changes = list(csv.reader((folder / "job" / "card" / "changes.csv").read_text().splitlines()))
+    assert ["$SN_CEC_TABLE_ENABLE[19]", "0", "1"] in changes
+    assert len(changes) == len(set(map(tuple, changes)))
+    said = " ".join(capsys.readouterr().out.split())
+    assert "CEC tables 0, 1, 3, 4, 5 are left as they are. All their values are 0" in said
 
 
 @pytest.mark.parametrize(("deviation", "tables"), [(8, "[0]"), (-8, "[1]")])

@@ -246,7 +246,7 @@ def _in_other_lines(
     """
     reader, listing = text_reader(control.definition), control.format.listing
     own = (file for file in new if not is_container(file) and not is_entry_sheet(file))
-    texts = ((file.name, reader.read(file, [])) for file in own)
+    texts = ((file.name.rpartition(": ")[2], reader.read(file, [])) for file in own)
     read = {
         (name, place.line) for name, text in texts for place in (text.occurrences if text else ())
     }

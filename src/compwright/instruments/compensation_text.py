@@ -145,11 +145,7 @@ def read_compensation_text(text: Sequence[str], faults: FaultList, answers: Answ
             *(() if answers.unit else (SentenceText(say("reading.unit_mm")),)),
         ),
         findings=(
-            Finding.of(
-                "CW-R058",
-                "warning",
-                sign=(found.get("sign convention") or "its sign given by the profile"),
-            ),
+            Finding.of("CW-R058", "warning", sign=found.get("sign convention")),
             *filter(None, [stray, read_so_finding(readings, AxisKind.LINEAR)]),
         ),
     )

@@ -114,7 +114,7 @@ class Notes:
     def switched_off(self, label: str, what: str) -> None:
         """Report that a table in the files corrects nothing.
 
-        ``label``: the table in messages. ``what``: the statement that deactivates it.
+        ``label``: the table in messages. ``what``: the parameter that deactivates it.
         """
         self.find("CW-S007", "info", label=label, switch=what)
 

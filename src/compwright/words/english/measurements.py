@@ -180,9 +180,9 @@ SENTENCES: Final[dict[str, str]] = {
         " directions − mean of the way out).}"
     ),
     "CW-R058": (
-        "The file is a compensation table made by the laser's software ({sign}), not a test. It is"
-        " read as one run per direction with the errors of this table. To make a table, give the"
-        " measurement file of the test."
+        "The file is a compensation table made by the laser's software ({sign:if|{sign}|sign by the"
+        " profile}), not a test. It is read as one run per direction with the errors of this table."
+        " To make a table, give the measurement file of the test."
     ),
     "CW-R059": (
         "Rows without a number in the column {column} were left out: line {lines}{more:if|"

@@ -35,7 +35,7 @@ SENTENCES: Final[dict[str, str]] = {
         "axis {axis}: several measuring systems have a compensation table. Only the table of"
         " system {system} is shown"
     ),
-    "CW-S007": "{label}: {switch}. This compensation has no effect",
+    "CW-S007": "{label}: the table has no effect ({switch})",
     "CW-S008": (
         "{label}: no file contains a compensation table. It is assumed that the control has none"
         " for it"
@@ -220,8 +220,7 @@ SENTENCES: Final[dict[str, str]] = {
         " loading"
     ),
     "CW-S054": (
-        "CEC tables {tables} are left as they are. Their grid cannot be read, but all their"
-        " values are 0, so they correct nothing"
+        "CEC tables {tables} are left as they are. All their values are 0, so they correct nothing"
     ),
     "CW-S055": (
         "The values of CEC tables are shown as if a positive value moved the axis in +. According"

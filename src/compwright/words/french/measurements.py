@@ -190,9 +190,10 @@ SENTENCES: Final[dict[str, str]] = {
         " deux sens (2 × moyenne des deux sens − moyenne de l'aller).}"
     ),
     "CW-R058": (
-        "Le fichier est une table de compensation faite par le logiciel du laser ({sign}), pas un"
-        " essai. Il est lu comme un parcours par sens avec les erreurs de cette table. Pour faire"
-        " une table, donner le fichier de mesure de l'essai."
+        "Le fichier est une table de compensation faite par le logiciel du laser"
+        " ({sign:if|{sign}|signe selon le profil}), pas un essai. Il est lu comme un parcours par"
+        " sens avec les erreurs de cette table. Pour faire une table, donner le fichier de mesure"
+        " de l'essai."
     ),
     "CW-R059": (
         "Les lignes sans nombre dans la colonne {column} sont omises : ligne {lines}{more:if| et"

@@ -42,7 +42,7 @@ SENTENCES: Final[dict[str, str]] = {
         "axe {axis} : plusieurs systèmes de mesure ont une table de compensation. Seule la table"
         " du système {system} est montrée"
     ),
-    "CW-S007": "{label} : {switch}. Cette compensation n'a pas d'effet",
+    "CW-S007": "{label} : la table n'a pas d'effet ({switch})",
     "CW-S008": (
         "{label} : aucun fichier ne contient de table de compensation. On suppose que la commande"
         " n'en a pas pour lui"
@@ -235,8 +235,8 @@ SENTENCES: Final[dict[str, str]] = {
         " après le chargement"
     ),
     "CW-S054": (
-        "Les tables CEC {tables} restent telles quelles. Leur grille est illisible, mais toutes"
-        " leurs valeurs sont 0, donc elles ne corrigent rien"
+        "Les tables CEC {tables} restent telles quelles. Toutes leurs valeurs sont 0, donc elles ne"
+        " corrigent rien"
     ),
     "CW-S055": (
         "Les valeurs des tables CEC sont montrées comme si une valeur positive déplaçait l'axe en"

@@ -190,9 +190,9 @@ SENTENCES: Final[dict[str, str]] = {
         " Richtungen berechnet (2 × Mittel beider Richtungen − Mittel des Hinwegs).}"
     ),
     "CW-R058": (
-        "Die Datei ist eine Kompensationstabelle der Lasersoftware ({sign}), keine Prüfung. Sie"
-        " wird als ein Lauf je Richtung mit den Fehlern dieser Tabelle gelesen. Für eine Tabelle"
-        " die Messdatei der Prüfung angeben."
+        "Die Datei ist eine Kompensationstabelle der Lasersoftware ({sign:if|{sign}|Vorzeichen nach"
+        " dem Profil}), keine Prüfung. Sie wird als ein Lauf je Richtung mit den Fehlern dieser"
+        " Tabelle gelesen. Für eine Tabelle die Messdatei der Prüfung angeben."
     ),
     "CW-R059": (
         "Zeilen ohne Zahl in der Spalte {column} sind weggelassen: Zeile {lines}{more:if| und"

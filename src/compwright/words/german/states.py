@@ -42,7 +42,7 @@ SENTENCES: Final[dict[str, str]] = {
         "Achse {axis}: Mehrere Messsysteme haben eine Kompensationstabelle. Gezeigt wird nur die"
         " Tabelle von System {system}"
     ),
-    "CW-S007": "{label}: {switch}. Diese Kompensation hat keine Wirkung",
+    "CW-S007": "{label}: Die Tabelle ist ohne Wirkung ({switch})",
     "CW-S008": (
         "{label}: Keine Datei enthält eine Kompensationstabelle. Es wird angenommen, dass die"
         " Steuerung dafür keine hat"
@@ -239,8 +239,8 @@ SENTENCES: Final[dict[str, str]] = {
         " Laden gleich wirkt"
     ),
     "CW-S054": (
-        "Die CEC-Tabellen {tables} bleiben, wie sie sind. Ihr Raster ist nicht lesbar, aber alle"
-        " ihre Werte sind 0, sie korrigieren also nichts"
+        "Die CEC-Tabellen {tables} bleiben, wie sie sind. Alle ihre Werte sind 0, sie korrigieren"
+        " also nichts"
     ),
     "CW-S055": (
         "Die Werte der CEC-Tabellen sind so gezeigt, als bewege ein positiver Wert die Achse in +."

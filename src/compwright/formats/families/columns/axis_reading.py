@@ -251,7 +251,7 @@ class ColumnAxisReader:
             )
         if found is not None and found.text == "0" and self.activity.stated is not True:
             if self.curves is not None:
-                self.notes.switched_off(self.label, f"{self._switch} switches the table off")
+                self.notes.switched_off(self.label, self._switch)
             return False
         if self.curves is None:
             if found is None and self._other_columns_active() and not self.sources.starred:

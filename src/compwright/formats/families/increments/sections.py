@@ -77,7 +77,7 @@ def read_sections(values: IncrementAxisValues, kind: AxisKind) -> IncrementSecti
         return None
     if values.integer("magnification") == 0:
         number = values.name("magnification")
-        values.notes.switched_off(values.label, f"{number} is 0, the table is off")
+        values.notes.switched_off(values.label, f"{number} = 0")
         return None
     missing = [values.name(name) for name, found in present.items() if found is None]
     if missing:
@@ -95,7 +95,7 @@ def read_sections(values: IncrementAxisValues, kind: AxisKind) -> IncrementSecti
 def _note_switched_off(values: IncrementAxisValues) -> None:
     """Report that stored pitch error compensation is off, so that no table can be active."""
     number = values.name("compensation_off")
-    values.notes.switched_off(values.label, f"{number}#0 is 1: pitch error compensation is off")
+    values.notes.switched_off(values.label, f"{number}#0 = 1")
     if values.axis is not None:
         values.wrong(
             "compensation_off",
@@ -171,7 +171,7 @@ def _checked(values: IncrementAxisValues, kind: AxisKind) -> IncrementSections |
         )
     if first == last and len(values.notes.faults) == before:
         same = f"{values.name('first_number')} = {values.name('last_number')} = {first}"
-        values.notes.switched_off(values.label, f"{same}, the table has no section")
+        values.notes.switched_off(values.label, same)
         return None
     interval = values.length("table_spacing", kind)
     if interval is not None and interval <= 0:

@@ -207,7 +207,7 @@ class CecReader(SingleValues):
         )
 
     def _note_empty(self) -> None:
-        """Report tables of zeros whose positions cannot be read."""
+        """Report tables of zeros that cannot be read as a curve."""
         if self.quiet:
             self.notes.find("CW-S054", "info", tables=self.quiet)
 

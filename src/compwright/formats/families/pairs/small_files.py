@@ -163,7 +163,9 @@ class SmallFiles:
             others = [
                 table
                 for table, pair in pairs.items()
-                if pair[1] == address and table not in written and self._moves(tables[table])
+                if pair[1] == address
+                and not self._is_written(tables[table])
+                and self._moves(tables[table])
             ]
             others += self._multiplied_by(tables, others, written)
             active = self._switched_on(address, system)

@@ -349,7 +349,7 @@ class WrappedStateReader:
             absent = binding.when_absent
             self.notes.assume(f"{name}: tables act", "1", str(absent.evidence if absent else ""))
         else:
-            self.notes.switched_off(label, f"the scripts end with {name} = 0")
+            self.notes.switched_off(label, f"{name} = 0")
         return word is None
 
     def _takes_up(self, label: str, motor: int, *, needed: bool) -> bool:
