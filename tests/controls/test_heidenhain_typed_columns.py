@@ -18,6 +18,7 @@ import pytest
 from test_heidenhain_described import PLAY, com
 from test_run_apply import card, folder, measured, prediction, run  # noqa: F401 - two fixtures
 
+from compwright.cli import run as compwright
 from loop import Floats
 
 pytestmark = pytest.mark.short_estimate
@@ -34,7 +35,7 @@ OWN, SAG = 1e-5, -2.5e-5  # mm of error for each mm: column 1=F() and column 2=F
 def x_com(
     sag: float = SAG, *, datum: float = 0, dist: float = 100, rows: int = 9, unit: str = "MM"
 ) -> str:
-    decimals = 5 if unit == "INCH" else 4
+    decimals = 4  # also in inch, where the last one is 2.5 µm: too coarse for the totals
     text = f"BEGIN X      .COM {unit} DATUM:{datum:g} DIST:{dist:g}\nNR   1=F()     2=F()\n"
     for k in range(rows):
         where = datum + k * dist
@@ -183,6 +184,8 @@ def test_the_bit_of_an_axis_changes_no_column_of_another_table(
     said = capsys.readouterr().err
     assert harm in said
     assert ("the bit of Y in MP730" in said) is bool(harm)
+    step = {"no": "set the bit to 1", "yes": "choose `method: table` for this axis"}[answer]
+    assert (f"Next: {step}, or empty these columns; repeat the test" in said) is bool(harm)
     assert (folder / "job" / "tables").exists() is not bool(harm)
 
 
@@ -278,6 +281,7 @@ def test_the_sheet_has_the_totals_of_every_row(
         assert f" {unit} at " in one
     assert ("The table gets more rows" in step) is more
     assert {row[2] for row in sheet(folder)[1]} == {unit}
+    assert {len(row[1].partition(".")[2]) for row in sheet(folder)[1]} == {4 if unit == "mm" else 5}
     after = followed(folder, text)
     expected = added_to_y(text, X) + LEAN * X
     steps = np.diff(column(after, 2)[0])[0]
@@ -293,6 +297,48 @@ def test_the_sheet_has_the_totals_of_every_row(
     np.testing.assert_allclose(
         np.interp(X, *column(after, 1)), np.interp(X, *column(text, 1)), atol=1e-4
     )
+
+
+@pytest.mark.parametrize(("dist", "held"), [(90, True), (180, False), (60, False)])
+def test_the_table_of_a_rotary_axis_gets_totals_in_its_own_rows(
+    *,
+    folder: Path,  # noqa: F811
+    capsys: pytest.CaptureFixture[str],
+    dist: float,
+    held: bool,
+) -> None:
+    """Y moves by 5 µm over C, with a bend at every 90 degrees. Each row gets what it has now and
+    this; the control uses only rows from 0 to 360 degrees, so none is added outside.
+    """
+    old = np.array([0.0, 0.001, 0.002, 0.003, 0.0])
+    rows = "".join(f"{k:<5d}{value:+.4f}   +0.0000\n" for k, value in enumerate(old))
+    texts = {
+        "Y.COM": y_com(0.0),
+        "C.COM": f"BEGIN C      .COM MM DATUM:0 DIST:{dist}\nNR   2=F()     6=F()\n{rows}END   C .COM\n",
+        "CONFIG.CMA": "BEGIN CONFIG .CMA MM\nNR   2         6\n0    Y         C\nEND   CONFIG .CMA\n",
+        "MP.TXT": "".join(f"MP710.{axis} : 0.0\nMP720.{axis} : 0.0\n" for axis in (1, 5))
+        + "MP730 : %100010\n",
+    }
+    job = folder / "job.yaml"
+    job.write_text(
+        f"compwright: 1\ncontroller: {{format: {ITNC}}}\nstates: {{as_found: {files(folder, texts)}}}\n"
+        "axes:\n  Y: {travel: [-500, 0], address: Y, before: []}\n"
+        "  C: {travel: [0, 360], kind: rotary, modulo: 360, address: C, before: []}\n"
+        "cross:\n  - {input: C, output: Y, positions: [0, 90, 180, 270, 360],"
+        " deviations: [0, 5, 0, -5, 0], unit: um}\n"
+    )
+    assert compwright(["run", str(job)]) == (0 if held else 1)
+    said = " ".join(capsys.readouterr().out.split())
+    file = folder / "job" / "card" / "cross_C_Y.csv"
+    assert file.exists() is held
+    if not held:
+        why = "has no row at a position" if dist == 180 else "reaches from 0 to 240"
+        assert f"uncorrected: C.COM {why}" in said
+        return
+    head, *lines = file.read_text(encoding="utf-8").splitlines()
+    assert "totals, in place of the values there" in head
+    values = np.array([float(line.split(",")[1]) for line in lines[2:]])
+    np.testing.assert_allclose(values - old, [0.0, 0.005, 0.0, -0.005, 0.0], atol=1e-9)
 
 
 def test_a_table_that_is_not_among_the_files_is_added_to(

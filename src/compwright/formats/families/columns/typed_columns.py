@@ -20,7 +20,7 @@ from compwright.records.correction import CrossCompensation
 from compwright.records.plan import PlannedCross
 from compwright.words.sentences import control_text
 
-#: Decimal places of a value, unless the table shows more.
+#: Decimal places of a value in mm or deg, one more in inch; a table may show more.
 _DECIMALS = 4
 
 
@@ -61,7 +61,7 @@ def typed_column(filler: CrossFiller, entry: PlannedCross) -> TypedColumn:
     scale = filler.values.scale(added.input, added.output_kind)
     sign = -1.0 if scale.sign("value") == "error" else 1.0
     unit, position_unit = str(added.output_kind.unit), str(added.input_kind.unit)
-    if table is None or added.input_kind is not AxisKind.LINEAR:
+    if table is None:
         numbers = np.round(sign * added.positive, _DECIMALS) + 0.0
         rows = tuple(zip(added.positions.tolist(), numbers.tolist(), strict=True))
         held = replace(added, positive=sign * numbers, negative=sign * numbers)
@@ -81,7 +81,7 @@ def typed_column(filler: CrossFiller, entry: PlannedCross) -> TypedColumn:
     along, across = (
         float(filler.values.factor(table, kind)) for kind in (added.input_kind, added.output_kind)
     )
-    decimals = max([_DECIMALS, *_decimals(table)])
+    decimals = max([_DECIMALS + int(across != 1.0), *_decimals(table)])
     numbers = np.round(sign * total / across, decimals) + 0.0
     more = sign * numbers * across - before
     return TypedColumn(
@@ -92,7 +92,7 @@ def typed_column(filler: CrossFiller, entry: PlannedCross) -> TypedColumn:
         decimals=decimals,
         total=True,
         more_rows=grid.size > now.size,
-        added=replace(added, positions=grid, positive=more, negative=more, period=None),
+        added=replace(added, positions=grid, positive=more, negative=more),
     )
 
 
@@ -116,10 +116,12 @@ def _covering(
     filler: CrossFiller, table: UserTable, rows: FloatArray, added: CrossCompensation
 ) -> FloatArray:
     """Return the positions of a table's rows, with those that it needs in addition to reach over
-    the correction, at the spacing of the rows. Raises NotHeld if these are too many.
+    the correction, at the spacing of the rows. Raises NotHeld if these are too many, or if the
+    table follows a rotary axis: the control uses only its rows from 0 to 360 degrees.
     """
     first, last = added.positions[0] + EXACTNESS, added.positions[-1] - EXACTNESS
-    if rows.size < 2 and not rows[0] <= first <= last <= rows[-1]:
+    fixed = rows.size < 2 or added.input_kind is AxisKind.ROTARY
+    if fixed and not rows[0] <= first <= last <= rows[-1]:
         correction_at_rows(added, rows, table.file)  # raises NotHeld: the rows do not cover it
     steps = np.diff(rows) if rows.size > 1 else np.ones(1)
     below = max(0, int(np.ceil((rows[0] - first) / steps[0])))
