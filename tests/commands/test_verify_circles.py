@@ -632,3 +632,22 @@ def test_the_fault_of_a_scale_correction_is_named(
         assert name in (likely.partition(" %")[0] or named)
         assert not likely or "thermal" in likely
     assert not [one for one in answer["doubts"] if one["code"] == "CW-V036"]
+
+
+def test_a_scale_table_that_was_read_back_with_another_value_is_never_good(
+    scaled: tuple[Path, str],
+) -> None:
+    """The circle is as planned: another machine, or the values changed since."""
+    folder, job = scaled
+    back = folder / "back"
+    shutil.copytree(folder.joinpath(*LOADED), back)
+    (changed,) = [each for each in back.iterdir() if "ENC_COMP[0,1,AX1]" in each.read_text()]
+    (value,) = re.findall(r"ENC_COMP\[0,1,AX1\]=(.*)", changed.read_text())
+    after = circle(folder / "after.csv", Machine(), SLOW, 2)
+    assert verified(folder, job, after, "--loaded", str(back))[0] == 0
+    changed.write_text(changed.read_text().replace(value, f"{float(value) / 2:.6f}"))
+    code, answer = verified(folder, job, after, "--loaded", str(back))
+    assert (code, answer["verdict"]) == (1, "bad")
+    (found,) = answer["findings"]
+    assert found["code"] == "CW-V011"
+    assert "Axis X: the table that was read back" in found["message"]

@@ -68,7 +68,7 @@ from compwright.workflow.verify.next_round import (
 )
 from compwright.workflow.verify.proof_export import FOLDER as PROVEN
 from compwright.workflow.verify.proof_export import proven_files
-from compwright.workflow.verify.verified_axis import between_axes, verified_axis
+from compwright.workflow.verify.verified_axis import between_axes, differing_tables, verified_axis
 from compwright.workflow.verify.verify_circles import (
     split_after,
     squareness_decisions,
@@ -279,6 +279,12 @@ def _verified(
             )
         ),
         *(found for _, found in between),
+        *differing_tables(
+            control,
+            (entry for name, entry in plan.axes.items() if name not in axes),
+            as_found,
+            read_back,
+        ),
     ]
     if isinstance(compared, CompareOutcome):
         more = list(read_back_findings(job, compared.document, compared.doubts, general))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Final
 
@@ -299,6 +299,20 @@ def _compare_loaded(
     every = with_partners(control.in_state(as_found.state), _tables(planned), as_found)
     found = tuple(_compared(axis, table.compensation, read_back) for axis, table in every)
     return tuple(one for one in found if one.code == "CW-V011") or found[:1]
+
+
+def differing_tables(
+    control: Control,
+    planned: Iterable[PlannedAxis],
+    as_found: DecodedState,
+    read_back: DecodedState | None,
+) -> Iterator[Finding]:
+    """Yield the finding CW-V011 for each ``planned`` axis whose table that was read back differs
+    from the plan.
+    """
+    for entry in planned:
+        found = _compare_loaded(control, entry, as_found, read_back)
+        yield from (each for each in found if each.code == "CW-V011")
 
 
 def _tables(planned: PlannedAxis) -> list[tuple[Axis, FittedTable]]:
