@@ -50,9 +50,9 @@ from compwright.records.circular import (
 LEAST_SAMPLES: Final = 24
 #: Standard errors from which a finding names a lag.
 _CLEAR_LAG: Final = 2.0
-#: Samples of one run that are fitted: five times those of the finest ballbar; a million would fill
-#: the memory and tell no more.
-MOST_SAMPLES: Final = 4_000
+#: Samples of one run that are fitted: several times those of the finest ballbar; more would take
+#: time and memory, and tell no more.
+MOST_SAMPLES: Final = 3_000
 #: Samples of one run that a fitted run holds at most: for pictures.
 _MOST_FITTED: Final = 1_000
 
