@@ -419,13 +419,13 @@ def refused(case: str) -> Between:
     elif case == "own table":
         options, text = {"cec_tables": (3,)}, text.replace("ENABLE[3]=1", "ENABLE[3]=0")
     own: tuple[ControlFile, ...] = (ControlFile("CEC.INI", text.encode()),)
-    control, pair = family(SIEMENS, **{**CEC, **options}), ("AX1", "AX2")
+    control, names = family(SIEMENS, **{**CEC, **options}), ("AX1", "AX2")
     if case == "columns not active":
         texts = {"CONFIG.CMA": LINE, "MP.TXT": "MP730 : %00001\n", "X.COM": SAG}
         texts["Y.COM"] = SAG.replace("X", "Y")
         own = tuple(ControlFile(name, text.encode()) for name, text in texts.items())
-        control, pair = family(ITNC), ("X", "Y")
-    found = decode(Control(control), own, [axis("X", pair[0]), axis("Y", pair[1])])
+        control, names = family(ITNC), ("X", "Y")
+    found = decode(Control(control), own, [axis("X", names[0]), axis("Y", names[1])])
 
     def read(files: tuple[ControlFile, ...], *, written: bool = False) -> ControlState:
         assert (files, written) == (own, False)
@@ -434,7 +434,7 @@ def refused(case: str) -> Between:
     return control.between(
         BetweenRequest(
             found=own,
-            planned=(follows(addresses=pair),),
+            planned=(follows(addresses=names),),
             axes={},
             tabled=(),
             tables=(),

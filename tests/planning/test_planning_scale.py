@@ -16,7 +16,7 @@ from compwright.planning.circle_network import network_findings
 from compwright.planning.circles import CircleWork
 from compwright.planning.scale import ScaleCorrection, correct_scales, scale_steps, shrinking
 from compwright.prediction.active_corrections import NO_CORRECTIONS, ActiveCorrections
-from compwright.records.axis import Axis, AxisKind
+from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.fitted_table import Mode, TableRequest
@@ -201,7 +201,7 @@ def test_the_mismatch_with_an_axis_under_the_laser_gives_the_other(
     circle = circle_of({"scale_mismatch": (cause, 0.2)}, axes)
     found = scaled(circle, works={"X": laser})
     assert (
-        "scale error +30.0 ± 1.0 µm/m according to the scale of axis X by laser, and the scale difference of the two axes in circular test circle"
+        "scale error +30.0 ± 1.0 µm/m according to circular test circle and the laser on axis X."
         in (found.finding.message)
     )
     assert slope_of(found) == pytest.approx(-30.0 * PPM, abs=0.2 * PPM)
@@ -210,7 +210,7 @@ def test_the_mismatch_with_an_axis_under_the_laser_gives_the_other(
 def test_a_bar_of_unknown_length_beside_an_axis_without_a_laser_tells_nothing() -> None:
     found = scaled(circle_of({"scale_mismatch": (4.0, 0.2)}, calibrated=False))
     assert (found.planned, found.finding.severity) == (None, "error")
-    assert "the bar of circle was not calibrated" in found.finding.message
+    assert "the bar of circle circle was not calibrated" in found.finding.message
     assert "none was measured with it" in scaled().finding.message
 
 
@@ -291,6 +291,7 @@ def test_the_circles_of_one_state_that_contradict_each_other_are_not_averaged() 
     far = scaled(fed("a", 150.0), fed("b", 150.0, y=100.0))
     assert (far.planned, far.finding.severity) == (None, "error")
     assert "± 60.0 µm/m is too uncertain" in far.finding.message
+    assert "square" not in far.finding.message  # what helps a squareness does not help a scale
 
 
 def of_like_axes(growth: float) -> list[CircleWork]:
@@ -371,6 +372,26 @@ def test_a_scale_from_a_small_part_of_the_travel_is_extrapolated(
     if far:
         assert "over 1000 mm of axis Y" in reach[0]
         assert "is only 400 mm" in reach[0]
+
+
+@pytest.mark.parametrize("feeds", [(150.0,), (150.0, 1000.0, 3000.0)])
+def test_a_circle_that_shows_no_scale_reaches_over_nothing(feeds: tuple[float, ...]) -> None:
+    """Circles from 400 to 600 mm show the scale. One from 800 to 1000 mm shows nothing: the part
+    that it covers is extrapolated, and what was active there during the tests counts for nothing.
+    """
+
+    def bent(positions: FloatArray, direction: Direction) -> FloatArray:
+        return -20.0 * PPM * np.maximum(positions - 700.0, 0.0)
+
+    states = {"as_found": NO_CORRECTIONS, "before": ActiveCorrections({"Y": bent}, {})}
+    circles = [fed(f"{feed:g}", feed, measured_in="before") for feed in feeds]
+    blind = circle_of({}, centre=(500.0, 900.0), name="blind", measured_in="before")
+    alone, found = (scaled(*those, states=states) for those in (circles, [*circles, blind]))
+    reach = [one.message for one in found.findings if one.code == "CW-P111"]
+    assert reach == [one.message for one in alone.findings if one.code == "CW-P111"]
+    assert "is only 200 mm" in reach[0]
+    # 1 µm/m: what the lag leaves open at one feed; the part that counts for nothing would be 5 to 10
+    assert slope_of(found) == pytest.approx(slope_of(alone), abs=1.0 * PPM)
 
 
 def holds_one(axis: Axis, *, one_curve: bool = False) -> Capacity:

@@ -75,9 +75,10 @@ class Observation:
 
     @property
     def axes(self) -> str | Sentence:
-        """The axes of this value as text: ``X - Y`` for a difference, ``X and Y`` for a mean."""
+        """The axes of this value as text: ``X - Y`` for a difference, ``mean of X and Y``."""
         shares = {axis: share for (kind, axis), share in self.parts.items() if kind != "shrinking"}
-        return " - ".join(shares) if min(shares.values()) < 0.0 else say("card.and", names=shares)
+        mean = len(shares) > 1 and min(shares.values()) > 0.0
+        return say("circle.mean", axes=shares) if mean else " - ".join(shares)
 
 
 @dataclass(frozen=True, slots=True)

@@ -301,7 +301,7 @@ class _Planner:
         """
         mine = (work for work in self.circles if frozenset(work.planned.test.axes) == pair)
         if angle is not None:
-            why = shortfall(angle.value * _PPM, angle.std_error * _PPM)
+            why = shortfall(angle.value * _PPM, angle.std_error * _PPM, squareness=True)
             self.find("CW-P106.uncertain", "error", plane=plane, why=why)
         elif reasons := list(why_undetermined(mine, "squareness")):
             self.find("CW-P106.undetermined", "error", plane=plane, reasons=reasons)

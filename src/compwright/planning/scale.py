@@ -19,7 +19,7 @@ from compwright.foundations.findings import Finding
 from compwright.planning.axis_work import CapacityOf
 from compwright.planning.circle_checks import CircleChecks, mismatch, scale_error
 from compwright.planning.circle_network import CircleNetwork, contradiction, state_networks
-from compwright.planning.circles import CircleWork, measured_range, why_undetermined
+from compwright.planning.circles import CircleWork, effect_of, measured_range, why_undetermined
 from compwright.planning.cross import extrapolated
 from compwright.planning.tables import NEW_GRID, fit_keeping_grid, fit_remaining
 from compwright.planning.value_with_error import ValueWithError, weighted_mean, worse_doubts
@@ -36,7 +36,7 @@ from compwright.records.estimate import ErrorEstimate
 from compwright.records.fitted_table import FittedTable, TableRequest
 from compwright.records.job import AS_FOUND, AxisJob, Job
 from compwright.records.plan import PlannedAxis
-from compwright.words.sentences import Sentence, say
+from compwright.words.sentences import Sentence, control_text, say
 
 #: A feed is low when the softest usual position loop shrinks the circle by no more than this part
 #: of its radius.
@@ -112,7 +112,10 @@ def _scaled(
     scale, contradicts = weighted_mean([stated for stated, _, _ in shown])
     doubts: tuple[Finding, ...] = ()
     if contradicts:
-        each = [(tests, name, stated.words(_PPM, "µm/m")) for stated, tests, _ in shown]
+        each = [
+            (" + ".join(work.name for work in works), name, stated.words(_PPM, "µm/m"))
+            for stated, works, _ in shown
+        ]
         doubts = (contradiction("scale", (name,), each),)
     refused = job.acknowledgement("CW-P136", name) is None and (
         contradicts or any(network.contradicts_scale(name) for network in networks.values())
@@ -125,7 +128,7 @@ def _scaled(
     if need == "negligible":
         finding = Finding.of("CW-P119.negligible", "info", scale=words)
     elif need == "undetermined":
-        why = shortfall(*in_ppm)
+        why = shortfall(*in_ppm, squareness=False)
         finding = Finding.of("CW-P119.undetermined", "error", axis=name, why=why, tests=source)
     elif refused:
         finding = Finding.of("CW-P119.contradictory", "error", axis=name)
@@ -137,13 +140,14 @@ def _scaled(
             finding = Finding.of("CW-P119.impossible", "error", scale=words, reasons=faults)
         else:
             finding = Finding.of("CW-P120", "warning", scale=words)
-            doubts += (*_reach(job.axes[name].axis, circles), *worse_doubts(*in_ppm, (name,)))
+            works = [work for _, works, _ in shown for work in works]
+            doubts += (*_reach(job.axes[name].axis, works), *worse_doubts(*in_ppm, (name,)))
     return ScaleCorrection(name, planned, finding, doubts)
 
 
-#: A scale error under the present corrections, the names of the circular tests that show it, and
-#: the words for these tests.
-_Shown = tuple[ValueWithError, str, Sentence]
+#: A scale error under the present corrections, the circular tests of the axis that show it, and the
+#: words for all tests that it comes from.
+_Shown = tuple[ValueWithError, Sequence[CircleWork], Sentence]
 
 
 def _values(
@@ -162,10 +166,14 @@ def _values(
         if (stated := network.values_of("scale").get(name)) is not None
     }
     for state, (tests, stated) in together.items():
-        own = [work for work in mine if work.planned.measured_in == state]
+        own = [
+            work
+            for work in mine
+            if work.planned.measured_in == state and effect_of(work.result, "scale_mismatch")
+        ]
         scale = ValueWithError(stated.value / _PPM, stated.std_error / _PPM)
         how = say("CW-P119.together", circles=tests)
-        yield _now(scale, own, name, checks), " + ".join(tests), how
+        yield _now(scale, own, name, checks), own, how
     slow = [
         (work, stated)
         for work in mine
@@ -175,7 +183,7 @@ def _values(
     ]
     for work, stated in slow:
         how = say("CW-P119.low_feed", circle=work.name)
-        yield _now(stated, [work], name, checks), work.name, how
+        yield _now(stated, [work], name, checks), [work], how
     if not (together or slow):
         for work in mine:
             yield _by_mismatch(work, name, checks)
@@ -198,18 +206,16 @@ def _by_mismatch(work: CircleWork, name: str, checks: CircleChecks) -> _Shown | 
     stated = ValueWithError(own, float(np.hypot(between.std_error, laser.scale.std_error)))
     return (
         _now(stated, [work], name, checks),
-        work.name,
+        [work],
         say("CW-P119.mismatch", circle=work.name, axis=work.planned.test.axes[1 - index]),
     )
 
 
 def _reach(axis: Axis, circles: Sequence[CircleWork]) -> Iterator[Finding]:
-    """Yield the finding CW-P111 if the circular tests cover a small part of the travel."""
-    ends = [
-        measured_range(work.planned, _index(work, axis.name))
-        for work in circles
-        if axis.name in work.planned.test.axes
-    ]
+    """Yield the finding CW-P111 if the circular tests that show a scale cover a small part of the
+    travel.
+    """
+    ends = [measured_range(work.planned, _index(work, axis.name)) for work in circles]
     yield from extrapolated(axis.name, axis, float(np.ptp(ends)))
 
 
@@ -296,8 +302,12 @@ def scale_steps(scaled: Sequence[ScaleCorrection]) -> tuple[Mapping[str, str], .
     """
     return tuple(
         {
-            "title": f"{entry.name}: scale from circles",
-            "text": f"{entry.finding.message} Measure {entry.name} with a laser when you can.",
+            "title": control_text("{name}: scale from circles", name=entry.name),
+            "text": control_text(
+                "{scale} Measure {name} with a laser when you can.",
+                scale=entry.finding.sentence,
+                name=entry.name,
+            ),
             "evidence": "inferred",
         }
         for entry in scaled

@@ -184,7 +184,10 @@ class Diagnosis:
             or correction_need(effect.value, effect.std_error) != "undetermined"
         ):
             return self.undetermined
-        return {**self.undetermined, "squareness": shortfall(effect.value, effect.std_error)}
+        return {
+            **self.undetermined,
+            "squareness": shortfall(effect.value, effect.std_error, squareness=True),
+        }
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -35,7 +35,14 @@ def most_uncertain(value: float) -> float:
     return min(0.5 * abs(value), MOST_UNCERTAIN)
 
 
-def shortfall(value: float, std_error: float) -> Sentence:
-    """Return the sentence that ``value`` (µm/m) is too uncertain to be corrected."""
-    error = _BOTH_SIDES * std_error
-    return say("undetermined.value", value=value, error=error, most=MOST_UNCERTAIN)
+def shortfall(value: float, std_error: float, *, squareness: bool) -> Sentence:
+    """Return the sentence that a ``squareness``, else a scale, of ``value`` (µm/m) is too uncertain
+    to be corrected.
+    """
+    return say(
+        "undetermined.value",
+        value=value,
+        error=_BOTH_SIDES * std_error,
+        most=MOST_UNCERTAIN,
+        squareness=squareness,
+    )

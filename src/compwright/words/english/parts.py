@@ -26,6 +26,7 @@ SENTENCES: Final[dict[str, str]] = {
         " straightness}"
     ),
     "between.squareness": "squareness of {output} over {input} ({slope:+.1f} µm/m)",
+    "circle.mean": "mean of {axes:and}",
     "circle.part": "{start:.5g}° to {end:.5g}°",
     "compared_not_removed": "{parameters:join|; }. The result contains all readings.",
     "direct_squareness": (
@@ -124,8 +125,8 @@ SENTENCES: Final[dict[str, str]] = {
     "undetermined.square": "an arc does not show all errors that count in the positional tolerance",
     "undetermined.value": (
         "{value:+.1f} ± {error:.1f} µm/m is too uncertain: the uncertainty (k = 2) must be"
-        " below half of the value and below {most:g} µm/m. Measure full circles in both directions,"
-        " and give all of them. The squareness of bent guideways needs a square"
+        " below half of the value and below {most:g} µm/m{squareness:if|. Measure full circles in"
+        " both directions, and give all of them. The squareness of bent guideways needs a square|}"
     ),
     "value_with_error": (
         "{decimals:choose|1={value:+.1f} ± {error:.1f}|2={value:+.2f} ± {error:.2f}"

@@ -160,20 +160,18 @@ SENTENCES: Final[dict[str, str]] = {
         " measured with it}."
     ),
     "CW-P119.undetermined": (
-        "{axis}: the scale, taken from {tests:join|; }, is not corrected: {why}. Another way:"
-        " measure the axis with a laser, or repeat the circle at a low feed."
+        "{axis}: the scale from {tests:join|; } is not corrected: {why}. Measure the axis with a"
+        " laser, or a circle at a low feed."
     ),
     "CW-P119.lag": (
-        "at the feed of {circle} the lag of the axes may make the circle smaller by {lag:.0f}"
-        " µm/m (measure a circle at {feed:.0f} mm/min or slower, or the other axis with a laser)"
+        "servo lag may make circle {circle} smaller by {lag:.0f} µm/m (measure a circle at"
+        " {feed:.0f} mm/min or slower, or the other axis with a laser)"
     ),
     "CW-P119.low_feed": "circular test {circle} at a low feed",
-    "CW-P119.mismatch": (
-        "the scale of axis {axis} by laser, and the scale difference of the two"
-        " axes in circular test {circle}"
-    ),
+    "CW-P119.mismatch": "circular test {circle} and the laser on axis {axis}",
     "CW-P119.not_calibrated": (
-        "the bar of {circle} was not calibrated, and its other axis has no positioning test"
+        "the bar of circle {circle} was not calibrated, and the other axis of this circle has no"
+        " positioning test"
     ),
     "CW-P119.together": "circular tests {circles:join|, } together",
     "CW-P120": (
@@ -240,20 +238,20 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P135.value": "{of} {value}",
     "CW-P136": (
         "{kind:choose|squareness=Squareness|scale=Scale|lost motion=Lost motion|servo"
-        " mismatch=Servo mismatch}: the circles contradict each other ({values}). Either the"
-        " machine changed between the tests, or its errors depend on place, feed or temperature."
-        " Repeat the circle that deviates."
+        " mismatch=Servo mismatch}: the circles contradict each other ({values:join|; }). Either"
+        " the machine changed between the tests, or its errors depend on place, feed or"
+        " temperature. Repeat the circle that deviates."
     ),
-    "CW-P136.circle": "{circle} {axes} {value}",
+    "CW-P136.circle": "{circle}: {axes} {value}",
     "CW-P136.growth": (
-        "Axis {axis}: the radius grows with the feed more than a position loop can cause: a feed,"
-        " radius, bar length or temperature is not as stated. Check these of {circles:join|, }, or"
-        " repeat the circle that deviates."
+        "Axis {axis}: the radius of the circles grows with the feed, by more than a position loop"
+        " can cause. A feed, radius, bar length or temperature is not as stated. Check them for"
+        " {circles:join|, }, or repeat the circle that deviates."
     ),
     "CW-P136.lag": (
-        "Axis {axis}: the radius changes with the feed as much as by a position loop of {lag}"
-        " (usual: up to {most}). Check feed, radius and temperature of {circles:join|, }: the scale"
-        " depends on them."
+        "Axis {axis}: the radius of the circles shrinks with the feed as if the position loop had a"
+        " time constant of {lag} (usual: up to {most}). Check feed, radius and temperature of"
+        " {circles:join|, }: the scale depends on them."
     ),
     "CW-P140": (
         "Axis {axis}: the new table gets new points, {grid}. The points of the existing table,"

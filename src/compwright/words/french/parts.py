@@ -26,6 +26,7 @@ SENTENCES: Final[dict[str, str]] = {
         " de travail : aucune autre table ne corrige une rectitude}"
     ),
     "between.squareness": "perpendicularité de {output} à {input} ({slope:+.1f} µm/m)",
+    "circle.mean": "moyenne de {axes:and}",
     "circle.part": "{start:.5g}° à {end:.5g}°",
     "compared_not_removed": "{parameters:join|; }. Le résultat contient toutes les mesures.",
     "direct_squareness": (
@@ -131,9 +132,9 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "undetermined.value": (
         "{value:+.1f} ± {error:.1f} µm/m n'est pas assez bien connu : l'incertitude (k = 2) doit"
-        " être inférieure à la moitié de la valeur et à {most:g} µm/m. Mesurer des cercles entiers"
-        " dans les deux sens, et les donner tous. La perpendicularité de guidages courbes"
-        " demande une équerre"
+        " être inférieure à la moitié de la valeur et à {most:g} µm/m{squareness:if|. Mesurer des"
+        " cercles entiers dans les deux sens, et les donner tous. La perpendicularité de guidages"
+        " courbes demande une équerre|}"
     ),
     "value_with_error": (
         "{decimals:choose|1={value:+.1f} ± {error:.1f}|2={value:+.2f} ± {error:.2f}"

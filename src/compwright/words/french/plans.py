@@ -159,15 +159,15 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P119.impossible": "{scale}. Elle n'est pas corrigée : {reasons:join|; }.",
     "CW-P119.lag": (
-        "à l'avance de {circle}, le retard des axes peut réduire le cercle de {lag:.0f} µm/m"
-        " (mesurer un cercle à {feed:.0f} mm/min au plus, ou l'autre axe au laser)"
+        "le retard d'asservissement peut réduire le cercle {circle} de {lag:.0f} µm/m (mesurer un"
+        " cercle à {feed:.0f} mm/min au plus, ou l'autre axe au laser)"
     ),
     "CW-P119.low_feed": "{circle} à faible avance",
     "CW-P119.mismatch": "la différence d'échelle de {circle} et le laser sur {axis}",
     "CW-P119.negligible": "{scale}. Il n'y a rien à corriger.",
     "CW-P119.not_calibrated": (
-        "l'instrument de {circle} n'était pas étalonné, et son autre axe n'a pas d'essai de"
-        " positionnement"
+        "l'instrument du cercle {circle} n'était pas étalonné, et l'autre axe de ce cercle n'a pas"
+        " d'essai de positionnement"
     ),
     "CW-P119.not_taken": (
         "{axis} : aucun cercle ne donne l'échelle de cet axe : {reasons:if|{reasons:join|;"
@@ -175,8 +175,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P119.together": "{circles:join|, } ensemble",
     "CW-P119.undetermined": (
-        "{axis} : l'échelle, prise de {tests:join|; }, n'est pas corrigée : {why}. Autre moyen :"
-        " mesurer l'axe au laser, ou répéter le cercle à faible avance."
+        "{axis} : l'échelle prise de {tests:join|; } n'est pas corrigée : {why}. Mesurer l'axe au"
+        " laser, ou un cercle à faible avance."
     ),
     "CW-P120": (
         "{scale}. La table la corrige. Elle comprend l'effet des températures de l'instrument et"
@@ -243,21 +243,22 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P135.value": "{of} {value}",
     "CW-P136": (
-        "{kind:choose|squareness=Perpendicularité|scale=Échelle|lost motion=Jeu à"
-        " l'inversion|servo mismatch=Différence d'asservissement} : les cercles se contredisent"
-        " ({values}). Soit la machine a changé entre les essais, soit ses erreurs dépendent du"
-        " lieu, de l'avance ou de la température. Répéter le cercle qui s'écarte."
+        "{kind:choose|squareness=Perpendicularité|scale=Échelle|lost motion=Jeu à l'inversion|servo"
+        " mismatch=Différence d'asservissement} : les cercles se contredisent ({values:join| ; })."
+        " Soit la machine a changé entre les essais, soit ses erreurs dépendent du lieu, de"
+        " l'avance ou de la température. Répéter le cercle qui s'écarte."
     ),
-    "CW-P136.circle": "{circle} {axes} {value}",
+    "CW-P136.circle": "{circle} : {axes} {value}",
     "CW-P136.growth": (
-        "Axe {axis} : le rayon augmente avec l'avance plus qu'une boucle de position ne peut le"
-        " causer : une avance, un rayon, une longueur de barre ou une température n'est pas comme"
-        " indiqué. Vérifier ces données de {circles:join|, }, ou répéter le cercle qui s'écarte."
+        "Axe {axis} : le rayon des cercles augmente avec l'avance, plus qu'une boucle de position"
+        " ne peut le causer. Une avance, un rayon, une longueur de barre ou une température n'est"
+        " pas comme indiqué. Les vérifier pour {circles:join|, }, ou répéter le cercle qui"
+        " s'écarte."
     ),
     "CW-P136.lag": (
-        "Axe {axis} : le rayon change avec l'avance comme avec une boucle de position de constante"
-        " de temps {lag} (usuel : jusqu'à {most}). Vérifier l'avance, le rayon et la température de"
-        " {circles:join|, } : l'échelle en dépend."
+        "Axe {axis} : le rayon des cercles diminue avec l'avance comme si la boucle de position"
+        " avait une constante de temps de {lag} (usuel : jusqu'à {most}). Vérifier l'avance, le"
+        " rayon et la température de {circles:join|, } : l'échelle en dépend."
     ),
     "CW-P140": (
         "Axe {axis} : la nouvelle table reçoit de nouveaux points, {grid}. Les points de la table"

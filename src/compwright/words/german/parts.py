@@ -26,6 +26,7 @@ SENTENCES: Final[dict[str, str]] = {
         " andere Tabelle korrigiert eine Geradheit}"
     ),
     "between.squareness": "Rechtwinkligkeit von {output} zu {input} ({slope:+.1f} µm/m)",
+    "circle.mean": "Mittel von {axes:and}",
     "circle.part": "{start:.5g}° bis {end:.5g}°",
     "compared_not_removed": "{parameters:join|; }. Das Ergebnis enthält alle Messwerte.",
     "direct_squareness": (
@@ -128,9 +129,9 @@ SENTENCES: Final[dict[str, str]] = {
     "undetermined.square": "ein Bogen zeigt nicht alle Fehler, die zur Positionstoleranz gehören",
     "undetermined.value": (
         "{value:+.1f} ± {error:.1f} µm/m ist nicht genau genug bekannt: Die Unsicherheit (k = 2)"
-        " muss unter der Hälfte des Wertes und unter {most:g} µm/m liegen. Volle Kreise in beiden"
-        " Richtungen messen und alle angeben. Die Rechtwinkligkeit krummer Führungen braucht einen"
-        " Winkel"
+        " muss unter der Hälfte des Wertes und unter {most:g} µm/m liegen{squareness:if|. Volle"
+        " Kreise in beiden Richtungen messen und alle angeben. Die Rechtwinkligkeit krummer"
+        " Führungen braucht einen Winkel|}"
     ),
     "value_with_error": (
         "{decimals:choose|1={value:+.1f} ± {error:.1f}|2={value:+.2f} ± {error:.2f}"

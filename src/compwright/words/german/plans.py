@@ -165,16 +165,15 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P119.impossible": "{scale}. Er wird nicht korrigiert: {reasons:join|; }.",
     "CW-P119.lag": (
-        "beim Vorschub von {circle} kann der Schleppabstand der Achsen den Kreis um {lag:.0f}"
-        " µm/m verkleinern (einen Kreis mit höchstens {feed:.0f} mm/min oder die andere Achse mit"
-        " dem Laser messen)"
+        "der Schleppabstand kann den Kreis {circle} um {lag:.0f} µm/m verkleinern (einen Kreis mit"
+        " höchstens {feed:.0f} mm/min oder die andere Achse mit dem Laser messen)"
     ),
     "CW-P119.low_feed": "{circle} bei kleinem Vorschub",
     "CW-P119.mismatch": "dem Maßstabsunterschied von {circle} und dem Laser auf {axis}",
     "CW-P119.negligible": "{scale}. Es gibt nichts zu korrigieren.",
     "CW-P119.not_calibrated": (
-        "das Messgerät von {circle} war nicht kalibriert, und die andere Achse hat keine"
-        " Positionierprüfung"
+        "das Messgerät von Kreis {circle} war nicht kalibriert, und die andere Achse dieses Kreises"
+        " hat keine Positionierprüfung"
     ),
     "CW-P119.not_taken": (
         "{axis}: Kein Kreis ergibt den Maßstab dieser Achse: {reasons:if|{reasons:join|; }|keiner"
@@ -182,8 +181,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P119.together": "den Kreisen {circles:join|, } zusammen",
     "CW-P119.undetermined": (
-        "{axis}: Der Maßstab aus {tests:join|; } wird nicht korrigiert: {why}. Anderer Weg: die"
-        " Achse mit einem Laser messen oder den Kreis bei kleinem Vorschub wiederholen."
+        "{axis}: Der Maßstab aus {tests:join|; } wird nicht korrigiert: {why}. Die Achse mit einem"
+        " Laser messen oder einen Kreis bei kleinem Vorschub."
     ),
     "CW-P120": (
         "{scale}. Die Tabelle korrigiert ihn. Er enthält die Wirkung der Temperaturen von"
@@ -250,19 +249,20 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-P135.value": "{of} {value}",
     "CW-P136": (
         "{kind:choose|squareness=Rechtwinkligkeit|scale=Maßstab|lost motion=Umkehrspiel|servo"
-        " mismatch=Unterschied der Lageregelung}: Die Kreise widersprechen sich ({values})."
+        " mismatch=Unterschied der Lageregelung}: Die Kreise widersprechen sich ({values:join|; })."
         " Entweder änderte sich die Maschine zwischen den Prüfungen, oder ihre Fehler hängen von"
         " Ort, Vorschub oder Temperatur ab. Den Kreis wiederholen, der abweicht."
     ),
-    "CW-P136.circle": "{circle} {axes} {value}",
+    "CW-P136.circle": "{circle}: {axes} {value}",
     "CW-P136.growth": (
-        "Achse {axis}: Der Radius wächst mit dem Vorschub stärker, als eine Lageregelung bewirken"
-        " kann: Vorschub, Radius, Länge des Messgeräts oder Temperatur ist nicht wie angegeben."
-        " Diese Angaben von {circles:join|, } prüfen, oder den Kreis wiederholen, der abweicht."
+        "Achse {axis}: Der Radius der Kreise wächst mit dem Vorschub, stärker als eine Lageregelung"
+        " bewirken kann. Vorschub, Radius, Länge des Messgeräts oder Temperatur ist nicht wie"
+        " angegeben. Sie für {circles:join|, } prüfen, oder den Kreis wiederholen, der abweicht."
     ),
     "CW-P136.lag": (
-        "Achse {axis}: Der Radius ändert sich mit dem Vorschub so stark wie bei einer Lageregelung"
-        " mit {lag} (üblich bis {most}). Vorschub, Radius, Temperatur von {circles:join|, } prüfen."
+        "Achse {axis}: Der Radius der Kreise schrumpft mit dem Vorschub wie bei einer Zeitkonstante"
+        " der Lageregelung von {lag} (üblich bis {most}). Vorschub, Radius, Temperatur von"
+        " {circles:join|, } prüfen."
     ),
     "CW-P140": (
         "Achse {axis}: Die neue Tabelle bekommt neue Punkte, {grid}. Die Punkte der vorhandenen"

@@ -86,6 +86,10 @@ TEXTS: Final[dict[str, str]] = {
     ),
     " It has values of its own.": " Il a ses propres valeurs.",
     "{output} over {input}: type in": "{output} sur {input} : saisie",
+    "{name}: scale from circles": "{name} : échelle d'après les cercles",
+    "{scale} Measure {name} with a laser when you can.": (
+        "{scale} Mesurer {name} au laser dès que possible."
+    ),
     "Not corrected: {error}": "Non corrigé : {error}",
     ", which also moves {output} as a whole by {constant} µm": (
         ", ce qui déplace aussi {output} dans son ensemble de {constant} µm"

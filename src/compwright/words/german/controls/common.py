@@ -85,6 +85,10 @@ TEXTS: Final[dict[str, str]] = {
     ),
     " It has values of its own.": " Sie hat eigene Werte.",
     "{output} over {input}: type in": "{output} über {input}: eintippen",
+    "{name}: scale from circles": "{name}: Maßstab aus Kreisen",
+    "{scale} Measure {name} with a laser when you can.": (
+        "{scale} {name} mit einem Laser messen, sobald es möglich ist."
+    ),
     "Not corrected: {error}": "Nicht korrigiert: {error}",
     ", which also moves {output} as a whole by {constant} µm": (
         ", was auch {output} als Ganzes um {constant} µm verschiebt"

@@ -84,6 +84,10 @@ TEXTS: Final[dict[str, str]] = {
     ),
     " It has values of its own.": " У неё свои значения.",
     "{output} over {input}: type in": "{output} по {input}: ввести",
+    "{name}: scale from circles": "{name}: масштаб по окружностям",
+    "{scale} Measure {name} with a laser when you can.": (
+        "{scale} Измерьте {name} лазером, когда будет возможность."
+    ),
     "Not corrected: {error}": "Не скорректировано: {error}",
     ", which also moves {output} as a whole by {constant} µm": (
         ", что также сдвигает {output} целиком на {constant} мкм"
