@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 from test_heidenhain_described import PLAY, com
 from test_run_apply import card, folder, measured, prediction, run  # noqa: F401 - two fixtures
+from test_run_circles import Bent, write_circle
 
 from compwright.cli import run as compwright
 from loop import Floats
@@ -353,3 +354,60 @@ def test_a_table_that_is_not_among_the_files_is_added_to(
     assert f"Add to {where}: " in step
     assert "If it is 0, and MP720 of Y or one of its columns in any table is not 0, leave" in step
     assert sheet(folder)[0] == "# column of Y in the table of X: add to the values there"
+
+
+# --- what was typed in, read back
+
+
+def scaled_column(text: str, factor: float) -> str:
+    """A table with the values of column 2=F() multiplied."""
+    head, names, *rows, end = text.splitlines()
+    body = [
+        f"{k:<5}{own:<10}{factor * float(value):+.4f}" for k, own, value in map(str.split, rows)
+    ]
+    return "\n".join([head, names, *body, end]) + "\n"
+
+
+def own_column(text: str) -> str:
+    """A table without column 2=F()."""
+    head, _, *rows, end = text.splitlines()
+    body = [" ".join(row.split()[:2]) for row in rows]
+    return "\n".join([head, "NR   1=F()", *body, end]) + "\n"
+
+
+def test_what_was_typed_in_is_compared_with_the_sheet(
+    folder: Path,  # noqa: F811
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """The circle is as planned in every case: a value that is not that of the sheet, or the table
+    as it was, is never good. `compare` has no file to compare and names the way.
+    """
+    texts = {
+        "X.COM": x_com(datum=200, rows=5),
+        "Y.COM": y_com(),
+        "CONFIG.CMA": LINE,
+        "MP.TXT": f"{PARAMETERS}MP730 : %00011\n",
+    }
+    assert run(folder, ITNC, states=files(folder, texts)) == 0
+    sheet_followed = followed(folder, texts["X.COM"])
+    write_circle(folder / "after.csv", Bent(squareness=0.0).circle(8))
+    back = folder / "back"
+    back.mkdir()
+    words = ["verify", str(folder / "job.yaml"), "--after", str(folder / "after.csv"), "--force"]
+    for table, code, named in (
+        (sheet_followed, 0, "Verdict: good"),
+        (texts["X.COM"], 1, "differs from the entry sheet by up to 31.90 µm (at 800 mm of X)"),
+        (scaled_column(sheet_followed, -1.0), 1, "differs from the entry sheet by up to 93.80 µm"),
+        (own_column(texts["X.COM"]), 1, "hold no table of axis Y over axis X"),
+    ):
+        for name, text in {**texts, "X.COM": table}.items():
+            (back / name).write_text(text)
+        capsys.readouterr()
+        assert compwright([*words, "--loaded", str(back)]) == code
+        assert named in " ".join(capsys.readouterr().out.split())
+    assert compwright(["compare", str(folder / "job"), "--loaded", str(back)]) == 2
+    assert "type `compwright verify` with `--loaded`" in capsys.readouterr().err
+    assert compwright(words) == 0
+    write_circle(folder / "after.csv", Bent().circle(8))
+    assert compwright(words) == 1
+    assert f"--after {folder / 'after.csv'} --loaded READ_BACK" in capsys.readouterr().out

@@ -35,7 +35,11 @@ def step(
         "doubts": [{"code": code} for code in codes],
     }
     outcome = SimpleNamespace(
-        document=document, files=files, of_axes=["a.csv"] if verdicts else [], of_circles={}
+        document=document,
+        files=files,
+        of_axes=["a.csv"] if verdicts else [],
+        of_circles={},
+        loadable=True,
     )
     after = [*outcome.of_axes, *(["xy=circle.csv"] if of_circle else [])]
     job, out = Path("job.yaml"), Path("job")

@@ -320,6 +320,11 @@ SENTENCES: Final[dict[str, str]] = {
         " not, so the comparison depends on this assumption. Read this value of the control back"
         " too, and give its file with `--loaded`."
     ),
+    "CW-S087.typed": (
+        "The files read back hold no table of axis {output} over axis {input}. It is unknown"
+        " whether the values of the entry sheet were typed in. Read this table of the control back"
+        " too, and give its file with `--loaded`."
+    ),
     "CW-S088.coupled": (
         "The files read back couple axis {axis} with another axis ({parameter}), those of the plan"
         " do not. A table on one of two coupled axes racks the machine. Check this parameter on the"

@@ -336,6 +336,11 @@ SENTENCES: Final[dict[str, str]] = {
         " relus non : la comparaison dépend de cette hypothèse. Relire aussi cette valeur de la"
         " commande, et donner son fichier avec `--loaded`."
     ),
+    "CW-S087.typed": (
+        "Les fichiers relus ne contiennent aucune table de l'axe {output} en fonction de l'axe"
+        " {input}. On ne sait pas si les valeurs de la feuille de saisie ont été saisies. Relire"
+        " aussi cette table de la commande, et donner son fichier avec `--loaded`."
+    ),
     "CW-S088.coupled": (
         "Les fichiers relus couplent l'axe {axis} avec un autre axe ({parameter}), ceux du plan"
         " non. Une table sur un seul de deux axes couplés vrille la machine. Contrôler ce paramètre"

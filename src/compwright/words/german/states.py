@@ -343,6 +343,11 @@ SENTENCES: Final[dict[str, str]] = {
         " den ausgelesenen nicht; der Vergleich hängt von dieser Annahme ab. Auch diesen Wert"
         " aus der Steuerung auslesen und seine Datei mit `--loaded` angeben."
     ),
+    "CW-S087.typed": (
+        "Die ausgelesenen Dateien enthalten keine Tabelle der Achse {output} über Achse {input}. Ob"
+        " die Werte des Eingabeblatts eingetippt wurden, ist nicht bekannt. Auch diese Tabelle aus"
+        " der Steuerung auslesen und ihre Datei mit `--loaded` angeben."
+    ),
     "CW-S088.coupled": (
         "Die ausgelesenen Dateien koppeln Achse {axis} mit einer anderen Achse ({parameter}), die"
         " des Plans nicht. Eine Tabelle auf nur einer von zwei gekoppelten Achsen verspannt die"

@@ -89,6 +89,7 @@ NOT_READ_BACK = Fault(
 class VerifyOutcome:
     """The result of ``verify``. ``exit_code`` is 0 only for the verdict ``good``. ``of_axes``: the
     values of ``--after`` that are positioning tests. ``of_circles``: those of circles, by name.
+    ``loadable``: whether the run wrote tables, not only entry sheets.
     """
 
     exit_code: int
@@ -97,6 +98,7 @@ class VerifyOutcome:
     notes: tuple[str, ...] = ()
     of_axes: tuple[str, ...] = ()
     of_circles: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    loadable: bool = True
 
 
 def plan_path(session: Session, given: Path | None, default: Path) -> Path:
@@ -175,6 +177,7 @@ def verify_job(
             name: [f"{name}={path.as_posix()}" for path in paths]
             for name, paths in found.circle_files.items()
         },
+        loadable=found.plan.loadable,
     )
 
 
@@ -240,18 +243,15 @@ def _verified(
     compared = _compared(session, plan_file, loaded) if loaded else ""
     cross = [entry for entry in plan.cross if entry.written and read_back]
     files = planned_files(control.in_state(as_found.state), plan, as_found)[0] if cross else ()
-    between = list(between_axes(control, cross, plan.every_axis, files, read_back))
-    differing = {entry.pair for entry, found in between if entry and found.code == "CW-V011"}
-    same = {entry.pair: entry.pair not in differing for entry in cross}
-    if isinstance(compared, CompareOutcome):
-        of_axes = compared.document["axes"].items()
-        same |= {frozenset({name}): axis["verdict"] == "loaded" for name, axis in of_axes}
-    on_control = TablesOnControl(
-        control=control.in_state(as_found.state),
-        plan=plan,
-        as_found=as_found,
-        stored=stored.state,
-        read_back={} if ours else same,
+    between = list(between_axes(control, plan, files, as_found, read_back))
+    on_control = TablesOnControl.of(
+        control.in_state(as_found.state),
+        plan,
+        as_found,
+        stored.state,
+        between,
+        compared.document["axes"] if isinstance(compared, CompareOutcome) else {},
+        believed=read_back is not None and not ours,
     )
     circles = verify_circles(session, job, plan, circle_files, on_control, states)
     measured = {name: circle.after.test for name, circle in circles.items()}

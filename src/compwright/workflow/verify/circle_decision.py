@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from compwright.controls.control import Control
 from compwright.controls.decoded_state import DecodedState
 from compwright.controls.judged_corrections import judged_cross
+from compwright.foundations.findings import Finding
 from compwright.planning.wanted_correction import axis_compensation
 from compwright.prediction.dead_zone import applied_compensation
 from compwright.records.axis import Direction
@@ -35,6 +37,37 @@ class TablesOnControl:
     as_found: DecodedState
     stored: ControlState
     read_back: Mapping[frozenset[str], bool]
+
+    @classmethod
+    def of(
+        cls,
+        control: Control,
+        plan: Plan,
+        as_found: DecodedState,
+        stored: ControlState,
+        between: Sequence[tuple[PlannedCross | None, Finding]],
+        axes: Mapping[str, Mapping[str, Any]],
+        *,
+        believed: bool,
+    ) -> TablesOnControl:
+        """Return the tables. ``between``: what is wrong with tables between axes that were read
+        back. ``axes``: the axes in the document of ``compare``. ``believed``: whether anything was
+        read back from the control.
+        """
+        same = {entry.pair: True for entry in plan.cross if entry.delivered}
+        for entry, found in between:
+            if entry is not None and found.code == "CW-V011":
+                same[entry.pair] = False
+            elif entry is not None:
+                same.pop(entry.pair, None)
+        same |= {frozenset({name}): axis["verdict"] == "loaded" for name, axis in axes.items()}
+        return cls(
+            control=control,
+            plan=plan,
+            as_found=as_found,
+            stored=stored,
+            read_back=same if believed else {},
+        )
 
     def judged_squareness(
         self,

@@ -34,7 +34,7 @@ from compwright.records.axis import Axis, AxisKind, Direction, partner_of
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.fitted_table import FittedTable
 from compwright.records.job import Acknowledged, Job
-from compwright.records.plan import PlannedAxis, PlannedCross, PlannedTest
+from compwright.records.plan import Plan, PlannedAxis, PlannedCross, PlannedTest
 from compwright.records.prediction import AcceptDecision
 from compwright.records.result import PositioningResult
 from compwright.records.rounding import LOGARITHM, rounded_number
@@ -42,6 +42,7 @@ from compwright.records.verification import LoadingName, LoadingVerdict
 from compwright.verification.loading_hypotheses import OF_VALUES
 from compwright.verification.measurement_faults import NamedFault, measurement_fault, proof_findings
 from compwright.verification.proof import AfterTest, doubt_warnings, doubts_after
+from compwright.words.sentences import Amount
 from compwright.workflow.verify.loading_decision import judged_loading
 
 
@@ -349,19 +350,64 @@ def differs_from_plan(axis: str, off: float, largest: float, kind: AxisKind) -> 
     return Finding.of("CW-V011", "error", axis=axis, difference=off * factor, unit=unit)
 
 
+def _typed_between_axes(
+    cross: Iterable[PlannedCross], as_found: DecodedState, read_back: DecodedState
+) -> Iterator[tuple[PlannedCross, Finding]]:
+    """Yield a finding for each correction between axes that was to be typed in and that the files
+    read back do not hold, with its entry in ``cross``. ``as_found``: contents of the control
+    before; the sheet changes them.
+    """
+    now, back = SingleReader(as_found.state), SingleReader(read_back.state)
+    for entry in cross:
+        if not entry.typed:
+            continue
+        bent, given = entry.output, entry.input
+        if entry.addresses not in back.state.pairs:
+            yield entry, Finding.of("CW-S087.typed", "warning", output=bent, input=given)
+            continue
+        where, kind = entry.added.positions, entry.added.output_kind
+        held, planned = (
+            np.stack([one.cross_correction(*entry.addresses, where, way) for way in Direction])
+            for one in (back, now)
+        )
+        planned = planned + np.stack([entry.added.at(where, way) for way in Direction])
+        off = np.abs(held - planned)
+        if differs_from_plan(bent, float(off.max()), float(np.abs(planned).max()), kind):
+            yield (
+                entry,
+                Finding.of(
+                    "CW-V011.typed",
+                    "error",
+                    output=bent,
+                    input=given,
+                    difference=float(off.max()) * outside_factor(kind.unit),
+                    unit=shown_unit(kind.unit),
+                    position=Amount(
+                        float(where[int(np.argmax(off.max(axis=0)))]),
+                        entry.added.input_kind.unit,
+                        "g",
+                    ),
+                ),
+            )
+
+
 def between_axes(
     control: Control,
-    cross: Sequence[PlannedCross],
-    axes: Mapping[str, Axis],
+    plan: Plan,
     planned: Sequence[ControlFile],
+    as_found: DecodedState,
     read_back: DecodedState | None,
 ) -> Iterator[tuple[PlannedCross | None, Finding]]:
     """Yield a finding for each table between axes that is missing in the files read back or has
-    other values there (with its entry in ``cross``), and findings of no such table.
+    other values there (with its entry in the plan), and findings of no such table.
 
-    ``axes``: those of the job by name. ``planned``: the files that the plan loads.
+    ``planned``: the files that the plan loads. ``as_found``: contents of the control before.
     """
-    if read_back is None or not cross:
+    if read_back is None:
+        return
+    yield from _typed_between_axes(plan.cross, as_found, read_back)
+    cross = [entry for entry in plan.cross if entry.written]
+    if not cross:
         return
     wanted, back = SingleReader(decode(control, planned).state), SingleReader(read_back.state)
     sides = (
@@ -370,7 +416,10 @@ def between_axes(
     )
     whole = differences(control, *sides)
     missing = pairs_not_read_back(cross, whole, sides[1])
-    for finding in (*newly_coupled(cross, axes, *sides), *assumed_instead(whole, *sides)):
+    for finding in (
+        *newly_coupled(cross, plan.every_axis, *sides),
+        *assumed_instead(whole, *sides),
+    ):
         yield None, finding
     for entry in cross:
         if entry.addresses in missing and entry.addresses not in back.state.pairs:
