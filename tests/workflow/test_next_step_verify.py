@@ -39,7 +39,6 @@ def step(
         files=files,
         of_axes=["a.csv"] if verdicts else [],
         of_circles={},
-        loadable=True,
     )
     after = [*outcome.of_axes, *(["xy=circle.csv"] if of_circle else [])]
     job, out = Path("job.yaml"), Path("job")

@@ -6,12 +6,15 @@ ones.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 
+import numpy as np
+
 from compwright.controls.control import Control
+from compwright.controls.decoded_state import SingleReader
 from compwright.controls.differences import (
     ComparedSide,
     CorrectionChange,
@@ -19,13 +22,15 @@ from compwright.controls.differences import (
     Placed,
     differences,
 )
+from compwright.controls.reader_comparison import SINGLE_PRECISION
 from compwright.documents.compare import Difference, Others
 from compwright.documents.diff import EntryDifference
 from compwright.formats.text.file_values import same_text
 from compwright.foundations import storage
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, outside_unit
-from compwright.records.axis import Axis
+from compwright.records.axis import Axis, Direction
+from compwright.records.correction import ControlState
 from compwright.records.plan import PlannedCross
 
 
@@ -53,6 +58,66 @@ def not_read_back(plan_file: Path, loaded: Sequence[Path]) -> Iterator[Finding]:
     for path in loaded:
         if own in (there := storage.resolved(path), *there.parents):
             yield Finding.of("CW-S085", "warning", path=path)
+
+
+@dataclass(frozen=True, slots=True)
+class TypedCorrection:
+    """A correction between axes that is typed in from a sheet, compared with the values read back.
+
+    ``change``: from the planned to the held value, where they differ most; None if no table was
+    read back. ``largest``: the largest planned value, mm or deg.
+    """
+
+    entry: PlannedCross
+    change: CorrectionChange | None
+    largest: float
+
+    @property
+    def differs(self) -> bool:
+        """Whether the values read back are not those of the sheet, or are unknown."""
+        if self.change is None:
+            return True
+        rounding = 1e-3 / outside_factor(self.change.kind.unit)
+        return abs(self.change.most) > rounding + SINGLE_PRECISION * self.largest
+
+    @property
+    def not_read_back(self) -> Finding | None:
+        """The finding that no table was read back; None if there is one."""
+        names = self.entry.output, self.entry.input
+        if self.change is not None:
+            return None
+        return Finding.of("CW-S087.typed", "warning", output=names[0], input=names[1])
+
+
+def typed_corrections(
+    planned: Iterable[PlannedCross], before: ControlState, found: ControlState
+) -> Iterator[TypedCorrection]:
+    """Yield each of the ``planned`` corrections that is typed in, compared with the state that was
+    read back (``found``). ``before``: the state that the sheet changes.
+    """
+    old, held = SingleReader(before), SingleReader(found)
+    for entry in planned:
+        if not entry.typed:
+            continue
+        where, way = entry.added.positions, list(Direction)
+        wanted = np.stack(
+            [
+                old.cross_correction(*entry.addresses, where, d) + entry.added.at(where, d)
+                for d in way
+            ]
+        )
+        largest, change = float(np.max(np.abs(wanted))), None
+        if entry.addresses in found.pairs:
+            now = np.stack([held.cross_correction(*entry.addresses, where, d) for d in way])
+            side, place = np.unravel_index(int(np.argmax(np.abs(now - wanted))), now.shape)
+            change = CorrectionChange(
+                entry.added.output_kind,
+                float(wanted[side, place]),
+                float(now[side, place]),
+                float(where[place]),
+                way[int(side)],
+            )
+        yield TypedCorrection(entry, change, largest)
 
 
 def pairs_not_read_back(
@@ -149,6 +214,11 @@ def read_back_differences(
     torn += [one for one in lost if one not in torn and _between_axes(one, read)]
     compensating = [one for one in whole.entries if one.entry.relevant and _compared(one, known)]
     compensating += torn
+    typed: list[TypedCorrection] = []
+    if expected.state is not None and found.state is not None:
+        typed = list(typed_corrections(planned, expected.state, found.state))
+    pairs = {each.entry.addresses for each in typed if each.change is not None}
+    compensating = [one for one in compensating if not _typed_in(one, whole, pairs)]
     ignored = [one for one in lost if one not in torn]
     own: dict[str, list[Difference]] = {}
     others: list[Difference] = []
@@ -158,7 +228,12 @@ def read_back_differences(
             own.setdefault(name, []).append(_difference(one, name))
         if not mine:
             others.append(_difference(one, one.axes[0] if one.axes else ""))
-    others += _corrections(whole, compensating, names)
+    others += _corrections(whole, compensating, names, {each.entry.addresses for each in typed})
+    for each in typed:
+        if each.change is not None and each.differs:
+            bent, given = each.entry.output, each.entry.input
+            what = f"correction of {bent} over {given}"
+            others.append(_largest(bent, what, f"{given} ", each.change))
     return ReadBackDifferences(
         {name: tuple(found) for name, found in own.items()},
         Others(tuple(others), tuple(_elsewhere(whole)), tuple(one.entry.name for one in ignored)),
@@ -167,8 +242,24 @@ def read_back_differences(
             *pairs_not_read_back(planned, whole, found).values(),
             *newly_coupled(planned, axes, expected, found),
             *assumed_instead(whole, expected, found),
+            *(each.not_read_back for each in typed if each.not_read_back is not None),
         ),
     )
+
+
+def _typed_in(placed: Placed, whole: Differences, pairs: Collection[tuple[str, str]]) -> bool:
+    """Return whether a value differs because a correction between axes was typed in, which is
+    compared as a whole. ``pairs``: the axes of these corrections.
+
+    It is a value in the table of such a pair, or a new one of no axis; and no other correction
+    differs.
+    """
+    axes = {address for pair in pairs for address in pair}
+    if not pairs or whole.cross.keys() - set(pairs) or axes & whole.corrections.keys():
+        return False
+    tables = {one.entry.file for one in whole.entries if any(set(one.axes) == {*p} for p in pairs)}
+    inside = placed.entry.file in tables and set(placed.axes) <= axes
+    return inside or (not placed.axes and placed.change.old is None)
 
 
 def assumed_instead(
@@ -218,17 +309,22 @@ def _difference(placed: Placed, axis: str) -> Difference:
 
 
 def _corrections(
-    whole: Differences, compensating: list[Placed], names: Mapping[str, str]
+    whole: Differences,
+    compensating: list[Placed],
+    names: Mapping[str, str],
+    typed: Collection[tuple[str, str]],
 ) -> Iterator[Difference]:
     """Yield the changed corrections of axes outside the plan and of axis pairs, if one of the
     values ``compensating`` belongs to these axes. ``whole``: all differences; ``names``: names of
-    the job's axes by address.
+    the job's axes by address. ``typed``: pairs that are compared with an entry sheet.
     """
     touched = [set(one.axes) for one in compensating]
     for address, change in whole.corrections.items():
         if address not in names and any(address in axes for axes in touched):
             yield _largest(address, "correction", "", change)
     for (moving, output), change in whole.cross.items():
+        if (moving, output) in typed:
+            continue
         if any({moving, output} <= axes for axes in touched):
             what = f"correction of {names.get(output, output)} over {names.get(moving, moving)}"
             yield _largest(names.get(output, output), what, f"{moving} ", change)

@@ -155,12 +155,6 @@ class Plan:
     untested: Mapping[str, Axis] = field(default_factory=dict)
 
     @property
-    def loadable(self) -> bool:
-        """Whether the plan has tables that the run wrote, and not only typed corrections."""
-        tables = any(entry.fitted is not None for entry in self.axes.values())
-        return tables or any(entry.written for entry in self.cross)
-
-    @property
     def every_axis(self) -> dict[str, Axis]:
         """The axes with tests and those of corrections between axes, by name."""
         return {name: entry.axis for name, entry in self.axes.items()} | dict(self.untested)

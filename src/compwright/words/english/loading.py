@@ -18,11 +18,6 @@ SENTENCES: Final[dict[str, str]] = {
         "What was read back from the control differs from the plan outside of its axis tables:"
         " {entries}{more:if| and {more} more|}. Run compwright compare to see where."
     ),
-    "CW-V011.typed": (
-        "The correction of axis {output} over axis {input} that was read back differs from the"
-        " entry sheet by up to {difference:.2f} {unit} (at {position} of {input}). Compare the"
-        " typed values with the sheet in the folder of the commissioning card."
-    ),
     "CW-V012": (
         "Axis {axis}: this test would not show whether its table was exchanged with that of"
         " {others:join| or }. To exclude this, read the control's files back and give them with"

@@ -15,11 +15,6 @@ SENTENCES: Final[dict[str, str]] = {
         "Ce qui a été relu de la commande diffère du plan en dehors de ses tables d'axe :"
         " {entries}{more:if| et {more} de plus|}. compwright compare montre où."
     ),
-    "CW-V011.typed": (
-        "La correction relue de l'axe {output} en fonction de l'axe {input} diffère de la feuille"
-        " de saisie de {difference:.2f} {unit} au plus (à {position} de {input}). Comparer les"
-        " valeurs saisies avec la feuille, dans le dossier de la fiche de mise en service."
-    ),
     "CW-V012": (
         "Axe {axis} : cet essai ne montrerait pas si sa table a été échangée avec celle de"
         " {others:join| ou }. Pour l'exclure, relire les fichiers de la commande et les donner avec"

@@ -18,11 +18,6 @@ SENTENCES: Final[dict[str, str]] = {
         "Das aus der Steuerung Zurückgelesene weicht außerhalb der Achstabellen des Plans vom Plan"
         " ab: {entries}{more:if| und {more} weitere|}. Wo, zeigt compwright compare."
     ),
-    "CW-V011.typed": (
-        "Die zurückgelesene Korrektur der Achse {output} über Achse {input} weicht um bis zu"
-        " {difference:.2f} {unit} (bei {position} von {input}) vom Eingabeblatt ab. Die"
-        " eingetippten Werte mit dem Blatt im Ordner der Inbetriebnahmekarte vergleichen."
-    ),
     "CW-V012": (
         "Achse {axis}: Diese Prüfung würde nicht zeigen, ob ihre Tabelle mit der von {others:join|"
         " oder } vertauscht ist. Um das auszuschließen, die Dateien der Steuerung zurücklesen und"

@@ -89,7 +89,6 @@ NOT_READ_BACK = Fault(
 class VerifyOutcome:
     """The result of ``verify``. ``exit_code`` is 0 only for the verdict ``good``. ``of_axes``: the
     values of ``--after`` that are positioning tests. ``of_circles``: those of circles, by name.
-    ``loadable``: whether the run wrote tables, not only entry sheets.
     """
 
     exit_code: int
@@ -98,7 +97,6 @@ class VerifyOutcome:
     notes: tuple[str, ...] = ()
     of_axes: tuple[str, ...] = ()
     of_circles: Mapping[str, Sequence[str]] = field(default_factory=dict)
-    loadable: bool = True
 
 
 def plan_path(session: Session, given: Path | None, default: Path) -> Path:
@@ -177,7 +175,6 @@ def verify_job(
             name: [f"{name}={path.as_posix()}" for path in paths]
             for name, paths in found.circle_files.items()
         },
-        loadable=found.plan.loadable,
     )
 
 

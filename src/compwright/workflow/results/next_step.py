@@ -104,10 +104,10 @@ def after_verify(
         return f"Next: {_what_to_measure(lacking, check=bool(doubtful))}, then type: " + (
             _command("verify", job, *kept, "--after", _AFTER, *given, *loaded, "--force")
         )
-    compare = _compared_by(outcome, plan, ("verify", job, *again, *given))
+    compare = _command("compare", plan, "--loaded", READ_BACK)
     if not read_back:
         return f"Next: save the control's files to {READ_BACK}, then type: {compare}"
-    if wrong and outcome.loadable:
+    if wrong:
         return (
             "Next: load what differs from the plan or is missing, save the control's files to"
             f" {READ_BACK}, then type: {compare}"
@@ -135,15 +135,6 @@ def after_verify(
     return "Next: correct what is named above, measure again, then type: " + _command(
         "verify", job, "--after", _AFTER, *given, "--loaded", READ_BACK, "--force"
     )
-
-
-def _compared_by(outcome: Any, plan: Path, verify: Sequence[object]) -> str:
-    """Return the command that compares what was read back with the plan: that of ``verify`` if the
-    plan holds typed values alone.
-    """
-    if outcome.loadable:
-        return _command("compare", plan, "--loaded", READ_BACK)
-    return _command(*verify, "--loaded", READ_BACK, "--force")
 
 
 def _circles_of(codes: Sequence[str], document: Mapping[str, Any]) -> set[str]:

@@ -13,7 +13,12 @@ from compwright.controls.decoded_state import DecodedState, SingleReader
 from compwright.controls.differences import compared_side, differences
 from compwright.controls.gantries import with_partners
 from compwright.controls.judged_corrections import applied_correction, judged_correction
-from compwright.controls.read_back import assumed_instead, newly_coupled, pairs_not_read_back
+from compwright.controls.read_back import (
+    assumed_instead,
+    newly_coupled,
+    pairs_not_read_back,
+    typed_corrections,
+)
 from compwright.controls.reader_comparison import SINGLE_PRECISION, table_positions
 from compwright.documents.verification import ExpectedMeans, VerifiedAxis
 from compwright.estimation.cells import alias_findings
@@ -42,7 +47,6 @@ from compwright.records.verification import LoadingName, LoadingVerdict
 from compwright.verification.loading_hypotheses import OF_VALUES
 from compwright.verification.measurement_faults import NamedFault, measurement_fault, proof_findings
 from compwright.verification.proof import AfterTest, doubt_warnings, doubts_after
-from compwright.words.sentences import Amount
 from compwright.workflow.verify.loading_decision import judged_loading
 
 
@@ -350,47 +354,6 @@ def differs_from_plan(axis: str, off: float, largest: float, kind: AxisKind) -> 
     return Finding.of("CW-V011", "error", axis=axis, difference=off * factor, unit=unit)
 
 
-def _typed_between_axes(
-    cross: Iterable[PlannedCross], as_found: DecodedState, read_back: DecodedState
-) -> Iterator[tuple[PlannedCross, Finding]]:
-    """Yield a finding for each correction between axes that was to be typed in and that the files
-    read back do not hold, with its entry in ``cross``. ``as_found``: contents of the control
-    before; the sheet changes them.
-    """
-    now, back = SingleReader(as_found.state), SingleReader(read_back.state)
-    for entry in cross:
-        if not entry.typed:
-            continue
-        bent, given = entry.output, entry.input
-        if entry.addresses not in back.state.pairs:
-            yield entry, Finding.of("CW-S087.typed", "warning", output=bent, input=given)
-            continue
-        where, kind = entry.added.positions, entry.added.output_kind
-        held, planned = (
-            np.stack([one.cross_correction(*entry.addresses, where, way) for way in Direction])
-            for one in (back, now)
-        )
-        planned = planned + np.stack([entry.added.at(where, way) for way in Direction])
-        off = np.abs(held - planned)
-        if differs_from_plan(bent, float(off.max()), float(np.abs(planned).max()), kind):
-            yield (
-                entry,
-                Finding.of(
-                    "CW-V011.typed",
-                    "error",
-                    output=bent,
-                    input=given,
-                    difference=float(off.max()) * outside_factor(kind.unit),
-                    unit=shown_unit(kind.unit),
-                    position=Amount(
-                        float(where[int(np.argmax(off.max(axis=0)))]),
-                        entry.added.input_kind.unit,
-                        "g",
-                    ),
-                ),
-            )
-
-
 def between_axes(
     control: Control,
     plan: Plan,
@@ -405,7 +368,12 @@ def between_axes(
     """
     if read_back is None:
         return
-    yield from _typed_between_axes(plan.cross, as_found, read_back)
+    for each in typed_corrections(plan.cross, as_found.state, read_back.state):
+        output, kind = each.entry.output, each.entry.added.output_kind
+        off = 0.0 if each.change is None else abs(each.change.most)
+        found = each.not_read_back or differs_from_plan(output, off, each.largest, kind)
+        if found is not None:
+            yield each.entry, found
     cross = [entry for entry in plan.cross if entry.written]
     if not cross:
         return
