@@ -271,9 +271,10 @@ def test_an_axis_without_a_table_in_the_active_line_gets_the_sheet(
     job = folder / "job.yaml"
     job.write_text(job.read_text() + "report: {language: de}\n")
     assert compwright(["run", str(job), "--force"]) == 1
-    assert "(X.COM hat keine Spalte Y)" in " ".join(
-        (folder / "job" / "report.html").read_text(encoding="utf-8").split()
-    )
+    page = " ".join((folder / "job" / "report.html").read_text(encoding="utf-8").split())
+    assert "(X.COM hat keine Spalte Y)" in page
+    assert "außerhalb der Tabellen" in page
+    assert "the end values" not in page
     for name in ("backLash", "linearCompValue"):
         assert f"axis Y: {name} is not in the files; 0 is assumed" in said
     assert (folder / "job" / "card" / "cross_X_Y.csv").exists()

@@ -63,8 +63,8 @@ SENTENCES: Final[dict[str, str]] = {
     "card.then": "{names:join|, dann }",
     "card.title": "Inbetriebnahmekarte: {axes}",
     "card.typed_column": (
-        "{what:capital}. {total:if|Werte ersetzen in|Zu den Werten addieren in}: {where}: {rows}"
-        " ({values:choose|correction=Korrekturen|error=Fehler}; alle Zeilen:"
+        "{what:capital}. In {where} {total:if|die Werte ersetzen durch|zu den Werten addieren}:"
+        " {rows} ({values:choose|correction=Korrekturen|error=Fehler}; alle Zeilen:"
         " {sheet}{total:if||, dazwischen auf geraden Linien}). {more:if|Die Tabelle bekommt mehr"
         " Zeilen, im gleichen Abstand: DATUM ist die Position der ersten Zeile. In einer neuen"
         " Zeile bekommt jede andere Spalte ihren Wert aus der nächsten alten Zeile."

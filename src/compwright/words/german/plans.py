@@ -134,7 +134,7 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "CW-P113.typed": (
         "Die Werte, die {what} korrigieren, sind in keiner Datei für die Steuerung ({why})."
-        " {total:if|Werte ersetzen in|Zu den Werten addieren in}: {where}: {rows}. Die"
+        " In {where} {total:if|die Werte ersetzen durch|zu den Werten addieren}: {rows}. Die"
         " Inbetriebnahmekarte und das Eingabeblatt in ihrem Ordner beschreiben es. Die Werte sind"
         " {values:choose|correction=Korrekturen|error=Fehler}; ihr Vorzeichen ist unbestätigt: vor"
         " der Fertigung durch eine Messung prüfen. Die Vorhersage rechnet mit den eingetippten"

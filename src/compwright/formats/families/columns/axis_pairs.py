@@ -164,7 +164,7 @@ def _selected(filler: CrossFiller, entry: PlannedCross) -> str:
     if filler.is_off(output):
         return control_text("Set the bit of {output} in {parameter} to 1. ", **names)
     active = control_text(
-        "It is active on {output} only while the bit of {output} in {parameter} is 1. ", **names
+        "The column is active only while the bit of {output} in {parameter} is 1. ", **names
     )
     if (output, "enabled") in filler.sources.given:
         return active

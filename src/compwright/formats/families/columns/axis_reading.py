@@ -100,7 +100,9 @@ class ColumnAxisReader:
             evidence = self.definition.bindings["backlash"].evidence
             name = self.parameters.name("backlash")
             self.notes.assume(
-                f"{self.label}: {name}", f"nothing is added arriving in {returns}", str(evidence)
+                control_text("{label}: {fact}", label=self.label, fact=name),
+                control_text("nothing is added arriving in {direction}", direction=str(returns)),
+                evidence.text,
             )
         return AxisCompensation(
             address=self.address,
@@ -258,14 +260,17 @@ class ColumnAxisReader:
                 self._answer(None, None)
             elif found is None and self.sources.assignments is None:
                 self._assume_switch(
-                    "0: no table is active on it", "no file contains a table of the axis"
+                    control_text("0: no table is active on it"),
+                    control_text("no file contains a table of the axis"),
                 )
             return found is not None and found.text == "1"
         if found is None and self.points:
             active = self.activity.stated is not False
             self._assume_switch(
-                f"{int(active)}: its table {'active' if active else 'not active'}",
-                "a sheet is what was typed in",
+                control_text("1: its table is active")
+                if active
+                else control_text("0: its table is not active"),
+                control_text("a sheet is what was typed in"),
             )
             return active
         if not (np.any(self.curves[1]) or np.any(self.curves[2]) or self._other_columns_active()):
@@ -292,7 +297,10 @@ class ColumnAxisReader:
         if found is not None or self.sources.starred:
             return True
         if slope is None or Decimal(slope.text) == 0:
-            self._assume_switch("1: its table of zeros is active", "zeros correct nothing")
+            self._assume_switch(
+                control_text("1: its table of zeros is active"),
+                control_text("zeros correct nothing"),
+            )
             return True
         name = self.parameters.name("slope")
         if self.activity.stated is None and self.activity.asking:
@@ -319,22 +327,31 @@ class ColumnAxisReader:
             )
         self.notes.open_answers += 1
         active = self.activity.stated is not False
-        source = (
-            "the job's answer (active)" if self.activity.stated is not None else "not in the files"
+        self._assume_switch(
+            control_text("1: {parameter} is not active", parameter=name)
+            if active
+            else control_text("0: {parameter} is active", parameter=name),
+            "" if self.activity.stated is None else control_text("the job's answer (active)"),
         )
-        self._assume_switch(f"{int(active)}: {name} {'not active' if active else 'active'}", source)
         return active
 
     def _assume_switch(self, value: str, evidence: str) -> None:
         """Record as an assumption the value of the parameter that activates the table; no file
         contains it.
         """
-        self.notes.assume(f"{self.label}: {self._switch}", value, f"in no file; {evidence}")
+        source = control_text("in no file")
+        self.notes.assume(
+            control_text("{label}: {fact}", label=self.label, fact=self._switch),
+            value,
+            control_text("in no file; {evidence}", evidence=evidence) if evidence else source,
+        )
 
     @property
     def _switch(self) -> str:
         known = "enabled" in self.definition.bindings
-        return self.parameters.name("enabled") if known else "the active line of the .CMA"
+        if not known:
+            return control_text("the active line of the .CMA")
+        return self.parameters.name("enabled")
 
     def _answer(self, word: str | None, found: FoundValue | None) -> bool:
         """Return whether the table is active: by the value ``word`` of its activation parameter,
@@ -345,8 +362,14 @@ class ColumnAxisReader:
         place = found if found is not None and found.occurrence.tokens else None
         active = self.activity.was_active(self.label, self._switch, word, place, self.notes)
         if active is None:
-            evidence = f"{self._switch} is not in the files: a table that was given counts"
-            self.notes.assume(f"{self.label}: its table", "active", evidence)
+            self.notes.assume(
+                control_text("{label}: its table", label=self.label),
+                control_text("active"),
+                control_text(
+                    "{switch} is not in the files: a table that was given counts",
+                    switch=self._switch,
+                ),
+            )
         return active is not False
 
     def _column_elsewhere(self) -> bool:

@@ -252,9 +252,9 @@ class _ColumnStateReader:
         sources = self.sources
         for file, address in sources.assumed.items():
             self.notes.assume(
-                f"{file}: moving axis",
+                control_text("{file}: moving axis", file=file),
                 address,
-                "inferred from its name: no table of assignments (.CMA) was given",
+                control_text("inferred from its name: no table of assignments (.CMA) was given"),
             )
         for table in sources.idle:
             self.notes.idle_file(say("CW-S012.assignments", file=table.file))
@@ -263,9 +263,9 @@ class _ColumnStateReader:
                 self.notes.idle_file(say("CW-S012.not_given", file=name, axis=address))
         if any(one.positions.size for one in compensations.values()):
             self.notes.assume(
-                "outside the tables",
-                "the end values hold",
-                str(self.values.definition.layout.evidence),
+                control_text("outside the tables"),
+                control_text("the end values hold"),
+                self.values.definition.layout.evidence.text,
             )
         options = self.values.control.options
         if any(address not in self.values.axes for address in compensations):

@@ -22,6 +22,7 @@ from compwright.formats.text.scale import NumberScale, in_range
 from compwright.foundations.errors import Fault
 from compwright.records.axis import Axis, AxisKind, FloatArray
 from compwright.records.options import TABLE_VALUES
+from compwright.words.sentences import control_text
 
 #: Of a table of a rotary axis only the entries from 0 to 360 degrees are used (TNC 407 technical
 #: manual p156).
@@ -112,7 +113,11 @@ class TableValues:
         if known is None:
             rotary = address.upper() in ("A", "B", "C")
             known = AxisKind.ROTARY if rotary else AxisKind.LINEAR
-            self.notes.assume(f"axis {address}: kind", known, "inferred from the name of the axis")
+            self.notes.assume(
+                control_text("axis {name}: kind", name=address),
+                known,
+                control_text("inferred from the name of the axis"),
+            )
         return known
 
     def stated_kind(self, address: str) -> AxisKind | None:

@@ -351,4 +351,29 @@ TEXTS: Final[dict[str, str]] = {
     "free": "libre (free)",
     "table": "table (table)",
     "second_curve": "seconde courbe (second_curve)",
+    "nothing is added arriving in {direction}": (
+        "rien n'est ajouté à l'approche dans le sens {direction}"
+    ),
+    "0: no table is active on it": "0 : aucune table n'agit sur l'axe",
+    "no file contains a table of the axis": "aucun fichier ne contient de table de l'axe",
+    "1: its table of zeros is active": "1 : sa table de zéros agit",
+    "1: its table is active": "1 : sa table agit",
+    "0: its table is not active": "0 : sa table n'agit pas",
+    "a sheet is what was typed in": "une feuille est ce qui a été saisi",
+    "zeros correct nothing": "des zéros ne corrigent rien",
+    "1: {parameter} is not active": "1 : {parameter} n'agit pas",
+    "0: {parameter} is active": "0 : {parameter} agit",
+    "in no file; {evidence}": "dans aucun fichier ; {evidence}",
+    "{label}: its table": "{label} : sa table",
+    "active": "active",
+    "{switch} is not in the files: a table that was given counts": (
+        "{switch} n'est pas dans les fichiers : une table fournie compte"
+    ),
+    "{file}: moving axis": "{file} : axe en mouvement",
+    "inferred from its name: no table of assignments (.CMA) was given": (
+        "déduit de son nom : aucune table d'affectation (.CMA) n'a été donnée"
+    ),
+    "outside the tables": "hors des tables",
+    "the end values hold": "les valeurs des extrémités restent",
+    "inferred from the name of the axis": "déduit du nom de l'axe",
 }

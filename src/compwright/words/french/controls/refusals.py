@@ -216,8 +216,8 @@ TEXTS: Final[dict[str, str]] = {
         "{why}, et une colonne n'agit qu'avec des tables, jamais avec {parameter} ; donner à"
         " {name} un test et une table à lui"
     ),
-    "It is active on {output} only while the bit of {output} in {parameter} is 1. ": (
-        "Elle n'agit sur {output} que si le bit de {output} dans {parameter} est à 1. "
+    "The column is active only while the bit of {output} in {parameter} is 1. ": (
+        "La colonne n'agit que si le bit de {output} dans {parameter} est à 1. "
     ),
     "a column of {file} is for both directions, but the correction has two curves": (
         "une colonne de {file} vaut pour les deux sens, mais la correction a deux courbes"

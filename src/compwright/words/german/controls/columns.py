@@ -349,4 +349,27 @@ TEXTS: Final[dict[str, str]] = {
     "free": "frei (free)",
     "table": "Tabelle (table)",
     "second_curve": "zweite Kurve (second_curve)",
+    "nothing is added arriving in {direction}": "bei Anfahrt in {direction} wird nichts addiert",
+    "0: no table is active on it": "0: auf die Achse wirkt keine Tabelle",
+    "no file contains a table of the axis": "keine Datei enthält eine Tabelle der Achse",
+    "1: its table of zeros is active": "1: ihre Tabelle aus Nullen wirkt",
+    "1: its table is active": "1: ihre Tabelle wirkt",
+    "0: its table is not active": "0: ihre Tabelle wirkt nicht",
+    "a sheet is what was typed in": "ein Blatt ist das, was eingetippt wurde",
+    "zeros correct nothing": "Nullen korrigieren nichts",
+    "1: {parameter} is not active": "1: {parameter} wirkt nicht",
+    "0: {parameter} is active": "0: {parameter} wirkt",
+    "in no file; {evidence}": "in keiner Datei; {evidence}",
+    "{label}: its table": "{label}: ihre Tabelle",
+    "active": "aktiv",
+    "{switch} is not in the files: a table that was given counts": (
+        "{switch} ist nicht in den Dateien: eine angegebene Tabelle zählt"
+    ),
+    "{file}: moving axis": "{file}: bewegte Achse",
+    "inferred from its name: no table of assignments (.CMA) was given": (
+        "geschlossen aus dem Namen: keine Zuordnungstabelle (.CMA) wurde angegeben"
+    ),
+    "outside the tables": "außerhalb der Tabellen",
+    "the end values hold": "die Endwerte gelten",
+    "inferred from the name of the axis": "geschlossen aus dem Namen der Achse",
 }

@@ -215,8 +215,8 @@ TEXTS: Final[dict[str, str]] = {
         "{why}, und eine Spalte wirkt nur mit Tabellen, nie mit {parameter}; {name} einen eigenen"
         " Test und eine eigene Tabelle geben"
     ),
-    "It is active on {output} only while the bit of {output} in {parameter} is 1. ": (
-        "Sie wirkt auf {output} nur, solange das Bit von {output} in {parameter} 1 ist. "
+    "The column is active only while the bit of {output} in {parameter} is 1. ": (
+        "Die Spalte wirkt nur, solange das Bit von {output} in {parameter} 1 ist. "
     ),
     "a column of {file} is for both directions, but the correction has two curves": (
         "eine Spalte von {file} gilt für beide Richtungen, die Korrektur hat aber zwei Kurven"

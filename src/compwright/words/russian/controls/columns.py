@@ -335,4 +335,27 @@ TEXTS: Final[dict[str, str]] = {
     "free": "свободно (free)",
     "table": "таблица (table)",
     "second_curve": "вторая кривая (second_curve)",
+    "nothing is added arriving in {direction}": "при подходе в {direction} ничего не прибавляется",
+    "0: no table is active on it": "0: на ось не действует ни одна таблица",
+    "no file contains a table of the axis": "ни в одном файле нет таблицы этой оси",
+    "1: its table of zeros is active": "1: её таблица нулей действует",
+    "1: its table is active": "1: её таблица действует",
+    "0: its table is not active": "0: её таблица не действует",
+    "a sheet is what was typed in": "лист — это то, что было введено",
+    "zeros correct nothing": "нули ничего не исправляют",
+    "1: {parameter} is not active": "1: {parameter} не действует",
+    "0: {parameter} is active": "0: {parameter} действует",
+    "in no file; {evidence}": "ни в одном файле; {evidence}",
+    "{label}: its table": "{label}: её таблица",
+    "active": "действует",
+    "{switch} is not in the files: a table that was given counts": (
+        "{switch} нет в файлах: переданная таблица учитывается"
+    ),
+    "{file}: moving axis": "{file}: движущаяся ось",
+    "inferred from its name: no table of assignments (.CMA) was given": (
+        "выведено из имени: таблица назначений (.CMA) не передана"
+    ),
+    "outside the tables": "вне таблиц",
+    "the end values hold": "остаются концевые значения",
+    "inferred from the name of the axis": "выведено из имени оси",
 }

@@ -206,8 +206,8 @@ TEXTS: Final[dict[str, str]] = {
         "{why}, а столбец действует только с таблицами, никогда с {parameter}; дайте оси {name}"
         " своё испытание и свою таблицу"
     ),
-    "It is active on {output} only while the bit of {output} in {parameter} is 1. ": (
-        "Она действует на {output}, только пока бит {output} в {parameter} равен 1. "
+    "The column is active only while the bit of {output} in {parameter} is 1. ": (
+        "Столбец действует, только пока бит {output} в {parameter} равен 1. "
     ),
     "a column of {file} is for both directions, but the correction has two curves": (
         "столбец {file} действует для обоих направлений, а у коррекции две кривые"
