@@ -632,6 +632,14 @@ def test_the_fault_of_a_scale_correction_is_named(
         assert name in (likely.partition(" %")[0] or named)
         assert not likely or "thermal" in likely
     assert not [one for one in answer["doubts"] if one["code"] == "CW-V036"]
+    scales = answer["circles"]["xy"]["scales"]
+    assert {axis for axis, one in scales.items() if one["verdict"] != "loaded"} == {*first}
+    page = (folder / "v" / "verification.html").read_text(encoding="utf-8")
+    for axis in "XY":
+        badge = re.findall(
+            rf'badge (\w+)">[^<]*</span></td><td class="sym">Scale error {axis}<', page
+        )
+        assert (badge == ["good"]) is (axis not in first)
 
 
 def test_a_scale_table_that_was_read_back_with_another_value_is_never_good(

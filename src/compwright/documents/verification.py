@@ -24,7 +24,7 @@ from compwright.records.job import Acknowledged
 from compwright.records.prediction import AcceptDecision, CirclePrediction, Quantiles
 from compwright.records.result import ExpandedUncertainty, PositioningResult
 from compwright.records.rounding import LOGARITHM, rounded_number
-from compwright.records.verification import LoadingName, SquarenessAfter
+from compwright.records.verification import Candidate, LoadingName, ScaleAfter, SquarenessAfter
 from compwright.words.sentences import SentenceText, say
 
 SCHEMA = "compwright/verification/1"
@@ -70,20 +70,24 @@ class VerifiedCircle:
     ``squareness``: only if the squareness of its plane was corrected from circular tests.
     ``accept``, ``acknowledged``: see `VerifiedAxis`. ``findings``: open doubts, because of which
     its limits stay undecided. ``comparable``: whether radius, feed and arc are those of the test
-    before, so that the predicted values are those of this circle. ``scales``: the axes whose scale
-    error it would show if the correction were not active. ``scale_loading``: the loading verdicts
-    of scale corrections that are not as predicted.
+    before, so that the predicted values are those of this circle. ``scales``: by axis, each scale
+    correction of which it shows whether it is active.
     """
 
     prediction: CirclePrediction
     after: CircularResult
     squareness: SquarenessAfter | None = None
     comparable: bool = True
-    scales: tuple[str, ...] = ()
-    scale_loading: tuple[LoadingName, ...] = ()
+    scales: Mapping[str, ScaleAfter] = field(default_factory=dict)
     accept: Mapping[str, AcceptDecision] = field(default_factory=dict)
     acknowledged: tuple[Acknowledged, ...] = ()
     findings: tuple[Finding, ...] = ()
+
+    @property
+    def scale_loading(self) -> list[LoadingName]:
+        """The loading verdict of each scale that is not known from what was read back."""
+        verdicts = (scale.verdict for scale in self.scales.values())
+        return [verdict for verdict in verdicts if verdict != "read_back"]
 
 
 def verification_document(
@@ -130,7 +134,8 @@ def _headline(
     if verdict == "bad":
         decisions = [entry.decision for one in circles.values() for entry in one.accept.values()]
         decisions += [one.squareness.decision for one in circles.values() if one.squareness]
-        faulty = any(one.scale_loading for one in circles.values())
+        scales = [scale for one in circles.values() for scale in one.scales.values()]
+        faulty = any(scale.verdict != "loaded" for scale in scales)
         of_circles = "reject" in decisions or faulty or not axes
         return SentenceText(say("headline.bad", circles=of_circles))
     if verdict == "undecided":
@@ -196,6 +201,17 @@ def _circle(circle: VerifiedCircle) -> dict[str, Any]:
             for name, band in predicted.items()
         },
         "squareness": None if circle.squareness is None else _squareness(circle.squareness),
+        "scales": {
+            name: {
+                "value": scale.value,
+                "expected": scale.expected,
+                "U": scale.U,
+                "unit": "um/m",
+                "verdict": scale.verdict,
+                "candidates": _candidates(scale.candidates),
+            }
+            for name, scale in circle.scales.items()
+        },
         "accept": _accept(
             {name: replace(entry, value=after[name]) for name, entry in circle.accept.items()}
         ),
@@ -219,15 +235,19 @@ def _squareness(found: SquarenessAfter) -> dict[str, Any]:
         "verdict": found.verdict,
         "factor": found.factor,
         "active": found.active,
-        "candidates": [
-            {
-                "verdict": each.verdict,
-                "probability": rounded_number(each.probability, LOGARITHM),
-                "detail": str(each.detail or ""),
-            }
-            for each in found.candidates
-        ],
+        "candidates": _candidates(found.candidates),
     }
+
+
+def _candidates(found: Iterable[Candidate]) -> list[dict[str, Any]]:
+    return [
+        {
+            "verdict": each.verdict,
+            "probability": rounded_number(each.probability, LOGARITHM),
+            "detail": str(each.detail or ""),
+        }
+        for each in found
+    ]
 
 
 def _within(

@@ -98,6 +98,20 @@ class ReadBack:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class ScaleAfter:
+    """The scale error (µm/m) of an axis after loading, corrected from circles, and the prediction
+    ``expected``. ``U`` (k = 2): of their difference. ``verdict``, ``candidates``: as in
+    `SquarenessAfter`.
+    """
+
+    value: float
+    expected: float
+    U: float
+    verdict: LoadingName | Literal["read_back"] = "loaded"
+    candidates: tuple[Candidate, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class SquarenessAfter:
     """The squareness (µm/m) after loading beside the prediction ``expected``, with the decision.
 

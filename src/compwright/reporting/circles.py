@@ -10,7 +10,7 @@ from compwright.reporting import paper, sections
 from compwright.reporting.causes import findings_in_words, ranked_causes
 from compwright.reporting.circle_figures import polar_figure
 from compwright.reporting.circular_parameters import parameter_words, squareness_limit
-from compwright.reporting.numbers import decimals_of_unit, number, plain
+from compwright.reporting.numbers import MISSING, decimals_of_unit, number, plain
 from compwright.reporting.page import inline_figure
 from compwright.reporting.sections import Document
 from compwright.words.sentences import Language, Sentence, say
@@ -84,13 +84,30 @@ class CircleFigure:
 
 def limit_rows(circles: Mapping[str, Document]) -> list[dict[str, Any]]:
     """Return a table row for each limit of each predicted or verified circular test, and one for
-    each squareness that was corrected and measured again.
+    each squareness and scale that was corrected and measured again.
     """
     return [
         _limit_row(index, name, circle, key, limit)
         for index, (name, circle) in enumerate(circles.items(), 1)
-        for key, limit in {**(circle.get("accept") or {}), **squareness_limit(circle)}.items()
+        for key, limit in {
+            **(circle.get("accept") or {}),
+            **squareness_limit(circle),
+            **_scales(circle),
+        }.items()
     ]
+
+
+def _scales(circle: Document) -> dict[str, Document]:
+    """Return the check of each scale correction of a verified circle in the form of a limit, by the
+    name of the cause; a scale has no limit and no decision.
+    """
+    scales, axes = circle.get("scales") or {}, circle.get("axes") or ()
+    causes = zip(("scale_error_first", "scale_error_second"), axes, strict=False)
+    return {
+        key: {**scales[axis], "axis": axis, "limit": MISSING, "decision": None}
+        for key, axis in causes
+        if axis in scales
+    }
 
 
 def _limit_row(
@@ -98,13 +115,19 @@ def _limit_row(
 ) -> dict[str, Any]:
     before, band = circle["before"].get(key), circle["predicted"].get(key)
     after = (circle.get("after") or {}).get(key)
-    if key == "squareness":
+    if "verdict" in limit:
         decimals = decimals_of_unit("µm/m")
         return {
             "axis": say("report.circle", plane=plain(name), name=""),
             "anchor": f"circle-{index}",
             "loading": sections.loading_mark(limit["verdict"]),
-            "symbol": say("cause.kind", kind=key, first="", second="", axis=""),
+            "symbol": say(
+                "cause.kind",
+                kind="scale_error" if "axis" in limit else key,
+                first="",
+                second="",
+                axis=limit.get("axis", ""),
+            ),
             "before": number(before, decimals),
             "unit": "µm/m",
             "median": number((band or {}).get("median"), decimals),

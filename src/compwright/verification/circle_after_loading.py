@@ -228,29 +228,15 @@ def _size(effect: CircularEffect, off: float) -> float:
     return off * effect.effect / abs(effect.value) if effect.value else 0.0
 
 
-def unexpected_scales(
-    prediction: CirclePrediction, after: CircularResult, part: float
-) -> dict[str, ShownValue]:
-    """Return, by axis, each scale error ``after`` loading that is not as predicted, by the rule of
-    `unexpected_findings`, with that before loading.
-    """
-    first, now, found = _effects(prediction.before), _effects(after), {}
-    changed = {each.name for each in _changes(prediction, after, part)}
-    for axis, name in zip(after.test.axes, _SCALES, strict=True):
-        was = _effects(prediction.expected).get(name)
-        if name in changed and was is not None and name in first:
-            error = float(np.hypot(was.std_error, now[name].std_error))
-            found[axis] = ShownValue(now[name].value, was.value, first[name].value, error)
-    return found
-
-
 def shown_scales(
     prediction: CirclePrediction, after: CircularResult, part: float
-) -> tuple[str, ...]:
-    """Return the axes of which a circular test ``after`` loading would show it if half of the
-    planned change of scale were missing. ``part``: see `unexpected_findings`.
+) -> Iterator[tuple[str, ShownValue, bool]]:
+    """Yield the axes of which a circular test ``after`` loading would show it if half of the
+    planned change of scale were missing, each with its scale error, and whether this is as
+    predicted. ``part``, and the rule for the latter: see `unexpected_findings`.
     """
-    least, shown = _believed(prediction, after, part), []
+    least = _believed(prediction, after, part)
+    changed = {each.name for each in _changes(prediction, after, part)}
     first, now = _effects(prediction.before), _effects(after)
     for axis, name in zip(after.test.axes, _SCALES, strict=True):
         was = _effects(prediction.expected).get(name)
@@ -260,9 +246,10 @@ def shown_scales(
         off = 0.5 * abs(planned)
         error = float(np.hypot(was.std_error, now[name].std_error))
         clear = off > IMPROBABLE * error and _size(first[name], off) > least
-        if clear and not _other_temperature(abs(planned), planned):
-            shown.append(axis)
-    return tuple(shown)
+        shown = clear and not _other_temperature(abs(planned), planned)
+        if shown or name in changed:
+            value = ShownValue(now[name].value, was.value, first[name].value, error)
+            yield axis, value, name not in changed
 
 
 def _other_temperature(off: float, planned: float) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -46,7 +46,7 @@ from compwright.records.job import Acceptance, Acknowledged, Job
 from compwright.records.plan import Plan, PlannedCircle
 from compwright.records.positioning import PositioningTest
 from compwright.records.prediction import AcceptDecision, CirclePrediction
-from compwright.records.verification import LoadingVerdict
+from compwright.records.verification import ScaleAfter
 from compwright.verification.circle_after_loading import (
     DEVIATIONS,
     OF_SCALES,
@@ -54,7 +54,6 @@ from compwright.verification.circle_after_loading import (
     shown_scales,
     turned_findings,
     unexpected_findings,
-    unexpected_scales,
 )
 from compwright.verification.circle_loading import ShownValue
 from compwright.verification.proof import (
@@ -218,12 +217,15 @@ def _verified(
     if not unproven:
         check = _squareness_check(circle, result, prediction, during, on_control, between)
     comparable = not (unproven or other)
-    scales = _scale_faults(circle, result, prediction, during, on_control) if comparable else {}
+    scales = (
+        list(_scale_checks(circle, result, prediction, during, on_control)) if comparable else []
+    )
+    of_scales = [finding for _, _, finding in scales if finding is not None]
     found = () if check is None else check.findings
     judged = (
         *(() if check is None else ("squareness",)),
         *(DEVIATIONS if found else ()),
-        *(OF_SCALES if scales else ()),
+        *(OF_SCALES if of_scales else ()),
     )
     doubted = (
         *turned,
@@ -246,13 +248,12 @@ def _verified(
         accept=accept,
         acknowledged=acknowledged,
         comparable=not other,
-        scales=shown_scales(prediction, result, WORSE) if comparable else (),
-        scale_loading=tuple(fault.verdict for fault, _ in scales.values()),
+        scales={name: check for name, check, _ in scales},
         findings=(
             *(each for each in other if each.severity == "info"),
             *lacking,
             *found,
-            *(finding for _, finding in scales.values()),
+            *of_scales,
         ),
     )
 
@@ -295,38 +296,33 @@ def _squareness_check(
     return replace(check, fault=on_control.judged_squareness(table, removed[0], shown, during))
 
 
-def _scale_faults(
+def _scale_checks(
     circle: PlannedCircle,
     result: CircularResult,
     prediction: CirclePrediction,
     during: DecodedState | None,
     on_control: TablesOnControl,
-) -> dict[str, tuple[LoadingVerdict, Finding]]:
-    """Return, by axis, what is wrong with each scale correction that is not as predicted, with the
-    finding CW-V035.
+) -> Iterator[tuple[str, ScaleAfter, Finding | None]]:
+    """Yield each axis whose scale correction the circle shows, with its scale error after loading,
+    and the finding CW-V035 if this is not as predicted.
     """
-    found = {}
-    for name, mean in unexpected_scales(prediction, result, WORSE).items():
+    for name, mean, as_predicted in shown_scales(prediction, result, WORSE):
         planned = on_control.plan.axes.get(name)
         if planned is None or planned.fitted is None or planned.tests:
             continue
-        table = table_in_circle(circle, name, name)
-        between = table.between_directions(result.test, prediction.expected.test)
-        shown = replace(mean, between=between)
-        fault = on_control.judged_scale(table, name, shown, during)
+        U = SIGNIFICANT * mean.std_error
         differs = on_control.read_back.get(frozenset({name})) is False
-        found[name] = (
-            fault,
-            correction_finding(
-                shown.value,
-                shown.expected,
-                SIGNIFICANT * shown.std_error,
-                "read_back" if differs else fault.verdict,
-                fault,
-                axis=name,
-            ),
-        )
-    return found
+        check = ScaleAfter(value=mean.value, expected=mean.expected, U=U)
+        finding = None
+        if not as_predicted:
+            table = table_in_circle(circle, name, name)
+            between = table.between_directions(result.test, prediction.expected.test)
+            shown = replace(mean, between=between)
+            fault = on_control.judged_scale(table, name, shown, during)
+            check = replace(check, verdict=fault.verdict, candidates=fault.candidates)
+            verdict = "read_back" if differs else fault.verdict
+            finding = correction_finding(mean.value, mean.expected, U, verdict, fault, axis=name)
+        yield name, replace(check, verdict="read_back") if differs else check, finding
 
 
 def _loaded(plan: Plan, axes: Sequence[str]) -> list[str]:
