@@ -80,17 +80,23 @@ class TableInCircle:
         )
         return targets, index.astype(np.intp)
 
-    def shown(self, change: FloatArray) -> FloatArray:
-        """Return what the circle shows of a ``change`` (2, m) of the correction at the `targets` in
-        + and −: the change of squareness or scale error, and that in + minus that in −, both µm/m.
+    def weights(self) -> FloatArray:
+        """Return how much the circle shows of a change of the correction at the `targets`, (2, 2,
+        m) by value shown, direction + or −, and target, µm/m for 1 mm. The values are the change of
+        squareness or scale error, and that in + minus that in −.
         """
         unit = np.stack([np.cos(self._theta), np.sin(self._theta)])
-        positive, negative = change[:, self._places[1]]
         # in ccw the first axis moves to − in the upper half, the second to + in the right half
-        ahead = (-unit[1], unit[0])[self.input] > 0.0
-        ccw, cw = np.where(ahead, positive, negative), np.where(ahead, negative, positive)
-        even, odd = 0.5 * (ccw + cw) * unit[self.output], 0.5 * (ccw - cw) * unit[self.output]
-        return np.array([_first(self._even, even), _first(self._odd, odd)])
+        ahead = np.sign((-unit[1], unit[0])[self.input])
+        both = 0.5 * np.linalg.pinv(self._even)[0] * unit[self.output]
+        half = 0.5 * np.linalg.pinv(self._odd)[0] * unit[self.output] * ahead
+        targets, index = self._places
+        return np.stack(
+            [
+                [np.bincount(index, each, targets.size) for each in pair]
+                for pair in ((both, both), (half, -half))
+            ]
+        )
 
     def between_directions(
         self, after: CircularTest, expected: CircularTest
@@ -143,10 +149,6 @@ class TableInCircle:
         reversals = [np.sign(sin) * cos, np.sign(cos) * sin, np.abs(sin), np.abs(cos)]
         waves = [np.ones_like(cos), cos, sin, cos * sin, cos * cos]
         return np.column_stack([self._radial(0.5 * side), *reversals, *waves])
-
-
-def _first(shapes: FloatArray, curve: FloatArray) -> float:
-    return float(np.linalg.lstsq(shapes, curve, rcond=None)[0][0])
 
 
 def _odd_curve(test: CircularTest, theta: FloatArray) -> FloatArray | None:
@@ -256,13 +258,15 @@ def _hypotheses(
     """Yield the hypotheses of the ``loadings`` as changes of what the circle shows with the table
     loaded, in units of the ``errors``; of a scale also that the axis is longer or shorter now.
     """
+    weights = table.weights()[: errors.size] / errors[:, np.newaxis, np.newaxis]
+
+    def seen(change: FloatArray) -> FloatArray:
+        values: FloatArray = np.tensordot(weights, change, 2)
+        return values
+
     for number, loading in enumerate(loadings):
         every = loading_hypotheses(loading, table.targets)
         planned = every[0].change
-
-        def seen(change: FloatArray) -> FloatArray:
-            return table.shown(change)[: errors.size] / errors
-
         for each in every:
             off, free = seen(each.change - planned), each.free
             pattern = None if free is None else _one_row(seen(free))
