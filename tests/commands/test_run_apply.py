@@ -686,9 +686,11 @@ def test_the_file_of_an_axis_says_nothing_of_a_new_table_between_axes(
         "axes:\n  X: {travel: [0, 400], address: AX1, before: []}\n"
         "  Y: {travel: [-500, 0], address: AX2, before: [y.csv]}\n"
         "circles: [{file: xy.csv, name: xy-150, centre: [200, -250]}]\n"
-        "apply: {squareness: {XY: Y}}\n"
+        "apply: {squareness: {XY: Y}}\nreport: {language: de}\n"
     )
     assert compwright(["run", str(folder / "job.yaml")]) in (0, 1)
+    assert "Achse AX2: Messsystem" in card(folder)
+    assert "the only one" not in card(folder)
     tables = folder / "job" / "tables" / SIEMENS
     axis, between = ((tables / f"Y1_{name}.INI").read_text() for name in ("MD", "CROSS"))
     assert "; as it is: $SN_CEC_TABLE_ENABLE[2]=1" in axis

@@ -12,6 +12,7 @@ from compwright.formats.definition.schema import Choice
 from compwright.formats.text.gathering import Gathered
 from compwright.formats.text.notes import CORRECT_VALUE, Notes
 from compwright.foundations.errors import Fault
+from compwright.words.sentences import control_text
 
 
 class SystemChoice:
@@ -94,19 +95,19 @@ class SystemChoice:
         count = self._count()
         if count == 1 or len(self.systems) == 1:
             chosen, why = (
-                ("0", "MD30200: there is one")
+                ("0", control_text("MD30200: there is one"))
                 if count == 1
-                else (self.systems[0], "the only one in the files")
+                else (self.systems[0], control_text("the only one in the files"))
             )
             if len(self.systems) > 1 or chosen != "0":
                 self._assume(chosen, why)
             return chosen
         reasons = (
-            (self._switch, "the only one that is switched on (MD32700)"),
-            (self._written, "the only one that contains a table"),
-            (self._rows, "the only one that contains a table"),
-            (self._reserved, "the only one with points reserved (MD38000)"),
-            (self._backlash, "the only one with a backlash value"),
+            (self._switch, control_text("the only one that is switched on (MD32700)")),
+            (self._written, control_text("the only one that contains a table")),
+            (self._rows, control_text("the only one that contains a table")),
+            (self._reserved, control_text("the only one with points reserved (MD38000)")),
+            (self._backlash, control_text("the only one with a backlash value")),
         )
         for shows, why in reasons:
             systems = [system for system in self.systems if shows(system)]
@@ -145,7 +146,7 @@ class SystemChoice:
             or [system for system in self.systems if self._backlash(system)]
             or self.systems
         )[0]
-        self._assume(chosen, "inferred: the one that contains a table")
+        self._assume(chosen, control_text("the one that contains a table"))
         if len(active) > 1:
             self.notes.find(
                 "CW-S006", "warning", self.address, axis=self.address, system=int(chosen) + 1
@@ -153,8 +154,11 @@ class SystemChoice:
         return chosen
 
     def _assume(self, chosen: str, why: str) -> None:
-        evidence = why if why.startswith("inferred") else f"inferred: {why}"
-        self.notes.assume(f"axis {self.address}: measuring system", str(int(chosen) + 1), evidence)
+        self.notes.assume(
+            control_text("axis {name}: measuring system", name=self.address),
+            str(int(chosen) + 1),
+            control_text("inferred: {what}", what=why),
+        )
 
     def _rows(self, system: str) -> Sequence[object]:
         return self.gathered.rows.get((self.address, system), ())

@@ -24,7 +24,7 @@ from compwright.formats.text.notes import Notes
 from compwright.records.axis import AxisKind
 from compwright.records.facts import AxisFacts
 from compwright.records.options import DETECTION_UNIT
-from compwright.words.sentences import say
+from compwright.words.sentences import control_text, say
 
 #: What `new` says of the limits of an axis in diameter programming.
 _HALVED = (
@@ -189,9 +189,12 @@ def screw_lead(own: AxisParameters, kind: AxisKind) -> Lead | None:
     size = round(counter.whole * unit.size, 9)
     if size <= 0 or (kind is AxisKind.ROTARY and size >= 360.0):
         return None
-    evidence = (
-        f"1821 = {counter.text} detection units of {unit.size:g} {kind.unit} between two marks,"
-        " encoder on the motor (1815#1 = 0); inferred"
+    evidence = control_text(
+        "1821 = {count} detection units of {size} {unit} between two marks, encoder on the motor"
+        " (1815#1 = 0); inferred",
+        count=counter.text,
+        size=f"{unit.size:g}",
+        unit=kind.unit,
     )
     return Lead(size, evidence)
 

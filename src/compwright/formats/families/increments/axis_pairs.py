@@ -68,7 +68,7 @@ def straightness_between(family: Family, request: BetweenRequest) -> Between:
     sentence = say("CW-P113.sheet", what=error_label(entry), sheet=sheet.name)
     text = control_text(
         "{sentence} Prove the sign with a square or a dial gauge, on and off, before production.",
-        sentence=sentence,
+        sentence=say("card.capital", text=sentence),
     )
     return entry_sheet_answer(entry, values, sheet, sentence, text)
 
@@ -105,7 +105,7 @@ def _filled(family: Family, request: BetweenRequest, entry: PlannedCross) -> Bet
     text = control_text(
         "{sentence} Its numbers and its sign are unconfirmed: prove them with a square or a dial"
         " gauge, on and off, before production.",
-        sentence=sentence,
+        sentence=say("card.capital", text=sentence),
     )
     title = control_text(
         "{output} over {input}: straightness compensation", output=entry.output, input=entry.input

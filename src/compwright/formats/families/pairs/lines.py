@@ -266,8 +266,14 @@ class TableLines(SingleValues):
             self._ask_which(owner, word, place, screw)
             return True
         if slept:
-            why = f"{_SWITCHES} end as 0, while the leadscrew table of the axis is on"
-            self.notes.assume(f"{owner}: during the test", "off", why)
+            self.notes.assume(
+                control_text("{label}: during the test", label=owner),
+                control_text("off"),
+                control_text(
+                    "{switches} end as 0, while the leadscrew table of the axis is on",
+                    switches=_SWITCHES,
+                ),
+            )
         return slept
 
     def _ask_which(

@@ -173,4 +173,12 @@ TEXTS: Final[dict[str, str]] = {
         "les articulations sont numérotées dans l'ordre de la cinématique ; d'une lettre seule,"
         " seule celle de X est retenue, et seulement si aucun fichier ne l'indique"
     ),
+    "MD30200: there is one": "MD30200 : il y en a un",
+    "the only one in the files": "le seul dans les fichiers",
+    "the only one that is switched on (MD32700)": "le seul en service (MD32700)",
+    "the only one that contains a table": "le seul qui contient une table",
+    "the only one with points reserved (MD38000)": "le seul avec des points réservés (MD38000)",
+    "the only one with a backlash value": "le seul avec une valeur de jeu",
+    "the one that contains a table": "celui qui contient une table",
+    "axis {name}: measuring system": "axe {name} : système de mesure",
 }

@@ -429,4 +429,9 @@ TEXTS: Final[dict[str, str]] = {
     "step": "incrément (step)",
     "1800#4 is not in the files": ("1800#4 n'est pas dans les fichiers"),
     "the bit that makes 1852 active is unknown": ("le bit qui rend 1852 actif est inconnu"),
+    "1821 = {count} detection units of {size} {unit} between two marks, encoder on"
+    " the motor (1815#1 = 0); inferred": (
+        "1821 = {count} unités de détection de {size} {unit} entre deux marques, codeur sur"
+        " le moteur (1815#1 = 0) ; déduit"
+    ),
 }

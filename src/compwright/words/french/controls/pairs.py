@@ -427,4 +427,8 @@ TEXTS: Final[dict[str, str]] = {
     "the sign of its values is not given (option cec_sign)": (
         "le signe de ses valeurs n'est pas indiqué (option cec_sign)"
     ),
+    "{label}: during the test": "{label} : pendant l'essai",
+    "{switches} end as 0, while the leadscrew table of the axis is on": (
+        "{switches} finissent à 0, alors que la table de vis de l'axe est en service"
+    ),
 }

@@ -171,4 +171,14 @@ TEXTS: Final[dict[str, str]] = {
         "Gelenke sind in der Reihenfolge der Kinematik nummeriert; aus einem Buchstaben allein"
         " wird nur der von X genommen, und nur, wenn keine Datei es sagt"
     ),
+    "MD30200: there is one": "MD30200: es gibt eines",
+    "the only one in the files": "das einzige in den Dateien",
+    "the only one that is switched on (MD32700)": "das einzige, das eingeschaltet ist (MD32700)",
+    "the only one that contains a table": "das einzige, das eine Tabelle enthält",
+    "the only one with points reserved (MD38000)": (
+        "das einzige mit reservierten Punkten (MD38000)"
+    ),
+    "the only one with a backlash value": "das einzige mit einem Losewert",
+    "the one that contains a table": "das, das eine Tabelle enthält",
+    "axis {name}: measuring system": "Achse {name}: Messsystem",
 }

@@ -436,4 +436,9 @@ TEXTS: Final[dict[str, str]] = {
     "step": "Schritt (step)",
     "1800#4 is not in the files": ("1800#4 ist nicht in den Dateien"),
     "the bit that makes 1852 active is unknown": ("das Bit, das 1852 wirksam macht, ist unbekannt"),
+    "1821 = {count} detection units of {size} {unit} between two marks, encoder on"
+    " the motor (1815#1 = 0); inferred": (
+        "1821 = {count} Erfassungseinheiten zu {size} {unit} zwischen zwei Marken, Geber am"
+        " Motor (1815#1 = 0); geschlossen"
+    ),
 }

@@ -426,4 +426,8 @@ TEXTS: Final[dict[str, str]] = {
     "the sign of its values is not given (option cec_sign)": (
         "das Vorzeichen ihrer Werte ist nicht angegeben (Option cec_sign)"
     ),
+    "{label}: during the test": "{label}: während der Prüfung",
+    "{switches} end as 0, while the leadscrew table of the axis is on": (
+        "{switches} enden als 0, während die Spindeltabelle der Achse eingeschaltet ist"
+    ),
 }

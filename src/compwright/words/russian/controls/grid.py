@@ -168,4 +168,14 @@ TEXTS: Final[dict[str, str]] = {
         "суставы нумеруются в порядке кинематики; по одной букве принимается только сустав X, и"
         " только если ни один файл этого не указывает"
     ),
+    "MD30200: there is one": "MD30200: она одна",
+    "the only one in the files": "единственная в файлах",
+    "the only one that is switched on (MD32700)": "единственная включённая (MD32700)",
+    "the only one that contains a table": "единственная, в которой есть таблица",
+    "the only one with points reserved (MD38000)": (
+        "единственная с зарезервированными точками (MD38000)"
+    ),
+    "the only one with a backlash value": "единственная со значением люфта",
+    "the one that contains a table": "та, в которой есть таблица",
+    "axis {name}: measuring system": "ось {name}: измерительная система",
 }

@@ -409,4 +409,9 @@ TEXTS: Final[dict[str, str]] = {
     "step": "шаг (step)",
     "1800#4 is not in the files": ("1800#4 нет в файлах"),
     "the bit that makes 1852 active is unknown": ("бит, который включает 1852, неизвестен"),
+    "1821 = {count} detection units of {size} {unit} between two marks, encoder on"
+    " the motor (1815#1 = 0); inferred": (
+        "1821 = {count} единиц измерения по {size} {unit} между двумя метками, датчик на двигателе"
+        " (1815#1 = 0); выведено"
+    ),
 }

@@ -412,4 +412,8 @@ TEXTS: Final[dict[str, str]] = {
     "the sign of its values is not given (option cec_sign)": (
         "знак значений не указан (опция cec_sign)"
     ),
+    "{label}: during the test": "{label}: во время измерения",
+    "{switches} end as 0, while the leadscrew table of the axis is on": (
+        "{switches} в конце равны 0, а таблица винта этой оси включена"
+    ),
 }
