@@ -172,8 +172,7 @@ class TableFiller:
     def _suits(self) -> None:
         if self.table.head["unit"].text.upper() != "MM":
             raise NotHeld(
-                f"{self.table.file} is in inch. Next: export it with the control set to mm, or"
-                " leave it out for an entry sheet"
+                f"{self.table.file} is in inch. Next: export all tables with the control set to mm"
             )
         moving = [address for address, table in self.sources.tables.items() if table is self.table]
         if len(moving) > 1:
