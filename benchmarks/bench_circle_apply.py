@@ -10,7 +10,8 @@ bidirectional circular deviation grows by more than 0.1 µm and a tenth, which `
 ``..., exit 0``: and `run` ends with 0. ``doubted``: corrected with the doubt CW-P166.
 ``determinable``: both axes reverse inside the arc, and two Cramér-Rao errors are below half of the
 value and below 30 µm/m; ``written``: of these a correction was written; ``negligible``: of these
-none was, because the squareness is known to be below 15 µm/m.
+none was, because the squareness is known to be below 15 µm/m. ``clear``: where that holds for three
+Cramér-Rao errors, because a diagnosis may state 1.5 times of them.
 """
 
 from __future__ import annotations
@@ -42,6 +43,8 @@ KINDS: Final = ("360", "220", "180", "90", "90 between", "any arc", "any arc", "
 _GROWS: Final = 0.1  # µm
 _SHARE: Final = 1.1  # 1 + `planning.circles.WORSE`
 _RUN_EVERY: Final = 10
+#: Stated standard error, by its bound, from which the certainty of a correction is judged.
+_RATIOS: Final = {"determinable": 1.0, "clear": 1.5}
 
 
 def run(folder: Path, apply: str) -> PlannedJob:
@@ -104,12 +107,13 @@ class Counts:
         true = test.values["squareness"]
         bound = test.bound()["squareness"]
         both = test.reverses() and len(test.senses) == len(TURNS)
-        if both and 2.0 * bound < min(abs(true) / 2.0, 30.0):
-            self.all["determinable"] += 1
-            self.all["written"] += slope is not None
-            self.all["negligible"] += small
-            if slope is None and not small:
-                self.note(number, test, f"{true:.1f} ± {bound:.1f} µm/m not corrected")
+        for name, ratio in _RATIOS.items():
+            if both and 2.0 * ratio * bound < min(abs(true) / 2.0, 30.0):
+                self.all[name] += 1
+                self.all[f"{name}, written"] += slope is not None
+                self.all[f"{name}, negligible"] += small
+                if slope is None and not small:
+                    self.note(number, test, f"{name}: {true:.1f} ± {bound:.1f} not corrected")
         if slope is None:
             return
         self.all["corrected"] += 1
