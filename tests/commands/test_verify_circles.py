@@ -610,9 +610,11 @@ def scaled(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
         ({"X": 0.0, "Y": 180.0}, {"Y": "opposite sign"}, "bad"),
         ({"X": -60.0, "Y": -90.0}, {"X": "twice", "Y": "twice"}, "bad"),
         ({"X": 60.0, "Y": 180.0}, {"X": "not active", "Y": "opposite sign"}, "bad"),
-        ({"X": -30.0, "Y": 30.0}, {"X": "wrong axis"}, "undecided"),
+        ({"X": 29.9, "Y": 45.0}, {"X": "half", "Y": "half"}, "undecided"),
+        ({"X": 25.0, "Y": 25.0}, {"X": "thermal", "Y": "thermal"}, "undecided"),
+        ({"X": -30.0, "Y": 30.0}, {"X": "wrong axis", "Y": "wrong axis"}, "undecided"),
     ],
-    ids=["X off", "Y inverted", "twice", "two faults", "exchanged"],
+    ids=["X off", "Y inverted", "twice", "two faults", "half", "warmer", "exchanged"],
 )
 def test_the_fault_of_a_scale_correction_is_named(
     scaled: tuple[Path, str], left: dict[str, float], first: dict[str, str], verdict: str

@@ -34,6 +34,8 @@ _LASTING: Final = ("squareness", "scale_mismatch", *_ODD)
 _SCALES: Final = ("scale_error_first", "scale_error_second")
 #: What a scale error changes in addition.
 OF_SCALES: Final = (*_SCALES, "scale_mismatch", *DEVIATIONS)
+#: Coverage factor of what two tests leave uncertain.
+_COVERAGE: Final = 2.0
 #: From the median to the upper end of a 90 % interval, in standard deviations.
 _NINETY: Final = 1.645
 _UNITS: Final = {"um": ("µm", ".2f"), "um/m": ("µm/m", ".1f"), "ms": ("ms", ".3f")}
@@ -213,10 +215,12 @@ def _changes(
         if name in _ODD and each.value * was.value >= 0.0 and abs(each.value) <= abs(was.value):
             continue  # better than predicted
         off = abs(each.value - was.value)
-        if name in _SCALES and _other_temperature(off, first.get(name, was).value - was.value):
+        error = float(np.hypot(was.std_error, each.std_error))
+        planned = first.get(name, was).value - was.value
+        if name in _SCALES and _other_temperature(off + _COVERAGE * error, planned):
             continue
         size = _size(max(was, each, key=lambda one: abs(one.value)), off)
-        if off > IMPROBABLE * float(np.hypot(was.std_error, each.std_error)) and size > least:
+        if off > IMPROBABLE * error and size > least:
             found.append(
                 _UnexpectedCause(name, each.value, prediction.causes[name], each.unit, size)
             )
@@ -246,17 +250,18 @@ def shown_scales(
         off = 0.5 * abs(planned)
         error = float(np.hypot(was.std_error, now[name].std_error))
         clear = off > IMPROBABLE * error and _size(first[name], off) > least
-        shown = clear and not _other_temperature(abs(planned), planned)
+        shown = clear and abs(planned) >= NEGLIGIBLE
         if shown or name in changed:
             value = ShownValue(now[name].value, was.value, first[name].value, error)
             yield axis, value, name not in changed
 
 
 def _other_temperature(off: float, planned: float) -> bool:
-    """Return whether the temperature explains a scale error that is ``off`` by so many µm/m: less
-    than half of the ``planned`` change, or one that would not be corrected.
+    """Return whether a scale error that is ``off`` by so many µm/m may be left to another
+    temperature: less than half of the ``planned`` change, and it would not be corrected; or the
+    change itself would not.
     """
-    return off < 0.5 * abs(planned) or min(off, abs(planned)) < NEGLIGIBLE
+    return abs(planned) < NEGLIGIBLE or off < min(NEGLIGIBLE, 0.5 * abs(planned))
 
 
 def _sentences(changes: list[_UnexpectedCause], after: CircularResult) -> list[Sentence]:

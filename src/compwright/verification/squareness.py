@@ -32,8 +32,8 @@ class SquarenessCheck:
     U: float
     before: float
     fault: LoadingVerdict | None = None
-    #: Whether the table that was read back differs from the plan: then this is the reason.
-    differs: bool = False
+    #: Whether the table that was read back is as planned; None if none was read back.
+    as_planned: bool | None = None
 
     @property
     def factor(self) -> float | None:
@@ -48,15 +48,16 @@ class SquarenessCheck:
         """The name of the loading verdict, as of an axis; ``read_back`` if the table that was read
         back differs from the plan.
         """
-        if self.differs:
+        if self.as_planned is False:
             return "read_back"
-        if self.factor is None:
-            return "loaded" if self.decision == "accept" else "undecided"
-        planned = abs(self.before - self.expected)
-        near = max(self.U, min(NEGLIGIBLE, _CLEAR * planned)) / planned
-        if abs(self.factor - 1.0) <= near:
-            return "loaded"
-        return "undecided" if self.fault is None else self.fault.verdict
+        if self.factor is not None:
+            planned = abs(self.before - self.expected)
+            near = max(self.U, min(NEGLIGIBLE, _CLEAR * planned)) / planned
+            if abs(self.factor - 1.0) <= near:
+                return "loaded"
+            if self.fault is not None and self.fault.verdict != "undecided":
+                return self.fault.verdict
+        return "loaded" if self.decision == "accept" else "undecided"
 
     @property
     def active(self) -> bool:
@@ -101,7 +102,7 @@ class SquarenessCheck:
         if abs(self.value - self.expected) <= self.U:
             return ()
         accepted = self.decision == "accept"
-        uncertain = self.factor is None and not self.differs
+        uncertain = self.factor is None and self.as_planned is not False
         return (
             correction_finding(
                 self.value,
@@ -109,6 +110,7 @@ class SquarenessCheck:
                 self.U,
                 "uncertain" if uncertain else self.verdict,
                 self.fault,
+                as_planned=self.as_planned is True,
                 severity="info" if accepted else "warning",
                 negligible=NEGLIGIBLE if accepted else 0.0,
             ),
@@ -122,12 +124,14 @@ def correction_finding(
     verdict: str,
     fault: LoadingVerdict | None,
     *,
+    as_planned: bool,
     severity: Severity = "warning",
     axis: str = "",
     negligible: float = 0.0,
 ) -> Finding:
     """Return the finding CW-V035 on a squareness, or on the scale error of an ``axis``, that is not
-    as ``expected`` after loading (µm/m), with the name of the loading ``fault``.
+    as ``expected`` after loading (µm/m), with the name of the loading ``fault``. ``as_planned``:
+    the table was read back, and is as planned.
     """
     return Finding.of(
         "CW-V035",
@@ -137,6 +141,7 @@ def correction_finding(
         expected=expected,
         U=U,
         verdict=verdict,
+        as_planned=as_planned,
         loading=say("loading.circle", effect=None, candidates=[])
         if fault is None
         else fault.sentence,

@@ -162,16 +162,19 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V034.radius": "son rayon est de {now:g} mm (celui du premier {was:g} mm)",
     "CW-V035": (
         "{axis:if|L'erreur d'échelle de l'axe {axis}|La perpendicularité} après chargement est de"
-        " {value:.1f} µm/m. La prévision était de {expected:.1f} µm/m, ± {U:.1f} µm/m dus au bruit"
-        " des deux essais (k = 2). {verdict:choose|loaded=La correction est active ; un nouveau"
-        " montage de l'instrument ou un changement de la machine peut laisser ce"
+        " {value:.1f} µm/m. La prévision était de {expected:.1f} µm/m, ± {U:.1f} µm/m dus au"
+        " bruit des deux essais (k = 2). {verdict:choose|loaded=La correction est active ; un"
+        " nouveau montage de l'instrument ou un changement de la machine peut laisser ce"
         " reste.|not_active={loading} Vérifier qu'elle est chargée et activée.|inverted={loading}"
-        " Vérifier le signe de la table et la charger de nouveau.|increment={loading} La correction"
-        " existante manque. Comparer ce qui est chargé avec le plan.|read_back=La table relue"
-        " diffère du plan (CW-V011).|uncertain=Les essais sont trop incertains pour nommer le"
-        " défaut. Mesurer de nouveau le cercle entier dans les deux sens.|={loading} Comparer ce"
-        " qui est chargé avec le plan.}{negligible:if| Au-dessous de {negligible:.0f} µm/m elle est"
-        " acceptée.|}"
+        " Vérifier le signe de la table et la charger de nouveau.|increment={loading} La"
+        " correction existante manque.{as_planned:if| Ce qui a été relu est comme prévu :"
+        " vérifier que toutes les tables sont activées et mesurer de nouveau le cercle.| Comparer"
+        " ce qui est chargé avec le plan.}|read_back=La table relue diffère du plan"
+        " (CW-V011).|uncertain=Les essais sont trop incertains pour nommer le défaut. Mesurer de"
+        " nouveau le cercle entier dans les deux sens.|={loading}{as_planned:if| Ce qui a été"
+        " relu est comme prévu : vérifier que toutes les tables sont activées et mesurer de"
+        " nouveau le cercle.| Comparer ce qui est chargé avec le plan.}}{negligible:if|"
+        " Au-dessous de {negligible:.0f} µm/m elle est acceptée.|}"
     ),
     "CW-V035.open": (
         "Le cercle après chargement ne détermine pas assez bien la perpendicularité pour montrer"

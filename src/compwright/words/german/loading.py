@@ -166,16 +166,19 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V034.radius": "sein Radius ist {now:g} mm (des ersten {was:g} mm)",
     "CW-V035": (
         "{axis:if|Der Maßstabsfehler der Achse {axis}|Die Rechtwinkligkeit} nach dem Laden ist"
-        " {value:.1f} µm/m. Vorhergesagt waren {expected:.1f} µm/m, ± {U:.1f} µm/m aus dem Rauschen"
-        " der beiden Messungen (k = 2). {verdict:choose|loaded=Die Korrektur ist aktiv; ein neues"
-        " Einrichten des Messgeräts oder eine Änderung der Maschine kann diesen Rest"
+        " {value:.1f} µm/m. Vorhergesagt waren {expected:.1f} µm/m, ± {U:.1f} µm/m aus dem"
+        " Rauschen der beiden Messungen (k = 2). {verdict:choose|loaded=Die Korrektur ist aktiv;"
+        " ein neues Einrichten des Messgeräts oder eine Änderung der Maschine kann diesen Rest"
         " lassen.|not_active={loading} Prüfen, ob sie geladen und eingeschaltet"
         " ist.|inverted={loading} Das Vorzeichen der Tabelle prüfen und sie neu"
-        " laden.|increment={loading} Die vorhandene Korrektur fehlt. Das Geladene mit dem Plan"
-        " vergleichen.|read_back=Die zurückgelesene Tabelle weicht vom Plan ab"
-        " (CW-V011).|uncertain=Die Messungen sind zu unsicher, um den Fehler zu nennen. Den vollen"
-        " Kreis in beiden Richtungen neu messen.|={loading} Das Geladene mit dem Plan"
-        " vergleichen.}{negligible:if| Unter {negligible:.0f} µm/m wird sie angenommen.|}"
+        " laden.|increment={loading} Die vorhandene Korrektur fehlt.{as_planned:if| Das"
+        " Zurückgelesene ist wie geplant: prüfen, ob alle Tabellen eingeschaltet sind, und den"
+        " Kreis neu messen.| Das Geladene mit dem Plan vergleichen.}|read_back=Die zurückgelesene"
+        " Tabelle weicht vom Plan ab (CW-V011).|uncertain=Die Messungen sind zu unsicher, um den"
+        " Fehler zu nennen. Den vollen Kreis in beiden Richtungen neu"
+        " messen.|={loading}{as_planned:if| Das Zurückgelesene ist wie geplant: prüfen, ob alle"
+        " Tabellen eingeschaltet sind, und den Kreis neu messen.| Das Geladene mit dem Plan"
+        " vergleichen.}}{negligible:if| Unter {negligible:.0f} µm/m wird sie angenommen.|}"
     ),
     "CW-V035.open": (
         "Der Kreis nach dem Laden bestimmt die Rechtwinkligkeit nicht gut genug, um zu zeigen, dass"

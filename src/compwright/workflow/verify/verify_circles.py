@@ -286,7 +286,7 @@ def _squareness_check(
         expected=expected.value,
         U=SIGNIFICANT * error,
         before=expected.value + 1e6 * sum(entry.squareness for entry in removed),
-        differs=on_control.read_back.get(pair) is False,
+        as_planned=on_control.read_back.get(pair),
     )
     if now is None or len(removed) > 1:
         return check
@@ -311,7 +311,7 @@ def _scale_checks(
         if planned is None or planned.fitted is None or planned.tests:
             continue
         U = SIGNIFICANT * mean.std_error
-        differs = on_control.read_back.get(frozenset({name})) is False
+        as_planned = on_control.read_back.get(frozenset({name}))
         check = ScaleAfter(value=mean.value, expected=mean.expected, U=U)
         finding = None
         if not as_predicted:
@@ -320,9 +320,16 @@ def _scale_checks(
             shown = replace(mean, between=between)
             fault = on_control.judged_scale(table, name, shown, during)
             check = replace(check, verdict=fault.verdict, candidates=fault.candidates)
-            verdict = "read_back" if differs else fault.verdict
-            finding = correction_finding(mean.value, mean.expected, U, verdict, fault, axis=name)
-        yield name, replace(check, verdict="read_back") if differs else check, finding
+            finding = correction_finding(
+                mean.value,
+                mean.expected,
+                U,
+                "read_back" if as_planned is False else fault.verdict,
+                fault,
+                as_planned=as_planned is True,
+                axis=name,
+            )
+        yield name, replace(check, verdict="read_back") if as_planned is False else check, finding
 
 
 def _loaded(plan: Plan, axes: Sequence[str]) -> list[str]:
