@@ -644,6 +644,18 @@ def test_the_fault_of_a_scale_correction_is_named(
         assert (badge == ["good"]) is (axis not in first)
 
 
+@pytest.mark.parametrize(("left", "decision"), [(0.0, "accept"), (30.0, "undecided")])
+def test_a_circle_with_a_doubted_scale_meets_no_limit(
+    tmp_path: Path, left: float, decision: str
+) -> None:
+    """Equal scale errors of both axes change D, but not G."""
+    machine = Machine(scale_error_first=60.0, scale_error_second=60.0)
+    job = planned(tmp_path, machine, LIMIT, SLOW, "scale: [X, Y]")
+    after = Machine(scale_error_first=left, scale_error_second=left)
+    _, answer = verified(tmp_path, job, circle(tmp_path / "after.csv", after, SLOW, 2))
+    assert answer["circles"]["xy"]["accept"]["G_bidirectional"]["decision"] == decision
+
+
 def test_a_scale_table_that_was_read_back_with_another_value_is_never_good(
     scaled: tuple[Path, str],
 ) -> None:

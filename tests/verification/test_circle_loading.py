@@ -89,3 +89,18 @@ def test_a_value_that_no_fault_explains_has_no_name() -> None:
     found = judge_circle(shown, TableInCircle(150.0, 400.0, 0, 1), [loading])
     assert (found.verdict, found.candidates) == ("undecided", ())
     assert "No known loading fault explains this" in found.message
+
+
+def test_a_fault_with_many_variants_is_only_possible() -> None:
+    """A shift by some points, or a part that is active, makes nearly every scale error."""
+    where = np.linspace(-500.0, 0.0, 6)
+    values = 60e-6 * where
+    new = replace(NONE, positions=where, positive=values, negative=values)
+    loading = Loading(new=StoredTable.by_point(new), old=NONE, active_before=NONE)
+    listed = set[str]()
+    for left in np.linspace(-150.0, 150.0, 61):
+        shown = ShownValue(float(left), 0.0, 60.0, 0.5)
+        found = judge_circle(shown, TableInCircle(150.0, -250.0, 1, 1), [loading])
+        assert found.verdict not in ("shifted", "partial")
+        listed |= {each.verdict for each in found.candidates if each.probability > 0.99}
+    assert listed & {"shifted", "partial"}

@@ -40,6 +40,8 @@ _ANGLES: Final = 96
 _OTHER_DAY: Final = 1.5
 #: Distance in standard errors from which a factor with a known cause is not the measured one.
 _OTHER_FACTOR: Final = 3.0
+#: Faults of so many kinds that one of them fits nearly every value: they are listed, never named.
+_MANY: Final = ("shifted", "partial")
 #: A table of which no more than this part is active is near to one that is not active.
 _LEAST_FACTOR: Final = 0.1
 #: Smallest standard error that is believed, µm/m: 0.01 µm over a circle of 200 mm.
@@ -237,9 +239,9 @@ def judge_circle(
     fits = any(each.score <= REFUSED for each in rated)
     same = {each.verdict for each in names.candidates} & set(names.equivalent)
     most = names.candidates[0].probability if same else names.together
-    if most < CLEAR or names.hidden or not names.fits:
-        return _open(shown, names.candidates if fits else ())
     best = names.best
+    if most < CLEAR or names.hidden or not names.fits or best.name in _MANY:
+        return _open(shown, names.candidates if fits else ())
     off = abs(best.expected[0, 0] * errors[0] - shown.value)
     free = [each for each in rated if each.name == "scaled" and each.hypothesis.free is not None]
     if best.name == "scaled" and off > _OTHER_FACTOR * shown.std_error:

@@ -237,7 +237,7 @@ def _verified(
         limits,
         before,
         result,
-        doubted,
+        (*of_scales, *doubted),
         corrected=check is not None,
         unproven=unproven or bool(other),
     )
@@ -253,7 +253,6 @@ def _verified(
             *(each for each in other if each.severity == "info"),
             *lacking,
             *found,
-            *of_scales,
         ),
     )
 
