@@ -334,7 +334,7 @@ def test_the_table_of_a_rotary_axis_gets_totals_in_its_own_rows(
     assert file.exists() is held
     if not held:
         why = "has no row at a position" if dist == 180 else "reaches from 0 to 240"
-        assert f"uncorrected: C.COM {why}" in said
+        assert f"is not corrected: C.COM {why}" in said
         return
     head, *lines = file.read_text(encoding="utf-8").splitlines()
     assert "totals, in place of the values there" in head

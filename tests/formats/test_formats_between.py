@@ -134,12 +134,17 @@ def test_a_column_has_the_sign_of_the_moving_axis_table(whole: str, moving: str,
     assert [step["evidence"] for step in answer.steps] == ["unconfirmed"]
 
 
-def test_a_long_column_is_shown_by_its_ends() -> None:
+def test_a_long_column_is_shown_by_its_ends_and_its_largest_value() -> None:
     long, short = follows(np.linspace(0.0, 800.0, 9).tolist()), follows([0.0, 400.0, 800.0])
     shown, whole = (ask(family(NCK, table_values="correction"), entry) for entry in (long, short))
     assert ": +0.0000 mm at 0, …, +0.0320 mm at 800 (" in shown.steps[0]["text"]
     assert "+0.0000 mm at 0, +0.0160 mm at 400, +0.0320 mm at 800" in whole.steps[0]["text"]
     assert len(rows(shown.sheets[0], 3)) == 9
+    bent = np.array([0.0, 3.0, 5.0, 8.0, 2.0, -9.0, -4.0, -1.0, 0.0]) * 1e-3
+    wave = replace(long, source="cross", added=replace(long.added, positive=bent, negative=bent))
+    (step,) = ask(family(NCK, table_values="correction"), wave).steps
+    values = ": +0.0000 mm at 0, …, -0.0090 mm at 500, …, +0.0000 mm at 800 ("
+    assert values in step["text"]
 
 
 @pytest.mark.parametrize(
@@ -244,7 +249,7 @@ def test_one_message_names_all_corrections_that_two_tables_do_not_hold() -> None
     assert severity == "error"
     for pair in ("Y over X", "Z over Y", "X over Z"):
         assert f"squareness of {pair} (+40.0 µm/m)" in text
-    assert text.startswith("This job leaves squareness")
+    assert "squareness of X over Z (+40.0 µm/m) are not corrected: " in text
     assert text.count("AX1 over AX3") == 1
     assert len(answer.steps) == 1
 
@@ -273,15 +278,15 @@ def test_every_control_answers(format_id: str) -> None:
         return
     ((severity, said),) = remarks(ask(family(format_id)))
     assert "squareness of Y over X (+40.0 µm/m)" in said
-    assert severity == ("error" if "uncorrected" in said else "warning")
+    assert severity == ("error" if "is not corrected" in said else "warning")
 
 
 def test_every_correction_is_said() -> None:
     bent = replace(follows(), input="Z", source="cross", squareness=-12.5e-6)
     answer = ask(family(SIEMENS), follows(), bent)
     assert [said.split(": ")[0] for _, said in remarks(answer)] == [
-        "This job leaves squareness of Y over X (+40.0 µm/m) uncorrected",
-        "This job leaves the measured deviation of Y over Z (+12.5 µm/m) uncorrected",
+        "squareness of Y over X (+40.0 µm/m) is not corrected",
+        "the measured deviation of Y over Z (+12.5 µm/m) is not corrected",
     ]
     assert [step["title"] for step in answer.steps] == [
         "Not corrected: squareness of Y over X (+40.0 µm/m)",
@@ -454,7 +459,7 @@ def refused(case: str) -> Between:
 def test_the_reason_of_a_refusal_is_in_the_language_of_the_page(case: str) -> None:
     """No two English words in a row are in the Russian text, which has other letters."""
     ((_, said), *_) = refused(case).remarks
-    assert "uncorrected" in str(said)
+    assert " not corrected: " in str(said)
     if case == "columns not active":
         assert "(X.COM, столбец 2=F(), Y.COM, столбец 2=F())" in said.text("ru")
     russian = NAME.sub("", said.text("ru"))

@@ -128,7 +128,7 @@ def entry_sheet_answer(
 
 def cannot_hold(entries: Sequence[PlannedCross], why: str) -> Between:
     """Return the answer that ``entries`` are not corrected, with their common reason ``why``."""
-    remark = say("CW-P113.not_held", what=_labels(entries), why=why)
+    remark = say("CW-P113.not_held", what=_labels(entries), several=len(entries) > 1, why=why)
     return not_corrected(entries, remark, control_text("{why}.", why=why))
 
 

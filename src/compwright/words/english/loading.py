@@ -347,8 +347,8 @@ SENTENCES: Final[dict[str, str]] = {
     "next.between_kept": "the correction of {output} over {input} stays as it is in the control",
     "next.cannot_be_made": "the tables of the next correction round cannot be made: {reason}",
     "next.circles_only": (
-        "the table of this axis was calculated from circular tests only. Without a positioning test"
-        " it is not proven that the table is active. The axis keeps what is in the control"
+        "the table of this axis was calculated from circular tests only, and a next round corrects"
+        " only axes that have a positioning test. The axis keeps what is in the control"
     ),
     "next.differs": "what was read back differs from the plan: {why}{quantity:if| ({quantity})}",
     "next.doubted": (

@@ -101,7 +101,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{what} is corrected in {where} (the values there are"
         " {values:choose|correction=corrections|error=errors})."
     ),
-    "CW-P113.not_held": "This job leaves {what} uncorrected: {why}.",
+    "CW-P113.not_held": "{what} {several:if|are|is} not corrected: {why}.",
     "CW-P113.own_table": (
         "{what} is corrected in table {table} of the control, which is active now: its values get"
         " the old and the new correction. To leave it as it is, allow only free tables:"

@@ -364,9 +364,9 @@ SENTENCES: Final[dict[str, str]] = {
         "les tables du prochain tour de correction ne peuvent pas être faites : {reason}"
     ),
     "next.circles_only": (
-        "la table de cet axe a été calculée seulement à partir d'essais circulaires. Sans essai de"
-        " positionnement, il n'est pas prouvé que la table est active. L'axe garde ce qui est dans"
-        " la commande"
+        "la table de cet axe a été calculée seulement à partir d'essais circulaires, et un tour"
+        " suivant ne corrige que les axes qui ont un essai de positionnement. L'axe garde ce qui"
+        " est dans la commande"
     ),
     "next.differs": "ce qui a été relu diffère du plan : {why}{quantity:if| ({quantity})}",
     "next.doubted": (

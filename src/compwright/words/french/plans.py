@@ -104,7 +104,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{what} : corrigé dans {where} (les valeurs y sont des"
         " {values:choose|correction=corrections|error=erreurs})."
     ),
-    "CW-P113.not_held": "{what} sans correction par ce dossier de travail : {why}.",
+    "CW-P113.not_held": "{what} {several:if|ne sont pas corrigés|n'est pas corrigé} : {why}.",
     "CW-P113.own_table": (
         "{what} : corrigé dans la table {table} de la commande, qui est active maintenant : ses"
         " valeurs contiendront l'ancienne et la nouvelle correction. Pour la laisser telle quelle,"

@@ -63,8 +63,8 @@ SENTENCES: Final[dict[str, str]] = {
         " bewiesen. Neu messen und als --after {circle}=FILE angeben."
     ),
     "CW-V023.scale": (
-        "Der Maßstabsfehler der Achse {axis} wurde nach Kreisprüfungen korrigiert, und kein Kreis"
-        " nach dem Laden zeigt deutlich genug, ob das aktiv ist. Daher ist für sie nichts"
+        "Die Maßstabsabweichung der Achse {axis} wurde nach Kreisprüfungen korrigiert, und kein"
+        " Kreis nach dem Laden zeigt deutlich genug, ob das aktiv ist. Daher ist für sie nichts"
         " bewiesen. Den Kreis {circles:if|{circles:join| oder }|dieser Ebene}"
         " neu messen."
     ),
@@ -165,16 +165,16 @@ SENTENCES: Final[dict[str, str]] = {
     "CW-V034.feed": "sein Vorschub ist {now:g} mm/min (des ersten {was:g} mm/min)",
     "CW-V034.radius": "sein Radius ist {now:g} mm (des ersten {was:g} mm)",
     "CW-V035": (
-        "{axis:if|Der Maßstabsfehler der Achse {axis}|Die Rechtwinkligkeit} nach dem Laden ist"
-        " {value:.1f} µm/m. Vorhergesagt waren {expected:.1f} µm/m, ± {U:.1f} µm/m aus dem"
-        " Rauschen der beiden Messungen (k = 2). {verdict:choose|loaded=Die Korrektur ist aktiv;"
+        "{axis:if|Die Maßstabsabweichung der Achse {axis}|Die Rechtwinkligkeit} nach dem Laden"
+        " ist {value:.1f} µm/m. Vorhergesagt waren {expected:.1f} µm/m, ± {U:.1f} µm/m aus dem"
+        " Rauschen der beiden Prüfungen (k = 2). {verdict:choose|loaded=Die Korrektur ist aktiv;"
         " ein neues Einrichten des Messgeräts oder eine Änderung der Maschine kann diesen Rest"
         " lassen.|not_active={loading} Prüfen, ob sie geladen und eingeschaltet"
         " ist.|inverted={loading} Das Vorzeichen der Tabelle prüfen und sie neu"
         " laden.|increment={loading} Die vorhandene Korrektur fehlt.{as_planned:if| Das"
         " Zurückgelesene ist wie geplant: prüfen, ob alle Tabellen eingeschaltet sind, und den"
         " Kreis neu messen.| Das Geladene mit dem Plan vergleichen.}|read_back=Die zurückgelesene"
-        " Tabelle weicht vom Plan ab (CW-V011).|uncertain=Die Messungen sind zu unsicher, um den"
+        " Tabelle weicht vom Plan ab (CW-V011).|uncertain=Die Prüfungen sind zu unsicher, um den"
         " Fehler zu nennen. Den vollen Kreis in beiden Richtungen neu"
         " messen.|={loading}{as_planned:if| Das Zurückgelesene ist wie geplant: prüfen, ob alle"
         " Tabellen eingeschaltet sind, und den Kreis neu messen.| Das Geladene mit dem Plan"
@@ -370,8 +370,8 @@ SENTENCES: Final[dict[str, str]] = {
         "die Tabellen der nächsten Korrekturrunde können nicht gemacht werden: {reason}"
     ),
     "next.circles_only": (
-        "die Tabelle dieser Achse wurde nur aus Kreisformprüfungen berechnet. Ohne"
-        " Positionierprüfung ist nicht bewiesen, dass sie aktiv ist. Die Achse behält, was in der"
+        "die Tabelle dieser Achse wurde nur aus Kreisformprüfungen berechnet, und eine nächste"
+        " Runde korrigiert nur Achsen mit Positionierprüfung. Die Achse behält, was in der"
         " Steuerung ist"
     ),
     "next.differs": "das Zurückgelesene weicht vom Plan ab: {why}{quantity:if| ({quantity})}",
@@ -398,8 +398,8 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "next.not_compared": "das Zurückgelesene kann nicht mit dem Plan verglichen werden: {why}",
     "next.not_measured": (
-        "diese Achse wurde nach dem Laden nicht gemessen. Die Achse behält, was in der Steuerung"
-        " ist"
+        "diese Achse wurde nach dem Laden nicht gemessen. Die Achse behält, was in der"
+        " Steuerung ist"
     ),
     "next.read_back_differs": (
         "das Zurückgelesene weicht vom Plan ab: {axes:join|; } ({quantity}{more:if| und {more}"

@@ -64,7 +64,7 @@ SENTENCES: Final[dict[str, str]] = {
         " geprüft: Nur Ihre eigene Definition sagt, was diese Dateien tun"
     ),
     "reading_off": "{traverse} bei {target} (Abweichung {off})",
-    "scale_by": "{axis}: Maßstabsfehler {scale} nach {tests:join|; }",
+    "scale_by": "{axis}: Maßstabsabweichung {scale} nach {tests:join|; }",
     "table_advice": (
         "{cause:choose|noise=die Achse wiederholt nicht, was keine Tabelle korrigiert: zuerst"
         " prüfen, wie das Messgerät aufgebaut ist (Schwingung, Luft, Befestigung), dann die"

@@ -112,7 +112,7 @@ SENTENCES: Final[dict[str, str]] = {
         "{what} wird in {where} korrigiert (die Werte dort sind"
         " {values:choose|correction=Korrekturen|error=Fehler})."
     ),
-    "CW-P113.not_held": "Dieser Auftrag lässt {what} unkorrigiert: {why}.",
+    "CW-P113.not_held": "{what} {several:if|werden|wird} nicht korrigiert: {why}.",
     "CW-P113.own_table": (
         "{what} wird in Tabelle {table} der Steuerung korrigiert, die jetzt aktiv ist: Ihre Werte"
         " enthalten dann die alte und die neue Korrektur. Damit sie bleibt, wie sie ist, nur freie"

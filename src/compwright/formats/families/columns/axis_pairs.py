@@ -11,6 +11,7 @@ gets no column, and a remark reports this.
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 from compwright.formats.families.axis_pairs import (
     Between,
@@ -230,7 +231,10 @@ def _rows(entry: PlannedCross, form: str) -> list[tuple[float, float]]:
 def _shown(
     rows: list[tuple[float, float]], unit: str, position_unit: str = "", decimals: int = 4
 ) -> tuple[str, ...]:
-    """Return rows as texts; ``position_unit``: empty if it is that of the axis in the job."""
+    """Return rows as texts: all, or the first, the last and that of the largest value.
+
+    ``position_unit``: empty if it is that of the axis in the job.
+    """
     texts = [
         control_text(
             "{value} {unit} at {position}",
@@ -240,7 +244,14 @@ def _shown(
         )
         for position, value in rows
     ]
-    return tuple(texts) if len(texts) <= _MOST_SHOWN else (texts[0], "…", texts[-1])
+    if len(texts) <= _MOST_SHOWN:
+        return tuple(texts)
+    last = len(rows) - 1
+    largest = max(range(len(rows)), key=lambda place: abs(rows[place][1]))
+    shown = [texts[0]]
+    for before, place in pairwise(sorted({0, largest, last})):
+        shown += [*(["…"] if place > before + 1 else []), texts[place]]
+    return tuple(shown)
 
 
 def _sheet(entry: PlannedCross, form: str, column: TypedColumn) -> ControlFile:
