@@ -412,3 +412,101 @@ def test_what_was_typed_in_is_compared_with_the_sheet(
         shown = " ".join(capsys.readouterr().out.split())
         assert named in shown
         assert ("X.COM row" in shown) is ("hold no table" in named)
+
+
+def typed_by_hand(bump: float = 0.0, rows: int = 9) -> str:
+    """X.COM as an engineer fills it for a sheet with the errors 0 at X 0 and -0.0319 at X 800: rows
+    every 100 mm on the line between them, to 0.1 µm. ``bump``: a typing error at X 400, mm.
+    """
+    text = "BEGIN X      .COM MM DATUM:0 DIST:100\nNR   1=F()     2=F()\n"
+    for k in range(rows):
+        value = -0.0319 * k / (rows - 1) + (bump if k == 4 else 0.0)
+        text += f"{k:<5d}{0:<+10.4f}{value:+.4f}\n"
+    return f"{text}END   X      .COM\n"
+
+
+@pytest.mark.parametrize("named", ["nothing", "no column 1", "no table in column 1"])
+@pytest.mark.parametrize(
+    ("bump", "code"), [(0.0, 0), (0.05, 1), (0.0005, 1)], ids=["right", "50 µm", "0.5 µm"]
+)
+def test_a_table_typed_by_a_sheet_of_two_points_is_compared_at_its_own_rows(
+    *,
+    folder: Path,  # noqa: F811
+    capsys: pytest.CaptureFixture[str],
+    named: str,
+    bump: float,
+    code: int,
+) -> None:
+    """No table of X is among the files, and the sheet has the ends of the line. The engineer makes
+    a table and, as the card says, names it for X in the .CMA; `compare` and `verify` accept exactly
+    this, and find a wrong row between the ends.
+    """
+    texts = {"Y.COM": y_com(), "MP.TXT": f"{PARAMETERS}MP730 : %00011\n"}
+    texts["CONFIG.CMA"] = {
+        "no column 1": LINE.replace("1         2", "2").replace("X         Y", "Y"),
+        "no table in column 1": LINE.replace("0    X", "0     "),
+    }.get(named, "")
+    if named == "nothing":
+        assert run(folder, ITNC) == 0
+    else:
+        assert run(folder, ITNC, states=files(folder, texts)) == 0
+    _, rows = sheet(folder)
+    assert [row[:2] for row in rows] == [["0.0000", "0.0000"], ["800.0000", "-0.0319"]]
+    write_circle(folder / "after.csv", Bent(squareness=0.0).circle(8))
+    back = folder / "back"
+    back.mkdir()
+    own = y_com(0.0) if named == "nothing" else texts["Y.COM"]
+    for name, text in {
+        **texts,
+        "X.COM": typed_by_hand(bump),
+        "Y.COM": own,
+        "CONFIG.CMA": LINE,
+    }.items():
+        (back / name).write_text(text)
+    capsys.readouterr()
+    words = ["verify", str(folder / "job.yaml"), "--after", str(folder / "after.csv"), "--force"]
+    assert compwright([*words, "--loaded", str(back)]) == code
+    shown = " ".join(capsys.readouterr().out.split())
+    assert ("Verdict: good" in shown) is (code == 0)
+    assert ("CW-V011" in shown) is (code == 1)
+    assert compwright(["compare", str(folder / "job"), "--loaded", str(back)]) == code
+    shown = " ".join(capsys.readouterr().out.split())
+    assert ("correction of Y over X, largest change: at X 400 arriving in +" in shown) is bool(code)
+    assert "CONFIG.CMA" not in shown
+
+
+NAMELESS = "BEGIN CONFIG .CMA MM\nNR   2\n0    Y\nEND   CONFIG .CMA\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "named"),
+    [
+        ("X.COM", own_column(typed_by_hand()), "hold no table of axis Y over axis X"),
+        ("CONFIG.CMA", NAMELESS, "hold no table of axis Y over axis X"),
+        ("CONFIG.CMA", LINE.replace("Y\n", "Y    X\n").replace("2\n", "2    3\n"), "row 0 3"),
+        ("CONFIG.CMA", LINE.replace("Y\n", "Y    Z\n").replace("2\n", "2    3\n"), "row 0 3"),
+        ("CONFIG.CMA", LINE.replace("Y\n", "X\n"), "CONFIG.CMA row 0 2 Y X"),
+        ("MP.TXT", f"{PARAMETERS}MP730 : %00111\nMP750.0 : 0.01\n", "X MP.TXT: MP750.0"),
+    ],
+    ids=["no column", "not named", "also for Z", "one of Z", "also for Y", "a parameter"],
+)
+def test_a_table_that_is_new_for_its_axis_excuses_no_other_difference(
+    folder: Path,  # noqa: F811
+    capsys: pytest.CaptureFixture[str],
+    name: str,
+    text: str,
+    named: str,
+) -> None:
+    texts = {"Y.COM": y_com(), "CONFIG.CMA": NAMELESS, "MP.TXT": f"{PARAMETERS}MP730 : %00111\n"}
+    assert run(folder, ITNC, states=files(folder, texts)) == 0
+    back = folder / "back"
+    back.mkdir()
+    typed_in = {**texts, "X.COM": typed_by_hand(), "CONFIG.CMA": LINE, name: text}
+    if "Z" in text:
+        typed_in["Z.COM"] = y_com().replace("BEGIN Y", "BEGIN Z").replace("END   Y", "END   Z")
+        typed_in["Z.COM"] = typed_in["Z.COM"].replace("2=F()", "3=F()")
+    for file, content in typed_in.items():
+        (back / file).write_text(content)
+    capsys.readouterr()
+    assert compwright(["compare", str(folder / "job"), "--loaded", str(back)]) == 1
+    assert named in " ".join(capsys.readouterr().out.split())

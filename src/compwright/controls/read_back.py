@@ -29,9 +29,13 @@ from compwright.formats.text.file_values import same_text
 from compwright.foundations import storage
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, outside_unit
-from compwright.records.axis import Axis, Direction
+from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import ControlState
 from compwright.records.plan import PlannedCross
+
+#: Half of the last decimal place of a typed value, mm or deg. The engineer interpolates and rounds
+#: the rows of the table between those of the sheet.
+_TYPED_ROUNDING = 0.5e-4 + 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +103,7 @@ def typed_corrections(
     for entry in planned:
         if not entry.typed:
             continue
-        where, way = entry.added.positions, list(Direction)
+        where, way = _compared_positions(entry, before, found), list(Direction)
         wanted = np.stack(
             [
                 old.cross_correction(*entry.addresses, where, d) + entry.added.at(where, d)
@@ -109,6 +113,10 @@ def typed_corrections(
         largest, change = float(np.max(np.abs(wanted))), None
         if entry.addresses in found.pairs:
             now = np.stack([held.cross_correction(*entry.addresses, where, d) for d in way])
+            rounded = ~np.isin(where, entry.added.positions) & (
+                abs(now - wanted) <= _TYPED_ROUNDING
+            )
+            now = np.where(rounded, wanted, now)
             side, place = np.unravel_index(int(np.argmax(np.abs(now - wanted))), now.shape)
             change = CorrectionChange(
                 entry.added.output_kind,
@@ -118,6 +126,20 @@ def typed_corrections(
                 way[int(side)],
             )
         yield TypedCorrection(entry, change, largest)
+
+
+def _compared_positions(
+    entry: PlannedCross, before: ControlState, found: ControlState
+) -> FloatArray:
+    """Return the positions of a typed correction, and the points between them of the tables of the
+    same axes in both states. Between these positions all of them are straight.
+    """
+    sheet = entry.added.positions
+    tables = [
+        one for one in (*before.cross, *found.cross) if entry.addresses == (one.input, one.output)
+    ]
+    rows = (np.clip(one.positions, sheet[0], sheet[-1]) for one in tables)
+    return np.unique(np.concatenate([sheet, *rows]))
 
 
 def pairs_not_read_back(
@@ -251,15 +273,19 @@ def _typed_in(placed: Placed, whole: Differences, pairs: Collection[tuple[str, s
     """Return whether a value differs because a correction between axes was typed in, which is
     compared as a whole. ``pairs``: the axes of these corrections.
 
-    It is a value in the table of such a pair, or a new one of no axis; and no other correction
-    differs.
+    It is a value in the table of such a pair, a new one of no axis, or the name of a table that is
+    new for the moving axis; and no other correction differs.
     """
     axes = {address for pair in pairs for address in pair}
     if not pairs or whole.cross.keys() - set(pairs) or axes & whole.corrections.keys():
         return False
     tables = {one.entry.file for one in whole.entries if any(set(one.axes) == {*p} for p in pairs)}
     inside = placed.entry.file in tables and set(placed.axes) <= axes
-    return inside or (not placed.axes and placed.change.old is None)
+    if inside or placed.change.old is not None:
+        return inside
+    named = {Path(one.entry.file).stem for one in whole.entries}
+    assigned = placed.axes[:1] in [(moving,) for moving, _ in pairs]
+    return not placed.axes or (assigned and Path(placed.entry.text).stem in named)
 
 
 def assumed_instead(

@@ -83,7 +83,9 @@ def compare_plan(session: Session, plan_file: Path, loaded: Sequence[Path]) -> C
         if address is not None
     }
     back = compared_side(control, given, "read back", files)
-    planned_side = compared_side(control, files, "the plan", given)
+    planned_side = ComparedSide((), {}, as_found.state)  # a sheet alone, and no files before
+    if files:
+        planned_side = compared_side(control, files, "the plan", given)
     if planned_side.state is None:
         # a changed key next to the file that it replaces: the other axes are those of the state
         planned_side = replace(planned_side, state=as_found.state, findings=())

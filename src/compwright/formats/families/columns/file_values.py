@@ -91,6 +91,7 @@ def value_location(
     by_grid = "datum" in definition.fields  # columns are then named by number
     numbers = AxisNumbers(definition, ()).by_number if by_grid else {}
     columns = {f"{number}=F()": address for number, address in numbers.items()}
+    columns |= {f"{number}": address for number, address in numbers.items()}  # of a .CMA
     match = re.fullmatch(r"(.*) row ([0-9]+) (\S+)", entry.name)
     if match is None:
         index = _INDEX.search(entry.name)
