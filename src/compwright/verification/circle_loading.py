@@ -324,7 +324,6 @@ def _named(shown: ShownValue, names: NamedLoading, best: RatedHypothesis) -> Loa
         factor=factor,
         nodes=abs(way.shift_nodes),
         direction="+" if way.shift_nodes > 0 else "-",
-        axis=way.of,
         open=True,  # whether a file holds the total or only the change depends on the control
     )
     return LoadingVerdict(

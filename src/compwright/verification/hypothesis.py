@@ -81,6 +81,7 @@ class Loading:
     - ``others``: the tables planned for other axes, by name.
     - ``always`` (m,): by direction, the correction that is active in the test in any case.
     - ``read_back``: whether the values read back from the control are the planned ones.
+    - ``axis``: the axis by whose position the table corrects, if the texts have to name it.
     """
 
     new: StoredTable
@@ -90,3 +91,4 @@ class Loading:
     reference: float = 0.0
     always: tuple[FloatArray, FloatArray] | None = None
     read_back: bool = False
+    axis: str = ""

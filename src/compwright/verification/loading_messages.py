@@ -194,7 +194,6 @@ def _sentence(
         factor=factor,
         nodes=abs(way.shift_nodes),
         direction="+" if way.shift_nodes > 0 else "-",
-        axis=way.of,
         open=undecided,
     )
 

@@ -33,7 +33,8 @@ def one_direction(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
         for kind, other in beyond:
             change = other.copy()
             change[side] = new[side]
-            detail = say("loading.one_direction", direction=direction.value, other=kind)
+            axis = ways.loading.axis
+            detail = say("loading.one_direction", axis=axis, direction=direction.value, other=kind)
             yield ways.made("one_direction", change, 0.5 * COMMON, detail)
 
 

@@ -207,7 +207,7 @@ def wrong_axis(ways: HypothesisBuilder) -> Iterator[Hypothesis]:
             values = np.stack([table.at(along, columns[d]) for d in Direction])
             curves.append((ratio * (values - their.apart[sides]), "number"))
         for curve, kind in curves:
-            more = say("loading.other_axis", by=kind)
+            more = say("loading.other_axis", axis=name, by=kind)
             alone = ways.first_column(curve)
             for each in distinct([curve, alone]):
                 yield from ways.both("wrong_axis", each, _OTHER, more, of=name)

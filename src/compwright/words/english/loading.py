@@ -256,12 +256,12 @@ SENTENCES: Final[dict[str, str]] = {
         " this axis, or give the file to the axis that it belongs to.}"
     ),
     "loading.name": (
-        "{name:choose|loaded=loaded|not_active=not"
-        " active|inverted=inverted|scaled=scaled|shifted=shifted|mirrored=mirrored|wrong_axis=wrong"
-        " axis|one_direction=one direction|backlash=backlash|partial=partial|increment=only the"
-        " change loaded|on_top=added to the existing table|state=existing table not active in the"
-        " first test|thermal=thermal|measurement=measurement|undecided=undecided}{detail:if|:"
-        " {detail}}"
+        "{name:choose|loaded=loaded|not_active=not active|inverted=opposite sign|scaled=wrong"
+        " factor|shifted=shifted along the axis|mirrored=back to front|wrong_axis=table of another"
+        " axis|one_direction=active in one direction only|backlash=wrong backlash"
+        " value|partial=only a part is active|increment=only the change loaded|on_top=added to the"
+        " existing table|state=existing table not active in the first test|thermal=another"
+        " temperature|measurement=wrong measurement|undecided=undecided}{detail:if|: {detail}}"
     ),
     "loading.neither": (
         "The test after loading fits neither the loaded table, nor the control as it was before,"
@@ -274,8 +274,9 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.no_table": "The plan contains no table for this axis: nothing was to be loaded.",
     "loading.of_axis": "of axis {axis}",
     "loading.one_direction": (
-        "approaches in {direction} only; in the other direction {other:choose|before=the correction"
-        " is as before|nothing=no correction is active|backlash=only the new backlash is active}"
+        "approaches{axis:if| of {axis}|} in {direction} only; in the other direction"
+        " {other:choose|before=the correction is as before|nothing=no correction is"
+        " active|backlash=only the new backlash is active}"
     ),
     "loading.open": (
         "This test cannot show what was loaded. The new table changes the deviations by {size} rms,"
@@ -285,7 +286,9 @@ SENTENCES: Final[dict[str, str]] = {
         " {worst}, from those that the first of these causes would give. That is more than noise:"
         " something else changed, or the test is at fault.}"
     ),
-    "loading.other_axis": "matched by {by:choose|position=position|number=point number}",
+    "loading.other_axis": (
+        "that of axis {axis}, at the same {by:choose|position=positions|number=point numbers}"
+    ),
     "loading.part": (
         "{first:if|up to|from} point {number} ({position:g}){first:if|| on},"
         " {beyond:choose|nothing=no correction elsewhere|last=the last value elsewhere|old=the old"
@@ -330,15 +333,15 @@ SENTENCES: Final[dict[str, str]] = {
         " factor {factor:3sig}{detail:if| ({detail})}|shifted=The table is shifted by {nodes} table"
         " {nodes:plural|point|points} in direction {direction}{detail:if| ({detail})}|mirrored=The"
         " table is loaded back to front, its last value first{detail:if| ({detail})}|wrong_axis=The"
-        " active table is that of axis {axis}{detail:if| ({detail})}|one_direction=The table is"
-        " active in one direction only: {detail}|backlash=The table is active, but the backlash"
-        " value is wrong: {detail}|partial=Only a part of the table is active:"
-        " {detail}|increment=Only the change to the existing table is active{detail:if|"
-        " ({detail})}{open:if||. Load the total, which is in the written files}|on_top=The control"
-        " added the new total to the existing table{detail:if| ({detail})}{open:if||. Clear the"
-        " table and load the written files again}|state=The existing table was not active during"
-        " the first test, although the job says so{open:if||. Run the job again with `active: no`"
-        " in the entry of `states` that was in the control during the first test (measured_in)}}."
+        " active table is {detail}|one_direction=The table is active in one direction only:"
+        " {detail}|backlash=The table is active, but the backlash value is wrong:"
+        " {detail}|partial=Only a part of the table is active: {detail}|increment=Only the change"
+        " to the existing table is active{detail:if| ({detail})}{open:if||. Load the total, which"
+        " is in the written files}|on_top=The control added the new total to the existing"
+        " table{detail:if| ({detail})}{open:if||. Clear the table and load the written files"
+        " again}|state=The existing table was not active during the first test, although the job"
+        " says so{open:if||. Run the job again with `active: no` in the entry of `states` that was"
+        " in the control during the first test (measured_in)}}."
     ),
     "loading.worst": "{value} ({position} approached in {direction})",
     "next.between_again": (

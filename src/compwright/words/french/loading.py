@@ -261,13 +261,12 @@ SENTENCES: Final[dict[str, str]] = {
         " indique.|wrong_axis=Mesurer cet axe, ou donner le fichier à l'axe auquel il appartient.}"
     ),
     "loading.name": (
-        "{name:choose|loaded=chargée|not_active=non active|inverted=signe"
-        " opposé|scaled=facteur|shifted=décalée|mirrored=à l'envers|wrong_axis=mauvais"
-        " axe|one_direction=un seul sens|backlash=jeu|partial=une partie"
-        " seulement|increment=changement seul chargé|on_top=ajoutée à la table"
-        " existante|state=table existante non active au premier"
-        " essai|thermal=température|measurement=mesure fausse|undecided=non décidé}{detail:if| :"
-        " {detail}}"
+        "{name:choose|loaded=chargée|not_active=non active|inverted=signe opposé|scaled=mauvais"
+        " facteur|shifted=décalée le long de l'axe|mirrored=à l'envers|wrong_axis=table d'un autre"
+        " axe|one_direction=active dans un seul sens|backlash=mauvaise valeur de jeu|partial=seule"
+        " une partie est active|increment=changement seul chargé|on_top=ajoutée à la table"
+        " existante|state=table existante non active au premier essai|thermal=autre"
+        " température|measurement=mesure fausse|undecided=non décidé}{detail:if| : {detail}}"
     ),
     "loading.neither": (
         "L'essai après chargement ne correspond ni à la table chargée, ni à la commande telle"
@@ -281,9 +280,9 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.no_table": "Le plan n'a pas de table pour cet axe : il n'y avait rien à charger.",
     "loading.of_axis": "de l'axe {axis}",
     "loading.one_direction": (
-        "approches dans le sens {direction} seulement ; dans l'autre sens {other:choose|before=la"
-        " correction est comme avant|nothing=aucune correction n'est active|backlash=seul le"
-        " nouveau jeu est actif}"
+        "approches{axis:if| de {axis}|} dans le sens {direction} seulement ; dans l'autre sens"
+        " {other:choose|before=la correction est comme avant|nothing=aucune correction n'est"
+        " active|backlash=seul le nouveau jeu est actif}"
     ),
     "loading.open": (
         "Cet essai ne peut pas montrer ce qui a été chargé. La nouvelle table change les écarts de"
@@ -294,7 +293,9 @@ SENTENCES: Final[dict[str, str]] = {
         " première de ces causes. C'est plus que du bruit : autre chose a changé, ou l'essai est"
         " fautif.}"
     ),
-    "loading.other_axis": "associée par {by:choose|position=position|number=numéro de point}",
+    "loading.other_axis": (
+        "celle de l'axe {axis}, aux mêmes {by:choose|position=positions|number=numéros de point}"
+    ),
     "loading.part": (
         "{first:if|jusqu'au|à partir du} point {number} ({position:g}),"
         " {beyond:choose|nothing=ailleurs aucune correction|last=ailleurs la dernière"
@@ -340,17 +341,17 @@ SENTENCES: Final[dict[str, str]] = {
         " est active avec le facteur {factor:3sig}{detail:if| ({detail})}|shifted=La table est"
         " décalée de {nodes} {nodes:plural|point|points} de table dans le sens"
         " {direction}{detail:if| ({detail})}|mirrored=La table est chargée à l'envers, sa dernière"
-        " valeur en premier{detail:if| ({detail})}|wrong_axis=La table active est celle de l'axe"
-        " {axis}{detail:if| ({detail})}|one_direction=La table n'est active que dans un sens :"
-        " {detail}|backlash=La table est active, mais la valeur de jeu est fausse :"
-        " {detail}|partial=Seule une partie de la table est active : {detail}|increment=Seul le"
-        " changement par rapport à la table existante est actif{detail:if| ({detail})}{open:if||."
-        " Charger la somme, qui est dans les fichiers écrits}|on_top=La commande a ajouté la"
-        " nouvelle somme à la table existante{detail:if| ({detail})}{open:if||. Vider la table et"
-        " charger de nouveau les fichiers écrits}|state=La table existante n'était pas active"
-        " pendant le premier essai, bien que le dossier de travail le dise{open:if||. Refaire le"
-        " calcul avec `active: no` dans l'entrée de `states` qui était dans la commande pendant le"
-        " premier essai (measured_in)}}."
+        " valeur en premier{detail:if| ({detail})}|wrong_axis=La table active est"
+        " {detail}|one_direction=La table n'est active que dans un sens : {detail}|backlash=La"
+        " table est active, mais la valeur de jeu est fausse : {detail}|partial=Seule une partie de"
+        " la table est active : {detail}|increment=Seul le changement par rapport à la table"
+        " existante est actif{detail:if| ({detail})}{open:if||. Charger la somme, qui est dans les"
+        " fichiers écrits}|on_top=La commande a ajouté la nouvelle somme à la table"
+        " existante{detail:if| ({detail})}{open:if||. Vider la table et charger de nouveau les"
+        " fichiers écrits}|state=La table existante n'était pas active pendant le premier essai,"
+        " bien que le dossier de travail le dise{open:if||. Refaire le calcul avec `active: no`"
+        " dans l'entrée de `states` qui était dans la commande pendant le premier essai"
+        " (measured_in)}}."
     ),
     "loading.worst": "{value} ({position}, approche dans le sens {direction})",
     "next.between_again": (

@@ -269,12 +269,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.name": (
         "{name:choose|loaded=geladen|not_active=nicht aktiv|inverted=umgekehrtes"
-        " Vorzeichen|scaled=Faktor|shifted=verschoben|mirrored=rückwärts|wrong_axis=falsche"
-        " Achse|one_direction=nur eine Richtung|backlash=Losewert|partial=nur ein"
-        " Teil|increment=nur die Änderung geladen|on_top=zur vorhandenen Tabelle"
-        " addiert|state=vorhandene Tabelle bei der ersten Prüfung nicht"
-        " aktiv|thermal=Temperatur|measurement=Messung falsch|undecided=offen}{detail:if|:"
-        " {detail}}"
+        " Vorzeichen|scaled=falscher Faktor|shifted=entlang der Achse"
+        " verschoben|mirrored=rückwärts|wrong_axis=Tabelle einer anderen Achse|one_direction=nur in"
+        " einer Richtung aktiv|backlash=falscher Losewert|partial=nur ein Teil ist"
+        " aktiv|increment=nur die Änderung geladen|on_top=zur vorhandenen Tabelle"
+        " addiert|state=vorhandene Tabelle bei der ersten Prüfung nicht aktiv|thermal=andere"
+        " Temperatur|measurement=Messung falsch|undecided=offen}{detail:if|: {detail}}"
     ),
     "loading.neither": (
         "Die Prüfung nach dem Laden passt weder zur geladenen Tabelle noch zur Steuerung, wie sie"
@@ -288,9 +288,9 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.no_table": "Der Plan enthält keine Tabelle für diese Achse: Es war nichts zu laden.",
     "loading.of_axis": "der Achse {axis}",
     "loading.one_direction": (
-        "nur beim Anfahren in {direction}; in der anderen Richtung {other:choose|before=ist die"
-        " Korrektur wie vorher|nothing=ist keine Korrektur aktiv|backlash=ist nur die neue Lose"
-        " aktiv}"
+        "nur beim Anfahren{axis:if| von {axis}|} in {direction}; in der anderen Richtung"
+        " {other:choose|before=ist die Korrektur wie vorher|nothing=ist keine Korrektur"
+        " aktiv|backlash=ist nur die neue Lose aktiv}"
     ),
     "loading.open": (
         "Diese Prüfung kann nicht zeigen, was geladen wurde. Die neue Tabelle ändert die"
@@ -301,7 +301,9 @@ SENTENCES: Final[dict[str, str]] = {
         " höchstens um {worst}, von denen, die die erste dieser Ursachen ergäbe. Das ist mehr als"
         " Rauschen: Etwas anderes hat sich geändert, oder die Prüfung ist fehlerhaft.}"
     ),
-    "loading.other_axis": "zugeordnet nach {by:choose|position=Position|number=Punktnummer}",
+    "loading.other_axis": (
+        "die der Achse {axis}, an denselben {by:choose|position=Positionen|number=Punktnummern}"
+    ),
     "loading.part": (
         "{first:if|bis|ab} Punkt {number} ({position:g}), {beyond:choose|nothing=außerhalb keine"
         " Korrektur|last=außerhalb der letzte Wert|old=außerhalb die alten"
@@ -347,17 +349,16 @@ SENTENCES: Final[dict[str, str]] = {
         " ({detail})}|shifted=Die Tabelle ist um {nodes}"
         " {nodes:plural|Tabellenpunkt|Tabellenpunkte} in Richtung {direction} verschoben{detail:if|"
         " ({detail})}|mirrored=Die Tabelle ist rückwärts geladen, ihr letzter Wert"
-        " zuerst{detail:if| ({detail})}|wrong_axis=Aktiv ist die Tabelle der Achse"
-        " {axis}{detail:if| ({detail})}|one_direction=Die Tabelle ist nur in einer Richtung aktiv:"
-        " {detail}|backlash=Die Tabelle ist aktiv, aber der Losewert ist falsch:"
-        " {detail}|partial=Nur ein Teil der Tabelle ist aktiv: {detail}|increment=Nur die Änderung"
-        " zur vorhandenen Tabelle ist aktiv{detail:if| ({detail})}{open:if||. Die Summe laden, die"
-        " in den geschriebenen Dateien ist}|on_top=Die Steuerung hat die neue Summe zur vorhandenen"
-        " Tabelle addiert{detail:if| ({detail})}{open:if||. Die Tabelle leeren und die"
-        " geschriebenen Dateien neu laden}|state=Die vorhandene Tabelle war bei der ersten Prüfung"
-        " nicht aktiv, obwohl der Auftrag es sagt{open:if||. Den Auftrag neu rechnen, mit `active:"
-        " no` in dem Eintrag von `states`, der bei der ersten Prüfung in der Steuerung war"
-        " (measured_in)}}."
+        " zuerst{detail:if| ({detail})}|wrong_axis=Die aktive Tabelle ist"
+        " {detail}|one_direction=Die Tabelle ist nur in einer Richtung aktiv: {detail}|backlash=Die"
+        " Tabelle ist aktiv, aber der Losewert ist falsch: {detail}|partial=Nur ein Teil der"
+        " Tabelle ist aktiv: {detail}|increment=Nur die Änderung zur vorhandenen Tabelle ist"
+        " aktiv{detail:if| ({detail})}{open:if||. Die Summe laden, die in den geschriebenen Dateien"
+        " ist}|on_top=Die Steuerung hat die neue Summe zur vorhandenen Tabelle addiert{detail:if|"
+        " ({detail})}{open:if||. Die Tabelle leeren und die geschriebenen Dateien neu"
+        " laden}|state=Die vorhandene Tabelle war bei der ersten Prüfung nicht aktiv, obwohl der"
+        " Auftrag es sagt{open:if||. Den Auftrag neu rechnen, mit `active: no` in dem Eintrag von"
+        " `states`, der bei der ersten Prüfung in der Steuerung war (measured_in)}}."
     ),
     "loading.worst": "{value} ({position}, angefahren in {direction})",
     "next.between_again": (

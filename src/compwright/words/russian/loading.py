@@ -250,11 +250,12 @@ SENTENCES: Final[dict[str, str]] = {
     ),
     "loading.name": (
         "{name:choose|loaded=загружена|not_active=не действует|inverted=обратный"
-        " знак|scaled=множитель|shifted=сдвинута|mirrored=задом наперёд|wrong_axis=не та"
-        " ось|one_direction=одно направление|backlash=люфт|partial=только часть|increment=загружено"
-        " только изменение|on_top=прибавлена к имеющейся таблице|state=имеющаяся таблица не"
-        " действовала при первой проверке|thermal=температура|measurement=неверное"
-        " измерение|undecided=не решено}{detail:if|: {detail}}"
+        " знак|scaled=неверный множитель|shifted=сдвинута вдоль оси|mirrored=задом"
+        " наперёд|wrong_axis=таблица другой оси|one_direction=действует только в одном"
+        " направлении|backlash=неверное значение люфта|partial=действует только"
+        " часть|increment=загружено только изменение|on_top=прибавлена к имеющейся"
+        " таблице|state=имеющаяся таблица не действовала при первой проверке|thermal=другая"
+        " температура|measurement=неверное измерение|undecided=не решено}{detail:if|: {detail}}"
     ),
     "loading.neither": (
         "Проверка после загрузки не подходит ни к загруженной таблице, ни к прежнему состоянию"
@@ -267,8 +268,9 @@ SENTENCES: Final[dict[str, str]] = {
     "loading.no_table": "В плане нет таблицы для этой оси: загружать было нечего.",
     "loading.of_axis": "оси {axis}",
     "loading.one_direction": (
-        "только при подходе в {direction}; в другом направлении {other:choose|before=коррекция"
-        " прежняя|nothing=коррекция не действует|backlash=действует только новый люфт}"
+        "только при подходе{axis:if| оси {axis}|} в {direction}; в другом направлении"
+        " {other:choose|before=коррекция прежняя|nothing=коррекция не действует|backlash=действует"
+        " только новый люфт}"
     ),
     "loading.open": (
         "Эта проверка не может показать, что загружено. Новая таблица меняет отклонения на {size}"
@@ -278,7 +280,9 @@ SENTENCES: Final[dict[str, str]] = {
         " от тех, которые дала бы первая из этих причин. Это больше шума: изменилось что-то ещё,"
         " или проверка ошибочна.}"
     ),
-    "loading.other_axis": "сопоставлена по {by:choose|position=положению|number=номеру точки}",
+    "loading.other_axis": (
+        "оси {axis}, по тем же {by:choose|position=положениям|number=номерам точек}"
+    ),
     "loading.part": (
         "{first:if|до точки|начиная с точки} {number} ({position:g}), {beyond:choose|nothing=на"
         " остальной части коррекции нет|last=на остальной части последнее значение|old=на"
@@ -324,8 +328,8 @@ SENTENCES: Final[dict[str, str]] = {
         " ({detail})}|shifted=Таблица сдвинута на {nodes} {nodes:plural|точку|точки|точек} таблицы"
         " в направлении {direction}{detail:if| ({detail})}|mirrored=Таблица загружена задом"
         " наперёд, последнее значение первым{detail:if| ({detail})}|wrong_axis=Действует таблица"
-        " оси {axis}{detail:if| ({detail})}|one_direction=Таблица действует только в одном"
-        " направлении: {detail}|backlash=Таблица действует, но значение люфта неверно:"
+        " {detail}|one_direction=Таблица действует только в одном направлении:"
+        " {detail}|backlash=Таблица действует, но значение люфта неверно:"
         " {detail}|partial=Действует только часть таблицы: {detail}|increment=Действует только"
         " изменение к имеющейся таблице{detail:if| ({detail})}{open:if||. Загрузите сумму, она в"
         " записанных файлах}|on_top=УЧПУ прибавило новую сумму к имеющейся таблице{detail:if|"

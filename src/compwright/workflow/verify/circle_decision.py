@@ -95,6 +95,7 @@ class TablesOnControl:
                 old=old,
                 active_before=active,
                 read_back=as_planned,
+                axis=entry.input,
             )
             for each in tables
         ]
