@@ -647,7 +647,7 @@ def test_the_verification_shows_before_predicted_and_after() -> None:
         "R": "",
     }
     words = text(tree(page))
-    assert "cannot be distinguished from thermal" in words
+    assert "cannot be distinguished from another temperature" in words
     assert "runs/broken.csv: line 3: not a number" in words
 
 

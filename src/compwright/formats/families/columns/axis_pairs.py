@@ -248,7 +248,7 @@ def _shown(
         return tuple(texts)
     last = len(rows) - 1
     largest = max(range(len(rows)), key=lambda place: abs(rows[place][1]))
-    shown = [texts[0]]
+    shown: list[str] = [texts[0]]
     for before, place in pairwise(sorted({0, largest, last})):
         shown += [*(["…"] if place > before + 1 else []), texts[place]]
     return tuple(shown)
