@@ -936,7 +936,7 @@ def test_a_known_wave_that_the_targets_show_as_a_longer_one_leaves_a_limit_undec
         (
             "kind: rotary, travel: [0, 360]",
             "uncertainty: {device: {U: 5}}\n",
-            "Give uncertainty.rotary in the job",
+            "in the job (U of the instrument in arcsec",
         ),
         (
             "kind: linear, travel: [0, 360]",
