@@ -388,11 +388,11 @@ def test_positions_outside_the_travel_are_refused(
     """
     entry = f"input: X, output: Y, positions: {positions}, deviations: [0, 8], unit: um"
     assert compwright(["run", write_cross_job(folder, entry)]) == code
-    said = capsys.readouterr()
+    printed = capsys.readouterr()
     refused, doubted = code == 3, code == 1
-    assert ("cross[0].positions: the positions are outside the travel" in said.err) is refused
-    assert ("Next: correct the positions, or `travel` of the axis" in said.err) is refused
-    shown = " ".join(said.out.split())
+    assert ("cross[0].positions: the positions are outside the travel" in printed.err) is refused
+    assert ("Next: correct the positions, or `travel` of the axis" in printed.err) is refused
+    shown = " ".join(printed.out.split())
     assert ("Y over X: the positions 5 mm to 805 mm lie outside the travel" in shown) is doubted
     assert (folder / "job" / "tables").exists() is not refused
 
@@ -421,12 +421,12 @@ def test_a_squareness_on_both_axes_is_a_doubt(
         )
     )
     assert compwright(["run", str(job)]) == code
-    said = " ".join(capsys.readouterr().out.split())
-    assert ("CW-P169" in said) is bool(code)
+    printed = " ".join(capsys.readouterr().out.split())
+    assert ("CW-P169" in printed) is bool(code)
     if code:
         total = -26.0 if over_y == "[0, 2, 8]" else 6.0
-        assert "-10.0 µm/m in Y over X" in said
-        assert f"Together they remove {total:+.1f} µm/m" in said
+        assert "-10.0 µm/m in Y over X" in printed
+        assert f"Together they remove {total:+.1f} µm/m" in printed
         job.write_text(job.read_text() + "acknowledged: {CW-P169: one square for both}\n")
         assert compwright(["run", str(job), "--force"]) == 0
 
@@ -446,10 +446,10 @@ def test_a_table_between_axes_of_more_than_a_millimetre_is_a_doubt(
     """The same bound as for the deviations of a positioning test and of a circle."""
     job = Path(write_cross_job(folder, f"input: X, output: Y, {entry}"))
     assert compwright(["run", str(job)]) == bool(largest)
-    said = capsys.readouterr().out
-    assert ("CW-P168" in said) is bool(largest)
+    printed = capsys.readouterr().out
+    assert ("CW-P168" in printed) is bool(largest)
     if largest:
-        assert f"The correction of Y over X reaches {largest}, more than 1 mm" in said
+        assert f"The correction of Y over X reaches {largest}, more than 1 mm" in printed
         job.write_text(job.read_text() + "acknowledged: {CW-P168: the dial showed it again}\n")
         assert compwright(["run", str(job), "--force"]) == 0
 
@@ -583,11 +583,11 @@ def test_a_table_in_no_file_may_correct_an_axis_over_itself(
         f"{measured_in}}}]}}\n"
     )
     found = compwright(["run", str(job)])
-    said = capsys.readouterr()
-    assert ("as_found: CEC table 0 (on but in no given file); idle: nothing" in said.err) is (
+    printed = capsys.readouterr()
+    assert ("as_found: CEC table 0 (on but in no given file); idle: nothing" in printed.err) is (
         code == 3
     )
-    assert found == code, said.err
+    assert found == code, printed.err
 
 
 @pytest.mark.parametrize(
@@ -699,8 +699,8 @@ def test_the_file_of_an_axis_says_nothing_of_a_new_table_between_axes(
     changes = list(csv.reader((folder / "job" / "card" / "changes.csv").read_text().splitlines()))
     assert ["$SN_CEC_TABLE_ENABLE[19]", "0", "1"] in changes
     assert len(changes) == len(set(map(tuple, changes)))
-    said = " ".join(capsys.readouterr().out.split())
-    assert "CEC tables 0, 1, 3, 4, 5 are left as they are. All their values are 0" in said
+    printed = " ".join(capsys.readouterr().out.split())
+    assert "CEC tables 0, 1, 3, 4, 5 are left as they are. All their values are 0" in printed
 
 
 @pytest.mark.parametrize(("deviation", "tables"), [(8, "[0]"), (-8, "[1]")])
@@ -1038,9 +1038,9 @@ def test_a_column_beside_the_linear_error_of_its_axis_is_refused(
         "MP710.0 : 0.0000\nMP710.1 : 0.0000\nMP720.1 : 0.0200\nMP730 : %00000\n"
     )
     assert run(folder, "heidenhain-itnc530", y=y, states=state) == 1
-    said = codes(capsys)
-    assert "error CW-P113" in said
-    assert why in said
+    printed = codes(capsys)
+    assert "error CW-P113" in printed
+    assert why in printed
     assert not (folder / "job" / "card" / "cross_X_Y.csv").exists()
 
 
@@ -1099,9 +1099,9 @@ def test_what_is_not_needed_is_no_failure(
         run(tmp_path, "linuxcnc", x="before: [x.csv]", apply="{squareness: {XY: Y}, scale: [X]}")
         == 0
     )
-    said = codes(capsys)
-    assert "info CW-P107" in said
-    assert "info CW-P118" in said
+    printed = codes(capsys)
+    assert "info CW-P107" in printed
+    assert "info CW-P118" in printed
 
 
 # --- a circle that the tables make worse
@@ -1121,11 +1121,11 @@ def test_a_circle_that_gets_worse_leaves_the_result_undecided(
         ("before: [x.csv], accept: {A: 20}", "before: [y.csv]", 0),
     ):
         assert run(tmp_path, "linuxcnc", x=x, y=y, apply="{}") == code
-        said = codes(capsys)
+        printed = codes(capsys)
         doubts = [doubt["code"] for doubt in prediction(tmp_path)["doubts"]]
         page = (tmp_path / "job" / "report.html").read_text(encoding="utf-8")
         assert (
-            ("CW-P131" in said)
+            ("CW-P131" in printed)
             == ("CW-P131" in doubts)
             == ("is predicted to get worse" in page)
             == (code == 1)
@@ -1161,10 +1161,10 @@ def test_the_bit_of_an_axis_is_not_changed_where_the_table_of_another_axis_hangs
         run(folder, "heidenhain-itnc530", x=x, states="[X.COM, Y.COM, C.CMA, MP.TXT]", apply="{}")
         == 4
     )
-    said = capsys.readouterr().err
-    assert word in said
-    assert "MP730" in said
-    assert "Y.COM" in said
+    printed = capsys.readouterr().err
+    assert word in printed
+    assert "MP730" in printed
+    assert "Y.COM" in printed
 
 
 # --- cross-axis tables that differ between the states
@@ -1275,13 +1275,14 @@ def test_a_table_that_the_files_switch_otherwise_than_the_job_says_takes_no_squa
     option = "cross_values" if control == "isg-kernel" else "table_values"
     states = f"{{files: [{', '.join(own)}], active: {active}}}"
     assert run(folder, control, options=f"{{{option}: error}}", states=states) == 1
-    said = " ".join(capsys.readouterr().err.split())
+    printed = " ".join(capsys.readouterr().err.split())
     was = "active" if active == "yes" else "not active"
     assert (
-        f"The job says (`active`) that the table between X and Y was {was} during the test." in said
+        f"The job says (`active`) that the table between X and Y was {was} during the test."
+        in printed
     )
-    assert "leave out `active`" in said
-    assert "cannot store" not in said
+    assert "leave out `active`" in printed
+    assert "cannot store" not in printed
     assert not (folder / "job" / "tables").exists()
     assert not list((folder / "job" / "card").glob("cross*.csv"))
 
@@ -1301,12 +1302,12 @@ def test_an_answer_about_a_numbered_table_that_the_files_contradict_takes_no_squ
     right = axis * table == (active == "yes")
     states = f"{{files: [control], active: {active}}}"
     assert run(folder, SIEMENS, options=options, states=states) == (0 if right else 1)
-    said = " ".join(capsys.readouterr().err.split())
+    printed = " ".join(capsys.readouterr().err.split())
     was = "active" if active == "yes" else "not active"
     assert (
-        f"the table between X and Y was {was} during the test. The control" in said
+        f"the table between X and Y was {was} during the test. The control" in printed
     ) is not right
-    assert ("without the tables that were off, and leave out `active`" in said) is not right
+    assert ("without the tables that were off, and leave out `active`" in printed) is not right
     if axis * table:
         (control / "EEC.INI").write_text(
             "CHANDATA(1)\n$MA_ENC_COMP_ENABLE[0,AX2]=0\n$AA_ENC_COMP[0,0,AX2]=0\n"
@@ -1327,5 +1328,7 @@ def test_an_answer_about_another_state_that_its_files_contradict_is_refused(
     circles = "[{file: xy.csv, name: xy-150, centre: [400, -250], measured_in: then}]"
     options = CEC.replace("[0, 1, 2, 3, 4, 5, 6, 7]", "[0]")
     assert run(folder, SIEMENS, options=options, states=states, circles=circles) == code
-    said = " ".join(capsys.readouterr().err.split())
-    assert ("table between the axes AX1 and AX2 was active during the test" in said) is (code == 3)
+    printed = " ".join(capsys.readouterr().err.split())
+    assert ("table between the axes AX1 and AX2 was active during the test" in printed) is (
+        code == 3
+    )

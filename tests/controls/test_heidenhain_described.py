@@ -207,8 +207,8 @@ def test_squareness_goes_into_the_column_of_the_bent_axis(
     """
     text = com(19, 50)
     assert run(folder, NCK.id, states=states(folder, text)) == 0
-    said = " ".join(capsys.readouterr().out.split())
-    assert "in X.COM, column Y (the values there are errors)" in said
+    printed = " ".join(capsys.readouterr().out.split())
+    assert "in X.COM, column Y (the values there are errors)" in printed
     loaded = folder / "job" / "tables" / NCK.id
     assert sorted(path.name for path in loaded.iterdir()) == ["CONFIG.CMA", "X.COM", "play.csv"]
     for name in ("CONFIG.CMA", "play.csv"):
@@ -249,9 +249,9 @@ def test_where_the_table_has_no_place_the_sheet_comes_as_before(
 ) -> None:
     (folder / "Y.csv").write_text(PLAY.format("Y") + "linearCompValue,,0.0,mm/m\n")
     assert run(folder, NCK.id, states=states(folder, text).replace("]", ", Y.csv]")) == 0
-    said = " ".join(capsys.readouterr().out.split())
-    assert f"({why})." in said
-    assert "Replace the values in X.COM, column Y by these: " in said
+    printed = " ".join(capsys.readouterr().out.split())
+    assert f"({why})." in printed
+    assert "Replace the values in X.COM, column Y by these: " in printed
     assert (folder / "job" / "card" / "cross_X_Y.csv").exists()
     assert not (folder / "job" / "tables").exists()
 
@@ -266,8 +266,8 @@ def test_an_axis_without_a_table_in_the_active_line_gets_the_sheet(
     """
     text = com(19, 50).replace("   Y\n", "   Z\n")
     assert run(folder, NCK.id, states=states(folder, text)) == 1
-    said = " ".join(capsys.readouterr().out.split())
-    assert "(X.COM has no column Y). Replace the values in X.COM, column Y by these:" in said
+    printed = " ".join(capsys.readouterr().out.split())
+    assert "(X.COM has no column Y). Replace the values in X.COM, column Y by these:" in printed
     job = folder / "job.yaml"
     job.write_text(job.read_text() + "report: {language: de}\n")
     assert compwright(["run", str(job), "--force"]) == 1
@@ -276,7 +276,7 @@ def test_an_axis_without_a_table_in_the_active_line_gets_the_sheet(
     assert "außerhalb der Tabellen" in page
     assert "the end values" not in page
     for name in ("backLash", "linearCompValue"):
-        assert f"axis Y: {name} is not in the files; 0 is assumed" in said
+        assert f"axis Y: {name} is not in the files; 0 is assumed" in printed
     assert (folder / "job" / "card" / "cross_X_Y.csv").exists()
 
 
@@ -286,14 +286,14 @@ def test_an_axis_in_no_file_is_refused_with_the_files_that_would_name_it(
 ) -> None:
     (folder / "X.COM").write_text(com(19, 50).replace("   Y\n", "   Z\n"))
     assert run(folder, NCK.id, states="[X.COM]") == 3
-    said = " ".join(capsys.readouterr().err.split())
+    printed = " ".join(capsys.readouterr().err.split())
     for words in (
         "a .CMA or .COM with a column of Y",
         "backLash or linearCompValue of Y",
         "axes X, Z",
     ):
-        assert words in said
-    assert "slope" not in said
+        assert words in printed
+    assert "slope" not in printed
 
 
 @pytest.mark.parametrize("bit", ["1", "0"])
@@ -311,17 +311,17 @@ def test_a_column_of_an_axis_whose_bit_is_0_is_not_filled(
     )
     (folder / "CONFIG.CMA").write_text("BEGIN CONFIG .CMA MM\nNR   1\n0    X\nEND CONFIG .CMA\n")
     assert run(folder, ITNC.id, states="[X.COM, MP.TXT, CONFIG.CMA]") == 0
-    said = " ".join(capsys.readouterr().out.split())
+    printed = " ".join(capsys.readouterr().out.split())
     if bit == "0":
-        assert "the bit of Y in MP730 is 0: no table is active on it" in said
+        assert "the bit of Y in MP730 is 0: no table is active on it" in printed
         return
-    assert "in X.COM, column 2=F() (the values there are errors)" in said
+    assert "in X.COM, column 2=F() (the values there are errors)" in printed
     last = (folder / "job" / "tables" / ITNC.id / "X.COM").read_text().splitlines()[-2].split()
     assert [float(word) for word in last] == [4, 0, pytest.approx(-0.032, abs=9e-4)]
 
 
 def test_beside_a_table_of_the_moving_axis_and_an_old_sheet(folder: Path) -> None:  # noqa: F811
-    """X gets a table of its own in the same file; its backlash was said by a sheet."""
+    """X gets a table of its own in the same file; its backlash was stated by a sheet."""
     given = states(folder, com(19, 50))
     x = "before: [x.csv], table: {start: -50, end: 850, spacing: 50}"
     assert run(folder, NCK.id, states=given, x=x) == 0
@@ -358,9 +358,9 @@ def test_a_line_beside_a_table_of_zeros_is_asked_for(
     """MP720 of 0.02 mm/m acts only while the bit is 0 (TNC 407 technical manual p151)."""
     files = {"mp": "MP710.0 : 0.0\nMP720.0 : 0.0200\n"}
     assert run_activity(tmp_path, ITNC.id, values=0 * OLD, files=files) == 2
-    said = capsys.readouterr().err
-    assert "MP720 is not zero. It is active only if no table is selected" in said
-    assert "no file contains the switch MP730" in said
+    printed = capsys.readouterr().err
+    assert "MP720 is not zero. It is active only if no table is selected" in printed
+    assert "no file contains the switch MP730" in printed
     columns = []
     for answer in ("yes", "no"):
         assert run_activity(tmp_path, ITNC.id, f", active: {answer}", 0 * OLD, files) == 0

@@ -127,10 +127,10 @@ def test_what_the_bit_would_activate_besides_refuses_the_plane(
     if cma:
         texts["CONFIG.CMA"] = LINE
     assert run(folder, ITNC, states=files(folder, texts)) == 1
-    said = " ".join(capsys.readouterr().out.split())
-    assert "error CW-P113" in said
-    assert "the bit of Y in MP730" in said
-    assert named in said
+    printed = " ".join(capsys.readouterr().out.split())
+    assert "error CW-P113" in printed
+    assert "the bit of Y in MP730" in printed
+    assert named in printed
     assert not (folder / "job" / "card" / "cross_X_Y.csv").exists()
     assert not (folder / "job" / "tables").exists()
     circle = prediction(folder)["circles"]["xy-150"]
@@ -147,9 +147,9 @@ def test_the_answer_not_active_wakes_no_table_of_the_axis_either(
     texts = {"X.COM": x_com(0.0), "Y.COM": y_com(), "CONFIG.CMA": LINE, "MP.TXT": PARAMETERS}
     given = files(folder, texts)
     assert run(folder, ITNC, states=f"{{files: {given}, active: no}}") == 1
-    said = " ".join(capsys.readouterr().out.split())
-    assert "the bit of Y in MP730 would also activate" in said
-    assert "(Y.COM, column 2=F())" in said
+    printed = " ".join(capsys.readouterr().out.split())
+    assert "the bit of Y in MP730 would also activate" in printed
+    assert "(Y.COM, column 2=F())" in printed
     assert not (folder / "job" / "tables").exists()
 
 
@@ -182,45 +182,50 @@ def test_the_bit_of_an_axis_changes_no_column_of_another_table(
     states = f"{{files: {files(folder, texts)}, active: {answer}}}"
     y = f"before: [y.csv], options: {{method: {method}}}"
     assert (run(folder, ITNC, states=states, y=y, apply="{}") == 4) is bool(harm)
-    said = capsys.readouterr().err
-    assert harm in said
-    assert ("the bit of Y in MP730" in said) is bool(harm)
+    printed = capsys.readouterr().err
+    assert harm in printed
+    assert ("the bit of Y in MP730" in printed) is bool(harm)
     step = {"no": "set the bit to 1", "yes": "choose `method: table` for this axis"}[answer]
-    assert (f"Next: {step}, or empty these columns; repeat the test" in said) is bool(harm)
+    assert (f"Next: {step}, or empty these columns; repeat the test" in printed) is bool(harm)
     assert (folder / "job" / "tables").exists() is not bool(harm)
 
 
-def test_no_active_line_refuses_the_plane(
+@pytest.mark.parametrize(
+    ("control", "texts", "why"),
+    [
+        # A mark in the line would activate every table that it names, not only the new column.
+        (
+            NCK,
+            {
+                "X.COM": com(19, 50),
+                "CONFIG.CMA": "BEGIN CONFIG.CMA MM\nNR  ACTIVE  X       Y\n0           X.COM\n[END]\n",
+                "play.csv": PLAY.format("X"),
+                "Y.csv": PLAY.format("Y") + "linearCompValue,,0.0,mm/m\n",
+            },
+            "no line of CONFIG.CMA is active",
+        ),
+        # The column of Y in X.COM would also bend Y by its own motion.
+        (
+            ITNC,
+            {
+                "X.COM": x_com(0.0),
+                "CONFIG.CMA": LINE.replace("X         Y", "X         X"),
+                "MP.TXT": f"{PARAMETERS}MP730 : %00011\n",
+            },
+            "X.COM is active for the motion of several axes: X, Y",
+        ),
+    ],
+    ids=["no active line", "a table of two axes"],
+)
+def test_a_column_that_would_act_on_more_is_not_typed(
     folder: Path,  # noqa: F811
     capsys: pytest.CaptureFixture[str],
+    control: str,
+    texts: dict[str, str],
+    why: str,
 ) -> None:
-    """A mark in the line would activate every table that it names, not only the new column."""
-    texts = {
-        "X.COM": com(19, 50),
-        "CONFIG.CMA": "BEGIN CONFIG.CMA MM\nNR  ACTIVE  X       Y\n0           X.COM\n[END]\n",
-        "play.csv": PLAY.format("X"),
-        "Y.csv": PLAY.format("Y") + "linearCompValue,,0.0,mm/m\n",
-    }
-    assert run(folder, NCK, states=files(folder, texts)) == 1
-    said = " ".join(capsys.readouterr().out.split())
-    assert "no line of CONFIG.CMA is active" in said
-    assert not (folder / "job" / "card" / "cross_X_Y.csv").exists()
-
-
-def test_a_table_that_follows_two_axes_is_not_typed_into(
-    folder: Path,  # noqa: F811
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    """The column of Y in X.COM would also bend Y by its own motion."""
-    texts = {
-        "X.COM": x_com(0.0),
-        "CONFIG.CMA": LINE.replace("X         Y", "X         X"),
-        "MP.TXT": f"{PARAMETERS}MP730 : %00011\n",
-    }
-    assert run(folder, ITNC, states=files(folder, texts)) == 1
-    assert "X.COM is active for the motion of several axes: X, Y" in " ".join(
-        capsys.readouterr().out.split()
-    )
+    assert run(folder, control, states=files(folder, texts)) == 1
+    assert why in " ".join(capsys.readouterr().out.split())
     assert not (folder / "job" / "card" / "cross_X_Y.csv").exists()
 
 
@@ -273,11 +278,11 @@ def test_the_sheet_has_the_totals_of_every_row(
         "MP.TXT": f"{PARAMETERS}MP730 : %00011\n",
     }
     assert run(folder, ITNC, states=files(folder, texts)) == 0
-    said = " ".join(capsys.readouterr().out.split())
+    printed = " ".join(capsys.readouterr().out.split())
     step = card(folder)
-    assert "Replace the values in X.COM, column 2=F() by these:" in said
+    assert "Replace the values in X.COM, column 2=F() by these:" in printed
     assert "Replace the values in X.COM, column 2=F() by:" in step
-    for one in (said, step):
+    for one in (printed, step):
         assert "Add" not in one
         assert f" {unit} at " in one
     assert ("The table gets more rows" in step) is more
@@ -329,12 +334,12 @@ def test_the_table_of_a_rotary_axis_gets_totals_in_its_own_rows(
         " deviations: [0, 5, 0, -5, 0], unit: um}\n"
     )
     assert compwright(["run", str(job)]) == (0 if held else 1)
-    said = " ".join(capsys.readouterr().out.split())
+    printed = " ".join(capsys.readouterr().out.split())
     file = folder / "job" / "card" / "cross_C_Y.csv"
     assert file.exists() is held
     if not held:
         why = "has no row at a position" if dist == 180 else "reaches from 0 to 240"
-        assert f"is not corrected: C.COM {why}" in said
+        assert f"is not corrected: C.COM {why}" in printed
         return
     head, *lines = file.read_text(encoding="utf-8").splitlines()
     assert "totals, in place of the values there" in head

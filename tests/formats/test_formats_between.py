@@ -1,5 +1,5 @@
 """Corrections between axes, family by family: values, signs and units of what is typed in, what is
-said where nothing holds them, and that what is written comes back.
+stated where nothing holds them, and that what is written comes back.
 
 Y follows X by 40 µm/m: the angle is larger than 90°, and Y is moved by + 40e-6 times the distance
 of X from its reference.
@@ -100,7 +100,7 @@ def ask(
 
 def remarks(answer: Between) -> list[tuple[str, str]]:
     """Return severity and text of each remark."""
-    return [(severity, str(said)) for severity, said in answer.remarks]
+    return [(severity, str(printed)) for severity, printed in answer.remarks]
 
 
 def rows(sheet: ControlFile, start: int) -> list[list[str]]:
@@ -276,15 +276,15 @@ def test_every_control_answers(format_id: str) -> None:
         with pytest.raises(UsageError, match="is not documented"):
             ask(family(format_id))
         return
-    ((severity, said),) = remarks(ask(family(format_id)))
-    assert "squareness of Y over X (+40.0 µm/m)" in said
-    assert severity == ("error" if "is not corrected" in said else "warning")
+    ((severity, printed),) = remarks(ask(family(format_id)))
+    assert "squareness of Y over X (+40.0 µm/m)" in printed
+    assert severity == ("error" if "is not corrected" in printed else "warning")
 
 
 def test_every_correction_is_said() -> None:
     bent = replace(follows(), input="Z", source="cross", squareness=-12.5e-6)
     answer = ask(family(SIEMENS), follows(), bent)
-    assert [said.split(": ")[0] for _, said in remarks(answer)] == [
+    assert [printed.split(": ")[0] for _, printed in remarks(answer)] == [
         "squareness of Y over X (+40.0 µm/m) is not corrected",
         "the measured deviation of Y over Z (+12.5 µm/m) is not corrected",
     ]
@@ -458,20 +458,20 @@ def refused(case: str) -> Between:
 )
 def test_the_reason_of_a_refusal_is_in_the_language_of_the_page(case: str) -> None:
     """No two English words in a row are in the Russian text, which has other letters."""
-    ((_, said), *_) = refused(case).remarks
-    assert " not corrected: " in str(said)
+    ((_, printed), *_) = refused(case).remarks
+    assert " not corrected: " in str(printed)
     if case == "columns not active":
-        assert "(X.COM, столбец 2=F(), Y.COM, столбец 2=F())" in said.text("ru")
-    russian = NAME.sub("", said.text("ru"))
+        assert "(X.COM, столбец 2=F(), Y.COM, столбец 2=F())" in printed.text("ru")
+    russian = NAME.sub("", printed.text("ru"))
     assert re.search(r"[a-z]+ [a-z]+", russian) is None, russian
     for language in ("de", "fr"):
-        assert not {"the", "is", "and"} & set(said.text(language).split())
+        assert not {"the", "is", "and"} & set(printed.text(language).split())
 
 
 def test_a_table_that_the_files_of_the_control_do_not_list_is_not_written() -> None:
     """A real 840D sl lists MD18342 for its tables 0 to 61: a table 62 is taken by no control."""
     answer = refused("table beyond")
-    ((severity, said),) = answer.remarks
+    ((severity, printed),) = answer.remarks
     assert (severity, answer.files) == ("error", None)
-    assert "$MN_MM_CEC_MAX_POINTS[62]" in str(said)
-    assert "indices from 0 to 61" in str(said)
+    assert "$MN_MM_CEC_MAX_POINTS[62]" in str(printed)
+    assert "indices from 0 to 61" in str(printed)

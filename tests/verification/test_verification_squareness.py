@@ -48,3 +48,21 @@ def test_only_a_correction_that_is_active_as_planned_counts_as_active(
     check: SquarenessCheck, found: tuple[str, bool]
 ) -> None:
     assert (check.verdict, check.active) == found
+
+
+@pytest.mark.parametrize(
+    ("as_planned", "step"),
+    [
+        (None, "Compare what is loaded with the plan."),
+        (True, "check that all tables are switched on, and measure the circle again."),
+        (False, "The table that was read back differs from the plan (CW-V011)."),
+    ],
+)
+def test_what_was_read_back_as_planned_is_not_to_be_compared_again(
+    as_planned: bool | None, step: str
+) -> None:
+    check = SquarenessCheck(
+        value=20.0, expected=0.0, U=1.0, before=40.0, fault=None, as_planned=as_planned
+    )
+    (found,) = check.findings
+    assert found.message.endswith(step)

@@ -141,7 +141,7 @@ def correction_finding(
         expected=expected,
         U=U,
         verdict=verdict,
-        as_planned=as_planned,
+        step=say("CW-V035.step", as_planned=as_planned),
         loading=say("loading.circle", effect=None, candidates=[])
         if fault is None
         else fault.sentence,

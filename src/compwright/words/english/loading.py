@@ -163,18 +163,19 @@ SENTENCES: Final[dict[str, str]] = {
         " (k = 2). {verdict:choose|loaded=The correction is active; a new set-up of the"
         " instrument or a change of the machine can leave this rest.|not_active={loading} Check"
         " that it is loaded and switched on.|inverted={loading} Check the sign of the table, and"
-        " load it again.|increment={loading} The existing correction is missing.{as_planned:if|"
-        " What was read back is as planned: check that all tables are switched on, and measure"
-        " the circle again.| Compare what is loaded with the plan.}|read_back=The table that was"
-        " read back differs from the plan (CW-V011).|uncertain=The tests are too uncertain to"
-        " name the fault. Measure the full circle again in both"
-        " directions.|={loading}{as_planned:if| What was read back is as planned: check that all"
-        " tables are switched on, and measure the circle again.| Compare what is loaded with the"
-        " plan.}}{negligible:if| Below {negligible:.0f} µm/m it is accepted.|}"
+        " load it again.|increment={loading} The existing correction is missing."
+        " {step}|read_back=The table that was read back differs from the plan"
+        " (CW-V011).|uncertain=The tests are too uncertain to name the fault. Measure the full"
+        " circle again in both directions.|={loading} {step}}{negligible:if| Below"
+        " {negligible:.0f} µm/m it is accepted.|}"
     ),
     "CW-V035.open": (
         "The circle after loading does not determine the squareness well enough to show that its"
         " correction is active. Measure the full circle again in both directions."
+    ),
+    "CW-V035.step": (
+        "{as_planned:if|What was read back is as planned: check that all tables are switched on,"
+        " and measure the circle again.|Compare what is loaded with the plan.}"
     ),
     "CW-V036": (
         "The circle after loading is not as predicted: {what:join|; }. Compare what is loaded with"

@@ -167,18 +167,18 @@ SENTENCES: Final[dict[str, str]] = {
         " nouveau montage de l'instrument ou un changement de la machine peut laisser ce"
         " reste.|not_active={loading} Vérifier qu'elle est chargée et activée.|inverted={loading}"
         " Vérifier le signe de la table et la charger de nouveau.|increment={loading} La"
-        " correction existante manque.{as_planned:if| Ce qui a été relu est comme prévu :"
-        " vérifier que toutes les tables sont activées et mesurer de nouveau le cercle.| Comparer"
-        " ce qui est chargé avec le plan.}|read_back=La table relue diffère du plan"
+        " correction existante manque. {step}|read_back=La table relue diffère du plan"
         " (CW-V011).|uncertain=Les essais sont trop incertains pour nommer le défaut. Mesurer de"
-        " nouveau le cercle entier dans les deux sens.|={loading}{as_planned:if| Ce qui a été"
-        " relu est comme prévu : vérifier que toutes les tables sont activées et mesurer de"
-        " nouveau le cercle.| Comparer ce qui est chargé avec le plan.}}{negligible:if|"
+        " nouveau le cercle entier dans les deux sens.|={loading} {step}}{negligible:if|"
         " Au-dessous de {negligible:.0f} µm/m elle est acceptée.|}"
     ),
     "CW-V035.open": (
         "Le cercle après chargement ne détermine pas assez bien la perpendicularité pour montrer"
         " que sa correction est active. Mesurer de nouveau le cercle entier dans les deux sens."
+    ),
+    "CW-V035.step": (
+        "{as_planned:if|Ce qui a été relu est comme prévu : vérifier que toutes les tables sont"
+        " activées et mesurer de nouveau le cercle.|Comparer ce qui est chargé avec le plan.}"
     ),
     "CW-V036": (
         "Le cercle après chargement n'est pas comme prévu : {what:join| ; }. Comparer ce qui est"

@@ -171,18 +171,19 @@ SENTENCES: Final[dict[str, str]] = {
         " ein neues Einrichten des Messgeräts oder eine Änderung der Maschine kann diesen Rest"
         " lassen.|not_active={loading} Prüfen, ob sie geladen und eingeschaltet"
         " ist.|inverted={loading} Das Vorzeichen der Tabelle prüfen und sie neu"
-        " laden.|increment={loading} Die vorhandene Korrektur fehlt.{as_planned:if| Das"
-        " Zurückgelesene ist wie geplant: prüfen, ob alle Tabellen eingeschaltet sind, und den"
-        " Kreis neu messen.| Das Geladene mit dem Plan vergleichen.}|read_back=Die zurückgelesene"
-        " Tabelle weicht vom Plan ab (CW-V011).|uncertain=Die Prüfungen sind zu unsicher, um den"
-        " Fehler zu nennen. Den vollen Kreis in beiden Richtungen neu"
-        " messen.|={loading}{as_planned:if| Das Zurückgelesene ist wie geplant: prüfen, ob alle"
-        " Tabellen eingeschaltet sind, und den Kreis neu messen.| Das Geladene mit dem Plan"
-        " vergleichen.}}{negligible:if| Unter {negligible:.0f} µm/m wird sie angenommen.|}"
+        " laden.|increment={loading} Die vorhandene Korrektur fehlt. {step}|read_back=Die"
+        " zurückgelesene Tabelle weicht vom Plan ab (CW-V011).|uncertain=Die Prüfungen sind zu"
+        " unsicher, um den Fehler zu nennen. Den vollen Kreis in beiden Richtungen neu"
+        " messen.|={loading} {step}}{negligible:if| Unter {negligible:.0f} µm/m wird sie"
+        " angenommen.|}"
     ),
     "CW-V035.open": (
         "Der Kreis nach dem Laden bestimmt die Rechtwinkligkeit nicht gut genug, um zu zeigen, dass"
         " ihre Korrektur aktiv ist. Den vollen Kreis in beiden Richtungen neu messen."
+    ),
+    "CW-V035.step": (
+        "{as_planned:if|Das Zurückgelesene ist wie geplant: prüfen, ob alle Tabellen"
+        " eingeschaltet sind, und den Kreis neu messen.|Das Geladene mit dem Plan vergleichen.}"
     ),
     "CW-V036": (
         "Der Kreis nach dem Laden ist nicht wie vorhergesagt: {what:join|; }. Das Geladene mit dem"
